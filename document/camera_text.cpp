@@ -1,6 +1,7 @@
 #include "document/camera_text.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/view/navigation.hpp"
 
 #include <glm/glm.hpp>
@@ -42,14 +43,16 @@ std::optional<double> finite_number(std::string_view text) {
 std::expected<glm::dvec3, std::string> point_of(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() != 3)
-        return std::unexpected("3 numbers separated by commas are needed, not " +
-                               std::to_string(parts.size()));
+        return std::unexpected(filled(tr("3 numbers separated by commas are needed, not {0}"),
+                                      {std::to_string(parts.size())}));
     glm::dvec3 point(0.0);
     for (int i = 0; i < 3; ++i) {
         const std::string_view part = parts[static_cast<std::size_t>(i)];
         const auto number = finite_number(part);
-        if (!number) return std::unexpected("'" + std::string(part) + "' is not a finite number");
-        if (std::abs(*number) > farthest) return std::unexpected("stay between -1e30 and 1e30");
+        if (!number)
+            return std::unexpected(
+                filled(tr("{0} is not a finite number"), {"'" + std::string(part) + "'"}));
+        if (std::abs(*number) > farthest) return std::unexpected(tr("stay between -1e30 and 1e30"));
         point[i] = *number;
     }
     return point;
@@ -77,19 +80,19 @@ std::optional<std::string> Reading::take(std::string_view word, std::string_view
     const auto number = finite_number(value);
     if (word == "fov") {
         if (!number || !(*number >= least_fov_deg && *number <= most_fov_deg))
-            return "type an angle from 0.01 to 170 degrees";
+            return tr("type an angle from 0.01 to 170 degrees");
         camera.fov_rad = glm::radians(*number);
         camera.projection = Projection::Perspective;
         height.reset();
         return std::nullopt;
     }
     if (word == "height") {
-        if (!number || !(*number > 0.0)) return "type a height above 0";
+        if (!number || !(*number > 0.0)) return tr("type a height above 0");
         height = number;
         camera.projection = Projection::Orthographic;
         return std::nullopt;
     }
-    return "type eye X,Y,Z, then look-at, up, fov or height after a ;";
+    return tr("type eye X,Y,Z, then look-at, up, fov or height after a ;");
 }
 
 }  // namespace
@@ -122,7 +125,7 @@ std::expected<Camera, std::string> read_camera_text(std::string_view text, const
         if (const auto wrong = reading.take(part.substr(0, end), value))
             return std::unexpected(*wrong);
     }
-    if (!reading.has_eye) return std::unexpected("it says no eye X,Y,Z");
+    if (!reading.has_eye) return std::unexpected(tr("it says no eye X,Y,Z"));
     const Camera camera =
         reading.height ? with_shown_height(reading.camera, *reading.height) : reading.camera;
     if (const char* const defect = camera_defect(camera)) return std::unexpected(defect);

@@ -1,6 +1,7 @@
 #include "document/framing.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,9 @@ std::string box_text(const Box& box) {
     std::string text;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ", ";
-        text += std::string(1, static_cast<char>('x' + axis)) + " " +
-                short_number(box.lo[axis], digits) + " to " + short_number(box.hi[axis], digits);
+        text += filled(tr("{0} {1} to {2}"),
+                       {std::string(1, static_cast<char>('x' + axis)),
+                        short_number(box.lo[axis], digits), short_number(box.hi[axis], digits)});
     }
     return text;
 }
@@ -70,25 +72,27 @@ Framing frame_surfaces(const Document& document, const Extent& extent, double as
         const bool small = extent.whole->size() < small_part * document.clip.size();
         if (small || sticks_out(*extent.whole, document.clip)) {
             wished.clip = cube_about(*extent.whole);
-            return shown(wished, *extent.whole, aspect,
-                         "framed the whole surface: clip box " + box_text(wished.clip));
+            return shown(
+                wished, *extent.whole, aspect,
+                filled(tr("framed the whole surface: clip box {0}"), {box_text(wished.clip)}));
         }
     }
     if (extent.inside) {
         const char* const note = extent.whole
-                                     ? "framed the surface"
-                                     : "framed what the clip box shows: the surface goes on";
+                                     ? tr("framed the surface")
+                                     : tr("framed what the clip box shows: the surface goes on");
         return shown(wished, *extent.inside, aspect, note);
     }
     if (may_clip && extent.reached) {
         wished.clip = *extent.reached;
         return shown(wished, wished.clip, aspect,
-                     "enlarged the clip box until it meets the surface: " + box_text(wished.clip));
+                     filled(tr("enlarged the clip box until it meets the surface: {0}"),
+                            {box_text(wished.clip)}));
     }
     const bool somewhere = extent.whole || extent.reached;
     return {.document = document,
-            .note = somewhere ? "the clip box holds nothing of the surface"
-                              : "no surface: f vanishes nowhere near the clip box",
+            .note = somewhere ? tr("the clip box holds nothing of the surface")
+                              : tr("no surface: f vanishes nowhere near the clip box"),
             .found = false};
 }
 

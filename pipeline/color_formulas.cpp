@@ -1,6 +1,7 @@
 #include "pipeline/color_formulas.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "jit/compile.hpp"
@@ -16,12 +17,10 @@ namespace {
 // LLVM takes about 0.1 ms for a node where only values are compiled.
 constexpr std::size_t most_nodes = 4'000;
 
-/// `what`: it is for.
+/// `missing`: the error where there is none.
 std::expected<Expr, InputError> expression_of(const std::string& text, const RowProgram& rows,
-                                              const std::string& what) {
-    if (trimmed(text).empty()) {
-        return wrong_input("there is no expression " + what + "; type one such as x^2 + y^2");
-    }
+                                              const char* missing) {
+    if (trimmed(text).empty()) return wrong_input(missing);
     auto expression = read_value(text, rows.text, rows.program->parameters);
     if (!expression) return std::unexpected(input_error(expression.error(), text));
     return std::move(*expression);
@@ -29,7 +28,8 @@ std::expected<Expr, InputError> expression_of(const std::string& text, const Row
 
 std::expected<Expr, InputError> color_expression(const ColorChoice& choice,
                                                  const RowProgram& rows) {
-    return expression_of(choice.expression, rows, "to color by");
+    return expression_of(choice.expression, rows,
+                         tr("there is no expression to color by; type one such as x^2 + y^2"));
 }
 
 /// The expression that `by` shows for a surface f = 0.
@@ -73,7 +73,9 @@ SurfaceLines lines_of(const LineChoice& choice, const ColorFormulas& formulas, c
 
 std::expected<Expr, InputError> contour_expression(const LineChoice& lines,
                                                    const RowProgram& rows) {
-    return expression_of(lines.expression, rows, "for contour lines");
+    return expression_of(
+        lines.expression, rows,
+        tr("there is no expression for contour lines; type one such as x^2 + y^2"));
 }
 
 std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,

@@ -1,6 +1,7 @@
 #include "pipeline/formula.hpp"
 
 #include "engine/base/clock.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
 #include "engine/rewrite/traceable.hpp"
@@ -33,7 +34,9 @@ CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Preparation h
 std::expected<std::vector<Kernel>, InputError> machine_code(const Formula& formula, CodeUse use,
                                                             Precision precision) {
     auto kernels = machine_code(formula.drawn, formula.region, use, precision);
-    if (!kernels) return wrong_input("the formula cannot be compiled: " + kernels.error().message);
+    if (!kernels)
+        return wrong_input(
+            filled(tr("the formula cannot be compiled: {0}"), {kernels.error().message}));
     return std::move(*kernels);
 }
 

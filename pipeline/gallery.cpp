@@ -1,5 +1,6 @@
 #include "pipeline/gallery.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/nearest_word.hpp"
 #include "pipeline/gallery_files.hpp"
 #include "pipeline/input_error.hpp"
@@ -105,9 +106,13 @@ std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {
     std::vector<std::string_view> names;
     std::ranges::transform(gallery(), std::back_inserter(names), &GalleryItem::name);
     const std::optional<std::string_view> meant = meant_word(name, names);
-    const std::string hint = meant ? "; did you mean @" + std::string(*meant) + "?" : "";
-    return wrong_input("the gallery has no '@" + std::string(name) + "'" + hint +
-                       " (zeroset gallery lists all)");
+    const std::string shown = "'@" + std::string(name) + "'";
+    if (!meant)
+        return wrong_input(
+            filled(tr("the gallery has no {0} (zeroset gallery lists all)"), {shown}));
+    return wrong_input(
+        filled(tr("the gallery has no {0}; did you mean {1}? (zeroset gallery lists all)"),
+               {shown, "@" + std::string(*meant)}));
 }
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #include "pipeline/mesh_document.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/mesh/open_surface.hpp"
 #include "engine/mesh/wall.hpp"
 #include "engine/real/rounding.hpp"
@@ -27,14 +28,17 @@ std::string place_text(const UnprovedPlace& place) {
            short_number(place.cell.z, 4);
 }
 
-std::string places_text(const std::vector<UnprovedPlace>& places) {
-    if (places.empty()) return "";
-    std::string text = ", in " + std::to_string(places.size()) +
-                       (places.size() == 1 ? " place: near " : " places: near ");
+/// The sentence, and in which places that is so.
+std::string with_places(const std::string& sentence, const std::vector<UnprovedPlace>& places) {
+    if (places.empty()) return sentence;
     constexpr std::size_t most_places = 4;
+    std::string list;
     for (std::size_t i = 0; i < std::min(most_places, places.size()); ++i)
-        text += (i > 0 ? "; " : "") + place_text(places[i]);
-    return places.size() > most_places ? text + "; ..." : text;
+        list += (i > 0 ? "; " : "") + place_text(places[i]);
+    if (places.size() > most_places) list += "; ...";
+    if (places.size() == 1) return filled(tr("{0}, in 1 place: near {1}"), {sentence, list});
+    return filled(tr("{0}, in {1} places: near {2}"),
+                  {sentence, std::to_string(places.size()), list});
 }
 
 /// The document's meshes, one after the other.
@@ -114,16 +118,18 @@ OrInputError<DocumentMeshes> DocumentMesher::finish() {
 std::optional<InputError> DocumentMesher::make_walls(double size) {
     const double wall_mm = *settings_.wall_mm;
     if (!(wall_mm < settings_.size_mm))
-        return InputError{.reason = "--wall: it must be thinner than --size"};
+        return InputError{.reason =
+                              filled(tr("{0}: it must be thinner than {1}"), {"--wall", "--size"})};
     result_.file.mm_per_unit = (settings_.size_mm - wall_mm) / size;
     const double thickness = wall_mm / result_.file.mm_per_unit;
     for (std::size_t i = 0; i < result_.surfaces.size(); ++i) {
         MeshObject& object = result_.file.objects[i];
         auto wall = wall_of(object.mesh, thickness, result_.tolerance);
         if (!wall) {
-            return InputError{.reason = "--wall " + short_number(wall_mm) + ": surface " +
-                                        std::to_string(result_.surfaces[i].number) + ": " +
-                                        wall.error() + "; a thinner one may do"};
+            return InputError{
+                .reason = filled(tr("{0}: surface {1}: {2}; a thinner one may do"),
+                                 {"--wall " + short_number(wall_mm),
+                                  std::to_string(result_.surfaces[i].number), wall.error()})};
         }
         object.mesh = std::move(*wall);
         const std::vector<MeshColor> colors = object.colors;
@@ -138,39 +144,44 @@ std::optional<InputError> DocumentMesher::make_walls(double size) {
 
 std::string proof_line(const MeshReport& report) {
     if (report.isotopic) {
-        return report.unchanged ? "mesh proved isotopic to the surface"
-                                : "topology proved; edges put in or triangles taken out since keep "
-                                  "components and genus";
+        return report.unchanged
+                   ? tr("mesh proved isotopic to the surface")
+                   : tr("topology proved; edges put in or triangles taken out since keep "
+                        "components and genus");
     }
     const std::size_t all = report.proved + report.rough + report.unproved;
-    const std::string of_all = " of " + std::to_string(all) + " cells";
     if (report.unproved == 0) {
-        return "topology proved but for " + std::to_string(report.rough) + of_all +
-               ", at edges too sharp for it" + places_text(report.rough_places);
+        return with_places(
+            filled(tr("topology proved but for {0} of {1} cells, at edges too sharp for it"),
+                   {std::to_string(report.rough), std::to_string(all)}),
+            report.rough_places);
     }
-    return "topology not proved in " + std::to_string(report.unproved + report.rough) + of_all +
-           places_text(report.places);
+    return with_places(
+        filled(tr("topology not proved in {0} of {1} cells"),
+               {std::to_string(report.unproved + report.rough), std::to_string(all)}),
+        report.places);
 }
 
 std::vector<std::string> limit_lines(const MeshReport& report, const std::string& more_time) {
     std::vector<std::string> lines;
     if (report.dense) {
-        lines.push_back(
-            "f is not enclosed closely enough along its surface: cells there are left "
-            "unproved at a size of some " +
-            short_number(report.smallest_cell, 2));
+        lines.push_back(filled(tr("f is not enclosed closely enough along its surface: cells there "
+                                  "are left unproved at a size of some {0}"),
+                               {short_number(report.smallest_cell, 2)}));
     }
     if (report.cut)
-        lines.push_back("the time or the room for cells is spent; " + more_time +
-                        " or a larger tolerance gives more");
+        lines.push_back(filled(
+            tr("the time or the room for cells is spent; {0} or a larger tolerance gives more"),
+            {more_time}));
     return lines;
 }
 
 std::string nothing_found(const DocumentMeshes& meshes) {
     if (meshes.unproved == 0)
-        return "it is proved that no surface lies in the clip box; --box makes it larger";
-    return "f changes its sign nowhere between cells, but in " + std::to_string(meshes.unproved) +
-           " of them it may be 0: a smaller --tolerance looks closer; f^2 = 0 has no inside";
+        return tr("it is proved that no surface lies in the clip box; --box makes it larger");
+    return filled(tr("f changes its sign nowhere between cells, but in {0} of them it may be 0: a "
+                     "smaller --tolerance looks closer; f^2 = 0 has no inside"),
+                  {std::to_string(meshes.unproved)});
 }
 
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,

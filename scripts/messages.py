@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Brings the catalogs in resources/languages up to date with the texts of the sources.
 
-Usage: messages.py [--check]. Texts are what the functions in KEYWORDS are called with, and the
-members of the tables in TABLES. With --check nothing is written: prints, for each catalog, the texts
-that are not translated and those that no source has, and exits 1 if there are any.
+Usage: messages.py [--check]. Texts are what the functions in KEYWORDS are called with, the members of
+the tables in TABLES and DEFINITIONS, and what the gallery says. With --check nothing is written:
+prints, for each catalog, the texts that are not translated and those that no source has, and exits 1
+if there are any.
 
 A new text comes without a translation, one that has changed a little as "fuzzy", with a guess: fill
 in or correct it, and take the word fuzzy away. Needs gettext.
 """
 
+import json
 import re
 import subprocess
 import sys
@@ -30,6 +32,13 @@ TABLES = {
     "ui/panels/side_panel.cpp": ["title"],
     "ui/picture/view_notice.cpp": ["title"],
 }
+# Tables of macros whose last text tells what a row means: file, a row up to that text.
+DEFINITIONS = {
+    "engine/expr/op.def": r'ZEROSET_OP\(\w+,\s*\w+,\s*"[^"]*",\s*\d,\s*\w+,\s*',
+    "engine/language/vocabulary/functions.def":
+        r'ZEROSET_FUNCTION\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
+    "engine/language/vocabulary/library.def": r'ZEROSET_LIBRARY\("\w+", "[^"]*", ',
+}
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'
 KEYWORDS = ["tr:1", "tr_in:1c,2", "tr_count:1,2", "marked:1", "marked_in:1c,2", "choice:1",
             "language_choice:1"]
@@ -45,6 +54,30 @@ def source(path):
     return text
 
 
+def with_words(text):
+    """Whether a text of a table is more than a formula, which is the same in all languages."""
+    return re.search(r"(?<!\S)[A-Za-z]{2,}(?=[\s,.:;]|$)", text)
+
+
+def meanings():
+    """Returns what the tables of operators and functions say of them, as literals."""
+    found = []
+    for name, macro in DEFINITIONS.items():
+        rows = re.findall(rf"^{macro}({LITERALS})", (ROOT / name).read_text(), re.MULTILINE)
+        found += [literal for literal in rows if with_words(literal[1:-1])]
+    return found
+
+
+def gallery_texts():
+    """Returns the titles, groups and descriptions of the gallery, as literals."""
+    texts = []
+    for path in sorted((ROOT / "resources/gallery").glob("*.json")):
+        gallery = json.loads(path.read_text())
+        for holder in [gallery, *gallery["items"]]:
+            texts += [holder[key] for key in ("group", "title", "about") if key in holder]
+    return [json.dumps(text, ensure_ascii=False) for text in texts]
+
+
 def template(folder):
     """Writes all texts to a .pot file in `folder`; returns its path."""
     names = []
@@ -55,6 +88,9 @@ def template(folder):
             copy.parent.mkdir(parents=True, exist_ok=True)
             copy.write_text(source(path))
             names.append(str(name))
+    for name, literals in (("meanings.hpp", meanings()), ("gallery.hpp", gallery_texts())):
+        (folder / name).write_text("".join(f"marked({literal});\n" for literal in literals))
+        names.append(name)
     pot = folder / "zeroset.pot"
     command = ["xgettext", "--language=C++", "--from-code=UTF-8", "--no-wrap", "--no-location",
                "--sort-output", "--add-comments=Translators:", "--package-name=zeroset",

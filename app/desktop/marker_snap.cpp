@@ -1,5 +1,6 @@
 #include "app/desktop/marker_snap.hpp"
 
+#include "engine/base/translation.hpp"
 #include "pipeline/snap_point.hpp"
 
 #include <algorithm>
@@ -20,14 +21,14 @@ std::string name_of_height(const glm::dvec3& up) {
         if (std::abs(way[axis]) > 1.0 - 1e-12)
             return (way[axis] < 0 ? "-" : "") + std::string(1, static_cast<char>('x' + axis));
     }
-    return "the height";
+    return tr_in("a maximum of ...", "the height");
 }
 
 std::string small_numbers(const SpecialPoint& found) {
     std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), "numerical: |f| = %.1g, |grad f| = %.1g",
-                  std::abs(found.f), found.slope);
-    return text.data();
+    std::snprintf(text.data(), text.size(), "|f| = %.1g, |grad f| = %.1g", std::abs(found.f),
+                  found.slope);
+    return filled(tr("numerical: {0}"), {text.data()});
 }
 
 }  // namespace
@@ -37,12 +38,16 @@ std::string snap_text(const Marker& marker, const glm::dvec3& up,
     const std::string name = name_of(marker);
     const std::string height = name_of_height(up);
     if (!found) {
-        return "no singular point and no maximum or minimum of " + height + " found near " + name;
+        return filled(tr("no singular point and no maximum or minimum of {0} found near {1}"),
+                      {height, name});
     }
-    const std::string place = found->kind == SpecialKind::Singular ? "a singular point"
-                              : found->kind == SpecialKind::Top    ? "a local maximum of " + height
-                                                                   : "a local minimum of " + height;
-    return name + " is now at " + place + " (" + small_numbers(*found) + ")";
+    const std::string numbers = small_numbers(*found);
+    if (found->kind == SpecialKind::Singular)
+        return filled(tr("{0} is now at a singular point ({1})"), {name, numbers});
+    const char* const place = found->kind == SpecialKind::Top
+                                  ? tr("{0} is now at a local maximum of {1} ({2})")
+                                  : tr("{0} is now at a local minimum of {1} ({2})");
+    return filled(place, {name, height, numbers});
 }
 
 void MarkerSnap::start(const ui::UiState& state, const PictureRequest& picture) {

@@ -1,6 +1,7 @@
 #include "app/desktop/point_inspector.hpp"
 
 #include "engine/annotate/hidden.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/measure/probe.hpp"
 #include "pipeline/probe_document.hpp"
 
@@ -61,7 +62,8 @@ void PointInspector::keep_marker(ui::UiState& state) {
     const Click click = *std::exchange(click_, std::nullopt);
     const int number = add_marker(state.edited.document.markers, click.at);
     if (number == 0) {
-        state.shown.status.note = "there are " + std::to_string(most_markers) + " markers already";
+        state.shown.status.note =
+            filled(tr("there are {0} markers already"), {std::to_string(most_markers)});
         return;
     }
     state.edited.selected_marker = number;

@@ -5,6 +5,7 @@
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/panels/statement_list.hpp"
 #include "ui/style/label.hpp"
@@ -43,7 +44,20 @@ std::string first_text(const Document& document) {
     for (const Statement& statement : document.statements) {
         if (!statement.text.empty()) return ui::in_one_line(statement.text);
     }
-    return "Untitled";
+    return tr("Untitled");
+}
+
+/// How the dialog for a file to be saved is called, and the file in it.
+std::pair<std::string, std::string> names_of(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::Picture:
+            return {tr("Save the picture"), tr_in("name of a file", "picture")};
+        case ExportKind::Film: return {tr("Save the film"), tr_in("name of a file", "film")};
+        case ExportKind::Mesh: return {tr("Save the mesh"), tr_in("name of a file", "mesh")};
+        case ExportKind::Drawing:
+            return {tr("Save the drawing"), tr_in("name of a file", "drawing")};
+    }
+    return {};
 }
 
 /// The name, cut where it is too long for a question.
@@ -75,9 +89,9 @@ Session::Session(ui::UiState& state, const SessionOptions& options)
     if (!path_.empty()) recent_.add(path_);
     if (lost_) {
         ask(Subject::Restore,
-            "Zeroset ended without being closed. Restore what was open?\n\n" +
-                shortened(first_text(lost_->document)),
-            {"Restore", "Discard"});
+            filled(tr("Zeroset ended without being closed. Restore what was open?\n\n{0}"),
+                   {shortened(first_text(lost_->document))}),
+            {tr("Restore"), tr("Discard")});
     } else if (!options.note.empty()) {
         say(options.note);
     }
@@ -158,6 +172,11 @@ void Session::tell(const std::string& text) {
     if (asked_ == Subject::Nothing) say(text);
 }
 
+void Session::say_failure(const std::string& predicate) {
+    // Translators: {0} is what failed and why, such as "cannot open 'a.zeroset': it is no file".
+    say(filled(tr("I {0}."), {predicate}));
+}
+
 void Session::follow_command() {
     if (const auto path = std::exchange(state_.wishes.open_path, std::nullopt)) {
         attempt({.intent = Intent::OpenPath, .path = *path});
@@ -199,8 +218,8 @@ void Session::paste_camera(const std::string& text) {
     if (!current().camera) return;
     const auto camera = read_camera_text(text, *current().camera);
     if (!camera)
-        return say("No camera pasted: " + camera.error() +
-                   ". A camera is a text such as eye 5,-8,4; look-at 0,0,0; up 0,0,1; fov 42.");
+        return say(filled(tr("No camera pasted: {0}. A camera is a text such as {1}."),
+                          {camera.error(), "eye 5,-8,4; look-at 0,0,0; up 0,0,1; fov 42"}));
     ui::move_view(state_, *camera);
 }
 
@@ -215,15 +234,16 @@ void Session::paste() {
         return;
     }
     auto read = document_from(text);
-    if (!read) return say("Nothing pasted: " + read.error() + ".");
+    if (!read) return say(filled(tr("Nothing pasted: {0}."), {read.error()}));
     show(std::move(read->document));
 }
 
 void Session::attempt(Action action) {
     if (!unsaved()) return perform(action);
     waiting_ = std::move(action);
-    ask(Subject::LoseWork, "Save the changes to " + shortened(state_.shown.document.name) + "?",
-        {"Save", "Don't save", "Cancel"});
+    ask(Subject::LoseWork,
+        filled(tr("Save the changes to {0}?"), {shortened(state_.shown.document.name)}),
+        {tr("Save"), tr("Don't save"), tr("Cancel")});
 }
 
 void Session::perform(const Action& action) {
@@ -272,8 +292,8 @@ void Session::choose_file_for(ui::FileChoice choice, const std::string& usual_na
 void Session::save_as() {
     ui::FileChoice choice;
     choice.purpose = Purpose::Save;
-    choice.title = "Save as";
-    choose_file_for(std::move(choice), "untitled");
+    choice.title = tr("Save as");
+    choose_file_for(std::move(choice), tr_in("name of a file", "untitled"));
 }
 
 void Session::choose_export() {
@@ -281,12 +301,12 @@ void Session::choose_export() {
     const auto kind = static_cast<std::size_t>(page.wish.kind);
     const std::string& ending = page.endings.at(kind);
     const std::string ending_of_files = ending.substr(ending.find('.'));
-    constexpr std::array<const char*, 4> names{"picture", "film", "mesh", "drawing"};
+    const auto [title, usual_name] = names_of(page.wish.kind);
     ui::FileChoice choice;
     choice.purpose = Purpose::Export;
-    choice.title = std::string("Save the ") + names.at(kind);
+    choice.title = title;
     choice.ending = ending_of_files;
-    choose_file_for(std::move(choice), names.at(kind));
+    choose_file_for(std::move(choice), usual_name);
     // Numbered pictures have their number in the name.
     std::string& name = state_.pages.dialogs.file->name;
     name += ending.substr(0, ending.find('.')) + ending_of_files;

@@ -88,7 +88,7 @@ private:
     void ask(Subject what, std::string text, std::vector<std::string> answers);
     void say(const std::string& text) { ask(Subject::Message, text, {"OK"}); }
     /// Says what the window failed to do: "cannot open 'a.json': it is too large", for example.
-    void say_failure(const std::string& predicate) { say("I " + predicate + "."); }
+    void say_failure(const std::string& predicate);
     void answer_restore(std::size_t answer);
     void answer_lose_work(std::size_t answer);
     void refresh();

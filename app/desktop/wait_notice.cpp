@@ -1,5 +1,7 @@
 #include "app/desktop/wait_notice.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <algorithm>
 
 namespace zeroset {
@@ -36,11 +38,11 @@ bool WaitNotice::hides_figures(double now_s) const { return lasts(figures_since_
 
 std::string WaitNotice::text(double now_s) const {
     const bool waits_for_picture = lasts(picture_since_s_, now_s);
-    if (waits_for_picture && what_.reading) return "preparing\xE2\x80\xA6";
+    if (waits_for_picture && what_.reading) return tr("preparing…");
     if (lasts(code_since_s_, now_s)) {
-        return "compiling\xE2\x80\xA6 (" + std::to_string(what_.nodes) + " nodes)";
+        return filled(tr("compiling… ({0} nodes)"), {std::to_string(what_.nodes)});
     }
-    return waits_for_picture ? "drawing\xE2\x80\xA6" : "";
+    return waits_for_picture ? tr("drawing…") : "";
 }
 
 std::optional<double> WaitNotice::due_s(double now_s) const {

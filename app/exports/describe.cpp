@@ -1,6 +1,7 @@
 #include "app/exports/describe.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -9,14 +10,15 @@
 namespace zeroset {
 namespace {
 
-constexpr const char* times = " \xC3\x97 ";
+constexpr const char* times = " × ";
 constexpr double cm2_per_mm2 = 1e-2;
 constexpr double cm3_per_mm3 = 1e-3;
 /// Straight pieces that a curve of a preview is shown by.
 constexpr int pieces_shown = 8;
 
-std::string counted(std::size_t count, const char* what) {
-    return grouped(count) + " " + what + (count == 1 ? "" : "s");
+/// `one` for one thing, else `many` with the number for its {0}; both in the user's language.
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return count == 1 ? one : filled(many, {grouped(count)});
 }
 
 std::string size_text(const Box& bounds, double mm) {
@@ -26,18 +28,16 @@ std::string size_text(const Box& bounds, double mm) {
 }
 
 std::string shape_text(const MeshFacts& facts) {
-    const std::string text = counted(facts.components, "component");
-    if (facts.open_edges > 0) return text + ", open";
-    return text + ", genus " + std::to_string(facts.genus()) + ", closed";
+    const std::string parts = counted(facts.components, tr("1 component"), tr("{0} components"));
+    if (facts.open_edges > 0) return filled(tr("{0}, open"), {parts});
+    return filled(tr("{0}, genus {1}, closed"), {parts, std::to_string(facts.genus())});
 }
 
 std::string measures(const MeshFacts& facts, double mm) {
-    std::string text =
-        "area " + short_number(facts.area * mm * mm * cm2_per_mm2, 4) + " cm\xC2\xB2";
-    if (facts.open_edges == 0)
-        text += ", volume " + short_number(facts.volume * mm * mm * mm * cm3_per_mm3, 4) +
-                " cm\xC2\xB3";
-    return text;
+    const std::string area = short_number(facts.area * mm * mm * cm2_per_mm2, 4);
+    if (facts.open_edges > 0) return filled(tr("area {0} cm²"), {area});
+    const std::string volume = short_number(facts.volume * mm * mm * mm * cm3_per_mm3, 4);
+    return filled(tr("area {0} cm², volume {1} cm³"), {area, volume});
 }
 
 /// The curve's points, as parts of the page.
@@ -61,21 +61,25 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
     const double mm = meshes.file.mm_per_unit;
     for (const SurfaceMesh& surface : meshes.surfaces) {
         const MeshFacts& facts = surface.facts;
-        const std::string who =
-            meshes.surfaces.size() > 1 ? "Surface " + std::to_string(surface.number) + ": " : "";
-        shown.facts.push_back(who + counted(facts.triangles, "triangle") + ", " +
-                              shape_text(facts));
+        const bool several = meshes.surfaces.size() > 1;
+        const auto of_surface = [&](const std::string& line) {
+            if (!several) return line;
+            return filled(tr("Surface {0}: {1}"), {std::to_string(surface.number), line});
+        };
+        const std::string triangles =
+            counted(facts.triangles, tr("1 triangle"), tr("{0} triangles"));
+        shown.facts.push_back(of_surface(triangles + ", " + shape_text(facts)));
         shown.facts.push_back(size_text(facts.bounds, mm) + ", " + measures(facts, mm));
         if (surface.wall) {
-            shown.facts.push_back("smallest wall " + short_number(surface.wall->thickness * mm, 3) +
-                                  " mm, as measured");
+            shown.facts.push_back(filled(tr("smallest wall {0} mm, as measured"),
+                                         {short_number(surface.wall->thickness * mm, 3)}));
         }
-        shown.facts.push_back("at most " + short_number(surface.report.deviation * mm, 2) +
-                              " mm from the surface, as measured");
+        shown.facts.push_back(filled(tr("at most {0} mm from the surface, as measured"),
+                                     {short_number(surface.report.deviation * mm, 2)}));
         (surface.report.isotopic ? shown.facts : shown.warnings)
-            .push_back(who + proof_line(surface.report));
-        for (const std::string& line : limit_lines(surface.report, "more time"))
-            shown.warnings.push_back(who + line);
+            .push_back(of_surface(proof_line(surface.report)));
+        for (const std::string& line : limit_lines(surface.report, tr("more time")))
+            shown.warnings.push_back(of_surface(line));
     }
 }
 
@@ -93,8 +97,9 @@ void describe(const LineDrawing& drawing, const DrawingStyle& style, ui::ExportP
         pieces += path.pieces.size();
     const std::string lacks = drawing.lacks(style.tolerance_pt);
     if (!lacks.empty()) shown.warnings.push_back(lacks);
-    shown.facts.push_back(counted(drawing.paths.size(), "curve") + " of " +
-                          counted(pieces, "B\xC3\xA9zier piece"));
+    const std::string curves = counted(drawing.paths.size(), tr("1 curve"), tr("{0} curves"));
+    const std::string of = counted(pieces, tr("1 Bézier piece"), tr("{0} Bézier pieces"));
+    shown.facts.push_back(filled(tr_in("curves of pieces", "{0} of {1}"), {curves, of}));
 }
 
 }  // namespace zeroset

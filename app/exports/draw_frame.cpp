@@ -1,4 +1,5 @@
 #include "app/exports/exports.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/png.hpp"
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"
@@ -33,12 +34,12 @@ ExportWork copy_work(ExportSubject subject, const glm::ivec2& size_px,
                      std::shared_ptr<std::vector<std::byte>> png) {
     return [subject = smoothed(std::move(subject), true), size_px,
             png = std::move(png)](ExportNews& news) -> ExportOutcome {
-        news.enter("drawing");
+        news.enter(tr("drawing"));
         const auto drawn = draw_frame(subject, subject.document, size_px, news);
-        if (!drawn) return std::unexpected("it was cancelled");
+        if (!drawn) return std::unexpected(tr("it was cancelled"));
         *png = png_of(*drawn->painted);
-        return "copied the picture (" + std::to_string(size_px.x) + "x" +
-               std::to_string(size_px.y) + ")";
+        return filled(tr("copied the picture ({0})"),
+                      {std::to_string(size_px.x) + "x" + std::to_string(size_px.y)});
     };
 }
 

@@ -1,5 +1,6 @@
 #include "app/exports/exports.hpp"
 #include "engine/base/clock.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/draw/files/formats.hpp"
 #include "engine/export/file.hpp"
 #include "pipeline/drawing_scene.hpp"
@@ -21,16 +22,16 @@ ExportOutcome write(const LineDrawing& drawing, const ui::DrawingExport& wish,
                     const std::filesystem::path& path) {
     const DrawingFormat* const format = find_drawing_format(path.string());
     if (format == nullptr)
-        return std::unexpected("the drawing was not saved: " +
-                               other_name(ExportKind::Drawing, path));
+        return std::unexpected(
+            filled(tr("the drawing was not saved: {0}"), {other_name(ExportKind::Drawing, path)}));
     if (auto writable = check_writable(path); !writable)
         return std::unexpected(writable.error().message);
     const auto text = format->encode(drawing, style_of(wish));
-    if (!text) return std::unexpected("the drawing was not saved: " + text.error());
+    if (!text) return std::unexpected(filled(tr("the drawing was not saved: {0}"), {text.error()}));
     if (const auto written = write_file(path, std::as_bytes(std::span(*text))); !written)
         return std::unexpected(written.error().message);
-    return "saved " + path.filename().string() + " (" + std::to_string(drawing.paths.size()) +
-           " curves)";
+    return filled(tr("saved {0} ({1} curves)"),
+                  {path.filename().string(), std::to_string(drawing.paths.size())});
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ DrawingStyle style_of(const ui::DrawingExport& wish) {
 
 std::expected<std::shared_ptr<const LineDrawing>, std::string> make_drawing(
     const ExportSubject& subject, const ui::DrawingExport& wish, ExportNews& news) {
-    news.enter("finding lines");
+    news.enter(tr("finding lines"));
     const DrawingChoice choice{
         .page = {.width = wish.size_mm.x * points_per_mm, .height = wish.size_mm.y * points_per_mm},
         .kinds = wish.kinds,
@@ -62,7 +63,7 @@ std::expected<std::shared_ptr<const LineDrawing>, std::string> make_drawing(
     const auto scene = drawing_scene(subject.document, subject.rows(), choice, limit);
     if (!scene) return std::unexpected(scene.error().reason);
     LineDrawing drawing = line_drawing(*scene, limit);
-    if (news.cancel) return std::unexpected("it was cancelled");
+    if (news.cancel) return std::unexpected(tr("it was cancelled"));
     return std::make_shared<const LineDrawing>(std::move(drawing));
 }
 

@@ -1,5 +1,6 @@
 #include "app/exports/export_desk.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/model/steering.hpp"
 
 #include <glm/ext/vector_int2.hpp>
@@ -78,8 +79,8 @@ void ExportDesk::follow(ui::UiState& state, const std::optional<ExportSubject>& 
     const auto path = std::exchange(state.wishes.export_path, std::nullopt);
     if ((!path && !copies) || run_.runs()) return;
     if (!subject) {
-        refused_ =
-            std::unexpected("there is nothing yet that could be saved: the formula has an error");
+        refused_ = std::unexpected(
+            tr("there is nothing yet that could be saved: the formula has an error"));
     } else if (path) {
         save(state, *subject, *path);
     } else {
@@ -100,7 +101,7 @@ void ExportDesk::copy(const ui::UiState& state, const ExportSubject& subject) {
     ExportSubject shown = subject;
     shown.document.camera = ui::fitting(*subject.document.camera,
                                         static_cast<double>(size.x) / static_cast<double>(size.y));
-    run_.start("the picture", copy_work(shown, size, copied_));
+    run_.start(tr("the picture"), copy_work(shown, size, copied_));
 }
 
 ExportWork ExportDesk::work_of(const PreviewRequest& wanted, const std::string& path) const {
@@ -129,7 +130,7 @@ std::optional<ExportOutcome> ExportDesk::take() {
 
 std::string ExportDesk::doing() const {
     if (!run_.runs()) return "";
-    return "saving " + run_.name() + ", " + run_.news().text();
+    return filled(tr("saving {0}, {1}"), {run_.name(), run_.news().text()});
 }
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #include "app/exports/export_news.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/image/small_picture.hpp"
 
 #include <algorithm>
@@ -71,13 +72,15 @@ std::string ExportNews::text() const {
     const std::uint64_t done = std::min(done_.load(), parts);
     if (parts == 0) return stage_;
     const double seconds = seconds_since(begun_);
-    std::string text = unit_.empty()
-                           ? std::to_string(100 * done / parts) + " %"
-                           : unit_ + " " + std::to_string(done) + " of " + std::to_string(parts);
+    const std::string text =
+        unit_.empty() ? std::to_string(100 * done / parts) + " %"
+                      : filled(tr("{0} {1} of {2}"),
+                               {tr(unit_.c_str()), std::to_string(done), std::to_string(parts)});
     if (done == 0 || seconds < rate_from_s) return text;
     const double rate = static_cast<double>(done) / seconds;
-    if (!unit_.empty()) text += ", " + short_number(rate, 3) + " a second";
-    return text + ", " + clock_text(static_cast<double>(parts - done) / rate) + " left";
+    const std::string left = clock_text(static_cast<double>(parts - done) / rate);
+    if (unit_.empty()) return filled(tr("{0}, {1} left"), {text, left});
+    return filled(tr("{0}, {1} a second, {2} left"), {text, short_number(rate, 3), left});
 }
 
 std::optional<RgbaImage> ExportNews::take_picture() {

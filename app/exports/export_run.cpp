@@ -1,5 +1,7 @@
 #include "app/exports/export_run.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <chrono>
 #include <utility>
 
@@ -25,7 +27,7 @@ std::optional<ExportOutcome> ExportRun::take() {
         return std::nullopt;
     ExportOutcome outcome = work_.get();
     const bool given_up = news_->cancel;
-    if (given_up && !outcome) return "saving " + name_ + " was stopped";
+    if (given_up && !outcome) return filled(tr("saving {0} was stopped"), {name_});
     return outcome;
 }
 

@@ -1,4 +1,5 @@
 #include "app/exports/exports.hpp"
+#include "engine/base/translation.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/plans/film_files.hpp"
 
@@ -19,8 +20,8 @@ std::expected<FilmTarget, std::string> target_of(const ui::FilmExport& wish, con
     if (target.names) {
         target.picture = picture_format_of(path);
         if (target.picture == nullptr)
-            return std::unexpected("the film was not saved: " +
-                                   other_name(ExportKind::Picture, path));
+            return std::unexpected(
+                filled(tr("the film was not saved: {0}"), {other_name(ExportKind::Picture, path)}));
         target.picture_options = {.size = size,
                                   .bits = target.picture->bits[0],
                                   .alpha = wish.alpha && target.picture->alpha};
@@ -29,7 +30,8 @@ std::expected<FilmTarget, std::string> target_of(const ui::FilmExport& wish, con
         return target;
     }
     if (target.film == nullptr)
-        return std::unexpected("the film was not saved: " + other_name(ExportKind::Film, path));
+        return std::unexpected(
+            filled(tr("the film was not saved: {0}"), {other_name(ExportKind::Film, path)}));
     target.settings = {.width = size.width,
                        .height = size.height,
                        .rate = plan.rate,
@@ -47,7 +49,7 @@ ExportOutcome save(const ExportSubject& subject, const ui::FilmExport& wish,
     if (!target) return std::unexpected(target.error());
     FrameFiles files(*target);
     if (const auto begun = files.begin(); !begun) return std::unexpected(begun.error().message);
-    news.enter("making code");
+    news.enter(tr("making code"));
     auto prepared = prepare(subject.document, subject.rows(), Preparation::Compiled);
     if (!prepared) return std::unexpected(prepared.error().reason);
     const double aspect = static_cast<double>(wish.size_px.x) / wish.size_px.y;
@@ -59,7 +61,7 @@ ExportOutcome save(const ExportSubject& subject, const ui::FilmExport& wish,
                     .last = plan.frames - 1,
                     .keeps_light = target->names && needs_light(target->picture_options),
                     .keeps_normals = target->names && needs_normals(target->picture_options)};
-    news.enter("drawing", static_cast<std::uint64_t>(plan.frames), "frame");
+    news.enter(tr("drawing"), static_cast<std::uint64_t>(plan.frames), marked("frame"));
     const auto take = [&](const FilmFrame& frame) {
         news.show(frame.picture.painted, 0, frame.picture.painted.height);
         return files.take(frame);
@@ -67,9 +69,10 @@ ExportOutcome save(const ExportSubject& subject, const ui::FilmExport& wish,
     const auto drawn =
         draw_film(film, take, {.cancel = &news.cancel, .on_frame = [&](int) { news.add(1); }});
     if (!drawn) return std::unexpected(drawn.error());
-    news.enter("writing");
+    news.enter(tr("writing"));
     if (const auto kept = files.finish(); !kept) return std::unexpected(kept.error().message);
-    return "saved " + path.filename().string() + " (" + std::to_string(plan.frames) + " frames)";
+    return filled(tr("saved {0} ({1} frames)"),
+                  {path.filename().string(), std::to_string(plan.frames)});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/exports/exports.hpp"
 #include "engine/base/clock.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/file.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/prepare.hpp"
@@ -14,10 +15,10 @@ constexpr double budget_s = 30.0;
 
 const char* name_of(MeshStage stage) {
     switch (stage) {
-        case MeshStage::Dividing: return "dividing cells";
-        case MeshStage::Proving: return "proving the topology";
-        case MeshStage::Contouring: return "making triangles";
-        case MeshStage::Thinning: return "taking out triangles";
+        case MeshStage::Dividing: return tr("dividing cells");
+        case MeshStage::Proving: return tr("proving the topology");
+        case MeshStage::Contouring: return tr("making triangles");
+        case MeshStage::Thinning: return tr("taking out triangles");
     }
     return "";
 }
@@ -38,33 +39,35 @@ ExportOutcome write(const DocumentMeshes& meshes, const std::filesystem::path& p
                     ExportNews& news) {
     const MeshFormat* const format = mesh_format_of(path);
     if (format == nullptr)
-        return std::unexpected("the mesh was not saved: " + other_name(ExportKind::Mesh, path));
+        return std::unexpected(
+            filled(tr("the mesh was not saved: {0}"), {other_name(ExportKind::Mesh, path)}));
     if (auto writable = check_writable(path); !writable)
         return std::unexpected(writable.error().message);
-    news.enter("writing");
+    news.enter(tr("writing"));
     const auto bytes = format->encode(meshes.file);
-    if (!bytes) return std::unexpected("the mesh was not saved: " + bytes.error());
-    if (news.cancel) return std::unexpected("it was cancelled");
+    if (!bytes) return std::unexpected(filled(tr("the mesh was not saved: {0}"), {bytes.error()}));
+    if (news.cancel) return std::unexpected(tr("it was cancelled"));
     if (const auto written = write_file(path, *bytes); !written)
         return std::unexpected(written.error().message);
     std::size_t triangles = 0;
     for (const SurfaceMesh& surface : meshes.surfaces)
         triangles += surface.facts.triangles;
-    return "saved " + path.filename().string() + " (" + std::to_string(triangles) + " triangles)";
+    return filled(tr("saved {0} ({1} triangles)"),
+                  {path.filename().string(), std::to_string(triangles)});
 }
 
 }  // namespace
 
 std::expected<std::shared_ptr<const DocumentMeshes>, std::string> make_meshes(
     const ExportSubject& subject, const ui::MeshExport& wish, ExportNews& news) {
-    news.enter("making code");
+    news.enter(tr("making code"));
     auto prepared = prepare(subject.document, subject.rows(), Preparation::Interpreted);
     if (!prepared) return std::unexpected(prepared.error().reason);
     constexpr glm::ivec2 size_px(1024, 1024);  // for the camera that distances are taken from
     const PictureRequest request = picture_request(prepared->formula, prepared->colors,
                                                    subject.document, subject.settings, size_px);
     auto meshes = mesh_document(request, settings_of(wish, news));
-    if (news.cancel) return std::unexpected("it was cancelled");
+    if (news.cancel) return std::unexpected(tr("it was cancelled"));
     if (!meshes) return std::unexpected(meshes.error().reason);
     if (meshes->surfaces.empty()) return std::unexpected(nothing_found(*meshes));
     return std::make_shared<const DocumentMeshes>(std::move(*meshes));

@@ -1,5 +1,6 @@
 #include "app/exports/exports.hpp"
 #include "document/json/document_json.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/pictures/picture_formats.hpp"
 #include "engine/render/color_range.hpp"
 #include "pipeline/plans/export_formats.hpp"
@@ -32,15 +33,15 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
                    const std::filesystem::path& path, ExportNews& news) {
     const PictureFormat* const format = picture_format_of(path);
     if (format == nullptr)
-        return std::unexpected("the picture was not saved: " +
-                               other_name(ExportKind::Picture, path));
+        return std::unexpected(
+            filled(tr("the picture was not saved: {0}"), {other_name(ExportKind::Picture, path)}));
     PictureOptions options = options_of(wish, *format);
     if (const auto refused = refusal(*format, options)) return std::unexpected(*refused);
     if (auto writable = check_writable(path); !writable)
         return std::unexpected(writable.error().message);
     PictureRequest request = picture_request(subject.formula, subject.colors, subject.document,
                                              subject.settings, wish.size_px);
-    news.enter("making code");
+    news.enter(tr("making code"));
     add_needed_code(request);
     options.document = text_of(subject.document);
     options.camera = request.camera;
@@ -55,7 +56,7 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
                         .keeps_normals = needs_normals(options)};
     const auto pixels =
         static_cast<std::uint64_t>(wish.size_px.x) * static_cast<std::uint64_t>(wish.size_px.y);
-    news.enter("drawing", pixels);
+    news.enter(tr("drawing"), pixels);
     const auto take = [&](const PictureBand& band) {
         news.show(band.painted, band.row, options.size.height);
         return (*writer)->add(band);
@@ -64,10 +65,11 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
         poster, take,
         {.cancel = &news.cancel, .on_pixels = [&](std::uint64_t count) { news.add(count); }});
     if (!drawn) return std::unexpected(drawn.error());
-    news.enter("writing");
+    news.enter(tr("writing"));
     if (const auto kept = (*writer)->finish(); !kept) return std::unexpected(kept.error().message);
-    return "saved " + path.filename().string() + " (" + std::to_string(options.size.width) + "x" +
-           std::to_string(options.size.height) + ")";
+    return filled(tr("saved {0} ({1})"),
+                  {path.filename().string(),
+                   std::to_string(options.size.width) + "x" + std::to_string(options.size.height)});
 }
 
 }  // namespace

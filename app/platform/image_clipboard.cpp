@@ -1,5 +1,7 @@
 #include "app/platform/image_clipboard.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <xcb/xcb.h>
 
 #include <array>
@@ -93,7 +95,7 @@ xcb_atom_t ImageClipboard::Owner::atom(std::string_view name) const {
 std::expected<void, std::string> ImageClipboard::Owner::offer(std::vector<std::byte> png) {
     const std::size_t most = std::size_t{xcb_get_maximum_request_length(display_)} * 4;
     if (png.size() + request_head > most)
-        return std::unexpected("the picture is too large for the clipboard; Ctrl+E saves it");
+        return std::unexpected(tr("the picture is too large for the clipboard; Ctrl+E saves it"));
     {
         const std::scoped_lock lock(mutex_);
         png_ = std::move(png);
@@ -102,7 +104,8 @@ std::expected<void, std::string> ImageClipboard::Owner::offer(std::vector<std::b
     const auto cookie = xcb_get_selection_owner(display_, clipboard_);
     const auto reply = owned(xcb_get_selection_owner_reply(display_, cookie, nullptr));
     if (reply == nullptr || reply->owner != window_)
-        return std::unexpected("the desktop did not give the clipboard; Ctrl+E saves the picture");
+        return std::unexpected(
+            tr("the desktop did not give the clipboard; Ctrl+E saves the picture"));
     return {};
 }
 
@@ -161,8 +164,8 @@ std::expected<void, std::string> ImageClipboard::offer(std::vector<std::byte> pn
     if (owner_ == nullptr || !owner_->connected()) owner_ = std::make_unique<Owner>();
     if (owner_->connected()) return owner_->offer(std::move(png));
     return std::unexpected(
-        "pictures are copied on X11 only, and there is no X server; Ctrl+E "
-        "saves the picture");
+        tr("pictures are copied on X11 only, and there is no X server; Ctrl+E "
+           "saves the picture"));
 }
 
 }  // namespace zeroset

@@ -1,5 +1,7 @@
 #include "app/platform/portal_bus.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <poll.h>
 #include <unistd.h>
 
@@ -159,12 +161,12 @@ bool PortalBus::send(const FileRequest& request) {
     }
     const Message message(made);
     sd_bus_message_append(made, "ss", request.parent.c_str(),
-                          request.saves ? "Save as" : "Open a document");
+                          request.saves ? tr("Save as") : tr("Open a document"));
     sd_bus_message_open_container(made, 'a', "{sv}");
     append_text(made, "handle_token", token);
     append_path(made, "current_folder", request.folder);
     if (request.saves) append_text(made, "current_name", request.name);
-    sd_bus_message_append(made, "{sv}", "filters", "a(sa(us))", 1, "Zeroset documents", 1, 0U,
+    sd_bus_message_append(made, "{sv}", "filters", "a(sa(us))", 1, tr("Zeroset documents"), 1, 0U,
                           ("*" + request.ending).c_str());
     sd_bus_message_close_container(made);
     slot = nullptr;

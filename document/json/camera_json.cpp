@@ -1,11 +1,13 @@
 #include "document/json/camera_json.hpp"
 
+#include "engine/base/translation.hpp"
+
 namespace zeroset {
 namespace {
 
 Projection projection_of(const Json& json, const std::string& place) {
     if (const auto projection = projection_named(string_of(json, place))) return *projection;
-    throw Damage{place + " is neither perspective nor orthographic"};
+    throw Damage{filled(tr("{0} is neither perspective nor orthographic"), {place})};
 }
 
 /// The camera in an object that may have other fields.
@@ -50,8 +52,8 @@ Json json_of(const std::vector<SavedView>& views) {
 }
 
 std::vector<SavedView> views_of(const Json& json, std::vector<std::string>& unknown) {
-    if (!json.is_array()) throw Damage{"views is no list"};
-    if (json.size() > most_views) throw Damage{"there are more than 1000 views"};
+    if (!json.is_array()) throw Damage{filled(tr("{0} is no list"), {"views"})};
+    if (json.size() > most_views) throw Damage{tr("there are more than 1000 views")};
     std::vector<SavedView> views;
     for (const Json& item : json) {
         const std::string place = "views[" + std::to_string(views.size()) + "]";
@@ -60,7 +62,7 @@ std::vector<SavedView> views_of(const Json& json, std::vector<std::string>& unkn
         if (const char* const defect = name_defect(view.name))
             throw Damage{fields.at("name") + ": " + defect};
         if (find_view(views, view.name) != nullptr)
-            throw Damage{"there are two views called " + view.name};
+            throw Damage{filled(tr("there are two views called {0}"), {view.name})};
         view.camera = camera_in(fields, place);
         views.push_back(std::move(view));
     }

@@ -1,6 +1,7 @@
 #include "document/json/document_file.hpp"
 
 #include "document/json/document_json.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/pictures/picture_writer.hpp"
 #include "engine/export/png.hpp"
 
@@ -24,20 +25,20 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t largest_file = 64U << 20U;
 
 std::unexpected<std::string> cannot_read(const fs::path& path, const std::string& reason) {
-    return std::unexpected("cannot open '" + path.string() + "': " + reason);
+    return std::unexpected(filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
 }
 
 std::string note_of(const std::vector<std::string>& unknown) {
     if (unknown.empty()) return {};
-    std::string note = "not understood, and lost when it is saved:";
+    std::string names;
     for (const std::string& name : unknown)
-        note += " " + name;
-    return note;
+        names += (names.empty() ? "" : " ") + name;
+    return filled(tr("not understood, and lost when it is saved: {0}"), {names});
 }
 
 std::expected<std::string, std::string> text_of_file(const fs::path& path) {
     std::error_code error;
-    if (fs::file_size(path, error) > largest_file) return std::unexpected("it is too large");
+    if (fs::file_size(path, error) > largest_file) return std::unexpected(tr("it is too large"));
     std::ifstream file(path, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(file), {});
     if (!file) return std::unexpected(std::generic_category().message(errno));
@@ -59,7 +60,7 @@ std::expected<std::string, std::string> session_of_picture(const fs::path& path)
     const auto bytes = begin_of_picture(path);
     if (!bytes) return std::unexpected(bytes.error());
     auto session = text_in_png(*bytes, document_keyword);
-    if (!session) return std::unexpected("the picture holds no session of Zeroset");
+    if (!session) return std::unexpected(tr("the picture holds no session of Zeroset"));
     return *session;
 }
 
@@ -71,8 +72,8 @@ bool is_document_name(const std::string& name) { return name.ends_with(document_
 
 std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     std::error_code error;
-    if (!fs::exists(path, error)) return cannot_read(path, "there is no such file");
-    if (!fs::is_regular_file(path, error)) return cannot_read(path, "it is no file");
+    if (!fs::exists(path, error)) return cannot_read(path, tr("there is no such file"));
+    if (!fs::is_regular_file(path, error)) return cannot_read(path, tr("it is no file"));
     const bool from_picture = is_picture_name(path.string());
     auto text = from_picture ? session_of_picture(path) : text_of_file(path);
     if (!text) return cannot_read(path, text.error());

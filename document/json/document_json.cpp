@@ -8,6 +8,7 @@
 #include "document/json/region_json.hpp"
 #include "document/json/share_text.hpp"
 #include "engine/base/enum_names.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/language/parse.hpp"
 
 #include <nlohmann/json.hpp>
@@ -68,7 +69,7 @@ Antialias antialias_of(const Json& json, const std::string& place) {
     if (json.is_boolean()) return smooth_edges(json.get<bool>());
     const auto rays = antialias_named(json.dump());
     if (!rays || *rays == Antialias::None)
-        throw Damage{place + " is neither true nor false, nor 4, 9, 16 or 64"};
+        throw Damage{filled(tr("{0} is neither true nor false, nor 4, 9, 16 or 64"), {place})};
     return *rays;
 }
 
@@ -82,7 +83,8 @@ Json look_of(const Document& document) {
 }
 
 std::array<std::string, 3> axis_names_of(const Json& json, const std::string& place) {
-    if (!json.is_array() || json.size() != 3) throw Damage{place + " is no list of 3 names"};
+    if (!json.is_array() || json.size() != 3)
+        throw Damage{filled(tr("{0} is no list of 3 names"), {place})};
     std::array<std::string, 3> names;
     std::ranges::transform(json, names.begin(),
                            [&](const Json& name) { return label_of(name, place); });
@@ -93,7 +95,7 @@ SolidSide solid_of(const Json& json, const std::string& place) {
     const std::string text = string_of(json, place);
     if (text == "f<0") return SolidSide::Below;
     if (text == "f>0") return SolidSide::Above;
-    throw Damage{place + " is neither f<0 nor f>0"};
+    throw Damage{filled(tr("{0} is neither f<0 nor f>0"), {place})};
 }
 
 Statement statement_of(const Json& json, const std::string& place,
@@ -116,7 +118,7 @@ Statement statement_of(const Json& json, const std::string& place,
 
 Repeat repeat_of(const Json& json, const std::string& place) {
     if (const auto repeat = repeat_named(string_of(json, place))) return *repeat;
-    throw Damage{place + " is neither loop nor bounce"};
+    throw Damage{filled(tr("{0} is neither loop nor bounce"), {place})};
 }
 
 Slider slider_of(const Json& json, const std::string& place, std::vector<std::string>& unknown) {
@@ -126,13 +128,14 @@ Slider slider_of(const Json& json, const std::string& place, std::vector<std::st
     const auto [lo, hi] = numbers_of<2>(fields.get("range"), fields.at("range"));
     slider.lo = lo;
     slider.hi = hi;
-    if (!(lo < hi)) throw Damage{fields.at("range") + " is empty"};
+    if (!(lo < hi)) throw Damage{filled(tr("{0} is empty"), {fields.at("range")})};
     if (const Json* step = fields.find("step")) slider.step = number_of(*step, fields.at("step"));
-    if (slider.step < 0) throw Damage{fields.at("step") + " is below 0"};
+    if (slider.step < 0) throw Damage{filled(tr("{0} is below 0"), {fields.at("step")})};
     if (const Json* speed = fields.find("speed"))
         slider.speed = number_of(*speed, fields.at("speed"));
     if (slider.speed < slowest || slider.speed > fastest) {
-        throw Damage{fields.at("speed") + " is not between 1/64 and 64"};
+        throw Damage{
+            filled(tr("{0} is not between {1} and {2}"), {fields.at("speed"), "1/64", "64"})};
     }
     if (const Json* repeat = fields.find("repeat")) {
         slider.repeat = repeat_of(*repeat, fields.at("repeat"));
@@ -146,7 +149,7 @@ Box box_of(const Json& json) {
     const auto n = numbers_of<6>(json, "box");
     const Box box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
     for (int i = 0; i < 3; ++i) {
-        if (!(box.lo[i] < box.hi[i])) throw Damage{"box is empty"};
+        if (!(box.lo[i] < box.hi[i])) throw Damage{filled(tr("{0} is empty"), {"box"})};
     }
     return box;
 }
@@ -154,19 +157,19 @@ Box box_of(const Json& json) {
 StopCriterion stop_of(const Json& json, std::vector<std::string>& unknown) {
     Fields fields(json, "stop", unknown);
     const auto rule = stop_rules.named(string_of(fields.get("rule"), "stop.rule"));
-    if (!rule) throw Damage{"stop.rule is none of d_stop, epsilon and delta"};
+    if (!rule) throw Damage{filled(tr("{0} is none of d_stop, epsilon and delta"), {"stop.rule"})};
     const double value = number_of(fields.get("value"), "stop.value");
     const bool is_depth = *rule == StopRule::DStop;
     if (!(value > 0) || (is_depth && (value > max_d_stop || value != std::floor(value)))) {
-        throw Damage{"stop.value is out of range"};
+        throw Damage{filled(tr("{0} is out of range"), {"stop.value"})};
     }
     return {.rule = *rule, .value = value};
 }
 
 std::vector<Statement> statements_of(const Json& json, std::vector<std::string>& unknown) {
-    if (!json.is_array()) throw Damage{"statements is no list"};
+    if (!json.is_array()) throw Damage{filled(tr("{0} is no list"), {"statements"})};
     if (json.size() > ProgramLimits::statements)
-        throw Damage{"there are more than 1000 statements"};
+        throw Damage{tr("there are more than 1000 statements")};
     std::vector<Statement> statements;
     for (const Json& item : json) {
         const std::string place = "statements[" + std::to_string(statements.size()) + "]";
@@ -177,7 +180,7 @@ std::vector<Statement> statements_of(const Json& json, std::vector<std::string>&
 }
 
 void read_parameters(const Json& json, Document& document, std::vector<std::string>& unknown) {
-    if (!json.is_object()) throw Damage{"parameters is no object"};
+    if (!json.is_object()) throw Damage{filled(tr("{0} is no object"), {"parameters"})};
     for (const auto& [name, slider] : json.items())
         document.parameters[name] = slider_of(slider, "parameters." + name, unknown);
 }
@@ -213,7 +216,7 @@ ParsedDocument document_of(const Json& json) {
     if (const Json* views = fields.find("views")) document.views = views_of(*views, unknown);
     if (document.camera) document.up = document.camera->up;
     if (const Json* up = fields.find("up")) document.up = vector_of(*up, "up");
-    if (glm::length(document.up) == 0) throw Damage{"up is zero"};
+    if (glm::length(document.up) == 0) throw Damage{filled(tr("{0} is zero"), {"up"})};
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
@@ -228,15 +231,16 @@ ParsedDocument document_of(const Json& json) {
 
 /// Throws Damage where `json` is not a document of a format that can be read.
 void check_format(const Json& json) {
-    if (!json.is_object() || !json.contains("zeroset")) throw Damage{"it is no Zeroset document"};
+    if (!json.is_object() || !json.contains("zeroset"))
+        throw Damage{tr("it is no Zeroset document")};
     const Json& version = json["zeroset"];
     if (!version.is_number_integer() || version.get<std::int64_t>() < 1) {
-        throw Damage{"it is damaged: the format version is no number"};
+        throw Damage{tr("it is damaged: the format version is no number")};
     }
     if (version.get<std::int64_t>() > document_format) {
-        throw Damage{"it was written by a newer Zeroset (format " +
-                     std::to_string(version.get<std::int64_t>()) + "; this one reads up to " +
-                     std::to_string(document_format) + ")"};
+        throw Damage{
+            filled(tr("it was written by a newer Zeroset (format {0}; this one reads up to {1})"),
+                   {std::to_string(version.get<std::int64_t>()), std::to_string(document_format)})};
     }
 }
 
@@ -281,9 +285,10 @@ std::expected<ParsedDocument, std::string> document_from(std::string_view text) 
         const auto end =
             text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         const auto line = 1 + std::count(text.begin(), end, '\n');
-        return std::unexpected("it is damaged: line " + std::to_string(line) + " is no JSON");
+        return std::unexpected(
+            filled(tr("it is damaged: line {0} is no JSON"), {std::to_string(line)}));
     } catch (const Json::out_of_range&) {
-        return std::unexpected("it is damaged: a number in it is too large");
+        return std::unexpected(tr("it is damaged: a number in it is too large"));
     }
     try {
         check_format(json);
@@ -293,7 +298,7 @@ std::expected<ParsedDocument, std::string> document_from(std::string_view text) 
     try {
         return document_of(json);
     } catch (const Damage& damage) {
-        return std::unexpected("it is damaged: " + damage.reason);
+        return std::unexpected(filled(tr("it is damaged: {0}"), {damage.reason}));
     }
 }
 

@@ -1,8 +1,10 @@
 #include "document/json/json_fields.hpp"
 
+#include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace zeroset {
@@ -14,7 +16,7 @@ constexpr std::size_t longest_text = 1'000'000;
 
 Fields::Fields(const Json& json, std::string place, std::vector<std::string>& unknown)
     : json_(json), place_(std::move(place)), unknown_(unknown) {
-    if (!json.is_object()) throw Damage{place_ + " is no object"};
+    if (!json.is_object()) throw Damage{filled(tr("{0} is no object"), {place_})};
 }
 
 Fields::~Fields() {
@@ -31,29 +33,30 @@ const Json* Fields::find(const char* name) {
 
 const Json& Fields::get(const char* name) {
     const Json* found = find(name);
-    if (found == nullptr) throw Damage{at(name) + " is missing"};
+    if (found == nullptr) throw Damage{filled(tr("{0} is missing"), {at(name)})};
     return *found;
 }
 
 double number_of(const Json& json, const std::string& place) {
-    if (!json.is_number()) throw Damage{place + " is no number"};
+    if (!json.is_number()) throw Damage{filled(tr("{0} is no number"), {place})};
     const auto number = json.get<double>();
-    if (!(std::abs(number) <= largest_number)) throw Damage{place + " is too large a number"};
+    if (!(std::abs(number) <= largest_number))
+        throw Damage{filled(tr("{0} is too large a number"), {place})};
     return number;
 }
 
 double number_in(const Json& json, const std::string& place, double least, double most) {
     const double number = number_of(json, place);
     if (number >= least && number <= most) return number;
-    std::array<char, 64> range{};
-    std::snprintf(range.data(), range.size(), " is not between %g and %g", least, most);
-    throw Damage{place + range.data()};
+    throw Damage{filled(tr("{0} is not between {1} and {2}"),
+                        {place, short_number(least, 6), short_number(most, 6)})};
 }
 
 std::string string_of(const Json& json, const std::string& place) {
-    if (!json.is_string()) throw Damage{place + " is no text"};
+    if (!json.is_string()) throw Damage{filled(tr("{0} is no text"), {place})};
     auto text = json.get<std::string>();
-    if (text.size() > longest_text) throw Damage{place + " is longer than a million characters"};
+    if (text.size() > longest_text)
+        throw Damage{filled(tr("{0} is longer than a million characters"), {place})};
     return text;
 }
 
@@ -67,12 +70,13 @@ Json array_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 std::string label_of(const Json& json, const std::string& place) {
     std::string label = string_of(json, place);
     if (label.size() > longest_label)
-        throw Damage{place + " is longer than " + std::to_string(longest_label) + " bytes"};
+        throw Damage{
+            filled(tr("{0} is longer than {1} bytes"), {place, std::to_string(longest_label)})};
     return label;
 }
 
 bool flag_of(const Json& json, const std::string& place) {
-    if (!json.is_boolean()) throw Damage{place + " is neither true nor false"};
+    if (!json.is_boolean()) throw Damage{filled(tr("{0} is neither true nor false"), {place})};
     return json.get<bool>();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/document.hpp"
+#include "engine/base/translation.hpp"
 
 #include <glm/ext/vector_double3.hpp>
 #include <nlohmann/json.hpp>
@@ -64,7 +65,7 @@ Json array_of(const glm::dvec3& v);
 template <std::size_t count>
 std::array<double, count> numbers_of(const Json& json, const std::string& place) {
     if (!json.is_array() || json.size() != count) {
-        throw Damage{place + " is no list of " + std::to_string(count) + " numbers"};
+        throw Damage{filled(tr("{0} is no list of {1} numbers"), {place, std::to_string(count)})};
     }
     std::array<double, count> numbers{};
     for (std::size_t i = 0; i < count; ++i)

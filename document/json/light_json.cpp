@@ -1,6 +1,7 @@
 #include "document/json/light_json.hpp"
 
 #include "document/colors.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/image/gamma.hpp"
 
 #include <cstdint>
@@ -18,7 +19,8 @@ Json json_of(const Light& light) {
 
 bool is_with_camera(const Json& json, const std::string& place) {
     const std::string text = string_of(json, place);
-    if (text != "camera" && text != "world") throw Damage{place + " is neither camera nor world"};
+    if (text != "camera" && text != "world")
+        throw Damage{filled(tr("{0} is neither camera nor world"), {place})};
     return text == "camera";
 }
 
@@ -26,7 +28,8 @@ Light light_of(const Json& json, const std::string& place, std::vector<std::stri
     Fields fields(json, place, unknown);
     Light light;
     light.towards = vector_of(fields.get("towards"), fields.at("towards"));
-    if (glm::length(light.towards) == 0.0) throw Damage{fields.at("towards") + " is zero"};
+    if (glm::length(light.towards) == 0.0)
+        throw Damage{filled(tr("{0} is zero"), {fields.at("towards")})};
     if (const Json* with = fields.find("with"))
         light.with_camera = is_with_camera(*with, fields.at("with"));
     if (const Json* color = fields.find("color"))
@@ -39,8 +42,9 @@ Light light_of(const Json& json, const std::string& place, std::vector<std::stri
 }
 
 std::vector<Light> lights_of(const Json& json, std::vector<std::string>& unknown) {
-    if (!json.is_array()) throw Damage{"light.lights is no list"};
-    if (json.size() > max_lights) throw Damage{"light.lights has more than 4 lights"};
+    if (!json.is_array()) throw Damage{filled(tr("{0} is no list"), {"light.lights"})};
+    if (json.size() > max_lights)
+        throw Damage{filled(tr("{0} has more than 4 lights"), {"light.lights"})};
     std::vector<Light> lights;
     for (const Json& item : json) {
         const std::string place = "light.lights[" + std::to_string(lights.size()) + "]";
@@ -57,7 +61,8 @@ Background background_of(const Json& json, const std::string& place) {
         return {.top = color, .bottom = color};
     }
     if (!json.is_array() || json.size() != 2)
-        throw Damage{place + " is neither a color such as #3399FF nor a list of two"};
+        throw Damage{
+            filled(tr("{0} is neither a color such as #3399FF nor a list of two"), {place})};
     return {.top = color_of(json[0], place), .bottom = color_of(json[1], place)};
 }
 
@@ -67,7 +72,7 @@ Json json_of(const Background& background) {
 
 std::uint32_t color_of(const Json& json, const std::string& place) {
     const auto color = color_from(string_of(json, place));
-    if (!color) throw Damage{place + " is no color such as #3399FF"};
+    if (!color) throw Damage{filled(tr("{0} is no color such as #3399FF"), {place})};
     return *color;
 }
 
@@ -89,19 +94,19 @@ LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown)
     LightChoice light;
     if (const Json* look = fields.find("look")) {
         const auto named = look_named(string_of(*look, "light.look"));
-        if (!named) throw Damage{"light.look is no look"};
+        if (!named) throw Damage{filled(tr("{0} is no look"), {"light.look"})};
         light.look = *named;
     }
     if (const Json* tone = fields.find("tone")) {
         const auto named = tone_named(string_of(*tone, "light.tone"));
-        if (!named) throw Damage{"light.tone is neither plain nor filmic"};
+        if (!named) throw Damage{filled(tr("{0} is neither plain nor filmic"), {"light.tone"})};
         light.tone = *named;
     }
     if (const Json* reflections = fields.find("reflections")) {
         const bool whole = reflections->is_number_integer();
         const auto count = whole ? reflections->get<std::int64_t>() : -1;
         if (count < 0 || count > max_reflections)
-            throw Damage{"light.reflections is no whole number from 0 to 5"};
+            throw Damage{filled(tr("{0} is no whole number from 0 to 5"), {"light.reflections"})};
         light.reflections = static_cast<int>(count);
     }
     if (const Json* absorption = fields.find("absorption"))

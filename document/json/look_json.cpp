@@ -1,5 +1,7 @@
 #include "document/json/look_json.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <cstdint>
 
 namespace zeroset {
@@ -9,7 +11,7 @@ constexpr std::int64_t largest_marker = 1'000'000;
 
 ValueRange range_of(const Json& json) {
     const auto [lo, hi] = numbers_of<2>(json, "color.range");
-    if (!(lo < hi)) throw Damage{"color.range is empty"};
+    if (!(lo < hi)) throw Damage{filled(tr("{0} is empty"), {"color.range"})};
     return {.lo = lo, .hi = hi};
 }
 
@@ -29,14 +31,16 @@ LineChoice lines_of(const Json& json, std::vector<std::string>& unknown) {
     if (const Json* contours = fields.find("contours")) {
         const auto named = contours_named(string_of(*contours, fields.at("contours")));
         if (!named)
-            throw Damage{fields.at("contours") + " is none of none, height, xyz, expression"};
+            throw Damage{filled(tr("{0} is none of none, height, xyz, expression"),
+                                {fields.at("contours")})};
         lines.contours = *named;
     }
     if (const Json* expression = fields.find("expression"))
         lines.expression = string_of(*expression, fields.at("expression"));
     if (const Json* step = fields.find("step")) {
         lines.step = number_of(*step, fields.at("step"));
-        if (!(*lines.step > 0.0)) throw Damage{fields.at("step") + " is not above 0"};
+        if (!(*lines.step > 0.0))
+            throw Damage{filled(tr("{0} is not above 0"), {fields.at("step")})};
     }
     if (const Json* width = fields.find("width"))
         lines.width = number_in(*width, fields.at("width"), least_line, most_line);
@@ -67,14 +71,14 @@ ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
     Fields fields(json, "color", unknown);
     ColorChoice coloring;
     const auto by = color_by_named(string_of(fields.get("by"), "color.by"));
-    if (!by) throw Damage{"color.by is nothing that surfaces are colored by"};
+    if (!by) throw Damage{filled(tr("{0} is nothing that surfaces are colored by"), {"color.by"})};
     coloring.by = *by;
     if (const Json* expression = fields.find("expression")) {
         coloring.expression = string_of(*expression, "color.expression");
     }
     if (const Json* map = fields.find("map")) {
         coloring.map = color_map_named(string_of(*map, "color.map"));
-        if (!coloring.map) throw Damage{"color.map is no color map"};
+        if (!coloring.map) throw Damage{filled(tr("{0} is no color map"), {"color.map"})};
     }
     if (const Json* range = fields.find("range")) coloring.range = range_of(*range);
     if (const Json* lines = fields.find("lines")) coloring.lines = lines_of(*lines, unknown);
@@ -92,8 +96,8 @@ Json json_of(const std::vector<Marker>& markers) {
 }
 
 std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unknown) {
-    if (!json.is_array()) throw Damage{"markers is no list"};
-    if (json.size() > most_markers) throw Damage{"there are more than 1000 markers"};
+    if (!json.is_array()) throw Damage{filled(tr("{0} is no list"), {"markers"})};
+    if (json.size() > most_markers) throw Damage{tr("there are more than 1000 markers")};
     std::vector<Marker> markers;
     for (const Json& item : json) {
         const std::string place = "markers[" + std::to_string(markers.size()) + "]";
@@ -101,10 +105,12 @@ std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unkno
         const Json& number = fields.get("number");
         const bool whole = number.is_number_integer() && number.get<std::int64_t>() >= 1 &&
                            number.get<std::int64_t>() <= largest_marker;
-        if (!whole) throw Damage{fields.at("number") + " is no whole number from 1 to 1000000"};
+        if (!whole)
+            throw Damage{
+                filled(tr("{0} is no whole number from 1 to 1000000"), {fields.at("number")})};
         Marker marker{.number = number.get<int>(), .at = {}, .label = {}};
         if (find_marker(markers, marker.number) != nullptr) {
-            throw Damage{fields.at("number") + " is that of another marker"};
+            throw Damage{filled(tr("{0} is that of another marker"), {fields.at("number")})};
         }
         marker.at = vector_of(fields.get("at"), fields.at("at"));
         if (const Json* label = fields.find("label"))

@@ -1,5 +1,7 @@
 #include "document/json/region_json.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <cmath>
 
 namespace zeroset {
@@ -11,7 +13,7 @@ Ball ball_of(const Json& json, std::vector<std::string>& unknown) {
     if (const Json* centre = fields.find("centre"))
         ball.centre = vector_of(*centre, fields.at("centre"));
     ball.radius = number_of(fields.get("radius"), fields.at("radius"));
-    if (!(ball.radius > 0)) throw Damage{fields.at("radius") + " is not above 0"};
+    if (!(ball.radius > 0)) throw Damage{filled(tr("{0} is not above 0"), {fields.at("radius")})};
     return ball;
 }
 
@@ -19,7 +21,8 @@ Section section_of(const Json& json, const std::string& place, std::vector<std::
     constexpr double shortest = 1e-30;
     Fields fields(json, place, unknown);
     const glm::dvec3 normal = vector_of(fields.get("normal"), fields.at("normal"));
-    if (!(glm::length(normal) > shortest)) throw Damage{fields.at("normal") + " has no direction"};
+    if (!(glm::length(normal) > shortest))
+        throw Damage{filled(tr("{0} has no direction"), {fields.at("normal")})};
     const double offset = number_of(fields.get("offset"), fields.at("offset"));
     Section section{.normal = normal, .offset = offset};
     // Keep a normal of length 1 to the bit, as this program writes it.
@@ -51,9 +54,10 @@ Region region_of(const Json& json, std::vector<std::string>& unknown) {
     if (const Json* sphere = fields.find("sphere")) region.ball = ball_of(*sphere, unknown);
     const Json* const sections = fields.find("sections");
     if (sections == nullptr) return region;
-    if (!sections->is_array()) throw Damage{"region.sections is no list"};
+    if (!sections->is_array()) throw Damage{filled(tr("{0} is no list"), {"region.sections"})};
     if (sections->size() > max_sections) {
-        throw Damage{"region.sections has more than " + std::to_string(max_sections) + " items"};
+        throw Damage{filled(tr("{0} has more than {1} items"),
+                            {"region.sections", std::to_string(max_sections)})};
     }
     for (const Json& item : *sections) {
         const std::string place = "region.sections[" + std::to_string(region.sections.size()) + "]";

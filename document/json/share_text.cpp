@@ -2,6 +2,7 @@
 
 #include "document/json/document_json.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/packed.hpp"
 
 #include <nlohmann/json.hpp>
@@ -64,7 +65,7 @@ std::expected<std::string, std::string> shared_json(std::string_view text) {
     const auto bytes = bytes_of(trimmed(text).substr(share_prefix.size()));
     const auto json = bytes ? unpacked(*bytes) : std::nullopt;
     if (!json)
-        return std::unexpected("it is damaged: copy all of the text that begins with zeroset:");
+        return std::unexpected(tr("it is damaged: copy all of the text that begins with zeroset:"));
     return *json;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/annotate/label_font.hpp"
 
 #include "engine/annotate/paint.hpp"
+#include "engine/base/translation.hpp"
 
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
@@ -73,9 +74,10 @@ std::expected<LabelFont, std::string> LabelFont::load() {
     auto face = std::make_shared<Face>();
     face->file.assign(std::istreambuf_iterator<char>(stream), {});
     if (face->file.empty() || stbtt_InitFont(&face->info, face->file.data(), 0) == 0) {
-        return std::unexpected("cannot read the font " + path +
-                               "; install DejaVu (fonts-dejavu-core), "
-                               "or draw without axes, marks and legend (--no-legend)");
+        return std::unexpected(
+            filled(tr("cannot read the font {0}; install DejaVu (fonts-dejavu-core), or draw "
+                      "without axes, marks and legend (--no-legend)"),
+                   {path}));
     }
     return LabelFont(std::move(face));
 }

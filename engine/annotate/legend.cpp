@@ -1,6 +1,7 @@
 #include "engine/annotate/legend.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -128,7 +129,7 @@ double height_of(const CornerLegend& legend) {
 std::string height_title(const glm::dvec3& up) {
     const char axis = up.x != 0.0 ? 'x' : up.y != 0.0 ? 'y' : 'z';
     const bool down = up.x + up.y + up.z < 0.0;
-    return std::string("height: ") + (down ? "\xE2\x88\x92" : "") + axis;
+    return filled(tr("height: {0}"), {(down ? "\xE2\x88\x92" : "") + std::string(1, axis)});
 }
 
 /// The part of the polygon where x + y is on the side of `bound` that `above` says.
@@ -153,14 +154,14 @@ std::vector<glm::dvec2> cut(const std::vector<glm::dvec2>& polygon, double bound
 
 const char* shown_name(ColorBy by) {
     switch (by) {
-        case ColorBy::Plain: return "surface and side";
-        case ColorBy::Normal: return "normal";
-        case ColorBy::Height: return "height";
-        case ColorBy::Depth: return "distance from the eye";
-        case ColorBy::MeanCurvature: return "mean curvature";
-        case ColorBy::GaussianCurvature: return "Gaussian curvature";
-        case ColorBy::Gradient: return "length of the gradient";
-        case ColorBy::Expression: return "expression";
+        case ColorBy::Plain: return tr_in("what colors show", "surface and side");
+        case ColorBy::Normal: return tr_in("what colors show", "normal");
+        case ColorBy::Height: return tr_in("what colors show", "height");
+        case ColorBy::Depth: return tr_in("what colors show", "distance from the eye");
+        case ColorBy::MeanCurvature: return tr_in("what colors show", "mean curvature");
+        case ColorBy::GaussianCurvature: return tr_in("what colors show", "Gaussian curvature");
+        case ColorBy::Gradient: return tr_in("what colors show", "length of the gradient");
+        case ColorBy::Expression: return tr_in("what colors show", "expression");
     }
     return "";
 }
@@ -219,9 +220,9 @@ Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const
         }
     }
     if (legend.undecided) {
-        card.add_mark(PixelMark::UndecidedDrawn, "undecided, drawn");
-        card.add_mark(PixelMark::UndecidedNotDrawn, "undecided, not drawn");
-        if (legend.coarse) card.add_mark(PixelMark::Coarse, "certified, coarse");
+        card.add_mark(PixelMark::UndecidedDrawn, tr("undecided, drawn"));
+        card.add_mark(PixelMark::UndecidedNotDrawn, tr("undecided, not drawn"));
+        if (legend.coarse) card.add_mark(PixelMark::Coarse, tr("certified, coarse"));
     }
     return shapes;
 }

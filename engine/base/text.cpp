@@ -1,5 +1,7 @@
 #include "engine/base/text.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -71,11 +73,11 @@ std::string lower_case(std::string_view text) {
 
 std::string one_of(std::span<const std::string_view> words) {
     std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-        text += words[i];
-    }
-    return text;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+        text += (i > 0 ? ", " : "") + std::string(words[i]);
+    if (words.empty()) return text;
+    return words.size() == 1 ? std::string(words[0])
+                             : filled(tr("{0} or {1}"), {text, words.back()});
 }
 
 std::string grouped(std::size_t number) {

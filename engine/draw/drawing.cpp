@@ -1,6 +1,7 @@
 #include "engine/draw/drawing.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,6 +15,10 @@ constexpr std::array<CurveKind, 5> all_kinds{CurveKind::Silhouette, CurveKind::C
                                              CurveKind::Contour};
 constexpr std::array<std::string_view, 5> all_names{"silhouette", "crease", "boundary",
                                                     "intersection", "contour"};
+/// More than one line of each kind, in messages.
+constexpr std::array<const char*, 5> all_plurals{marked("silhouettes"), marked("creases"),
+                                                 marked("boundarys"), marked("intersections"),
+                                                 marked("contours")};
 
 }  // namespace
 
@@ -31,15 +36,17 @@ std::string LineDrawing::lacks(double tolerance_pt) const {
     if (!in_time()) {
         std::string names;
         for (const CurveKind kind : curve_kinds()) {
-            if (cut.at(static_cast<std::size_t>(kind)))
-                names += (names.empty() ? "" : ", ") + std::string(name_of(kind)) + "s";
+            const auto index = static_cast<std::size_t>(kind);
+            if (cut.at(index))
+                names += (names.empty() ? "" : ", ") + std::string(tr(all_plurals.at(index)));
         }
-        return "some " + names + " may be missing";
+        return filled(tr("some {0} may be missing"), {names});
     }
-    if (!all_seams) return "lines may be missing where f jumps: there are too many such places";
+    if (!all_seams) return tr("lines may be missing where f jumps: there are too many such places");
     if (!(report.open_pt > tolerance_pt)) return "";
-    return "lines may be missing in " + std::to_string(report.open) + " places of up to " +
-           short_number(report.open_pt) + " pt, where equations of lines could not be told apart";
+    return filled(tr("lines may be missing in {0} places of up to {1} pt, where equations of lines "
+                     "could not be told apart"),
+                  {std::to_string(report.open), short_number(report.open_pt)});
 }
 
 }  // namespace zeroset

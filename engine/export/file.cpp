@@ -1,5 +1,6 @@
 #include "engine/export/file.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/export/new_file.hpp"
 #include "engine/export/png.hpp"
 
@@ -28,7 +29,7 @@ std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer
 std::expected<void, FileError> write_text(const std::string& path, const std::string& text) {
     if (path != "-") return write_file(path, std::as_bytes(std::span(text)));
     std::cout << text << std::flush;
-    if (!std::cout) return std::unexpected(FileError{"cannot write to standard output"});
+    if (!std::cout) return std::unexpected(FileError{tr("cannot write to standard output")});
     return {};
 }
 

@@ -1,5 +1,7 @@
 #include "engine/export/new_file.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::unexpected<FileError> cannot_write(const fs::path& path, const std::string& reason) {
-    return std::unexpected(FileError{"cannot write '" + path.string() + "': " + reason});
+    return std::unexpected(
+        FileError{filled(tr("cannot write {0}: {1}"), {"'" + path.string() + "'", reason})});
 }
 
 /// True for what a rename would replace by a file.
@@ -73,7 +76,7 @@ bool NewFile::append(std::span<const std::byte> bytes) {
 }
 
 std::unexpected<FileError> NewFile::error() const {
-    return cannot_write(path_, error_ == 0 ? "the system gives no reason" : reason_of(error_));
+    return cannot_write(path_, error_ == 0 ? tr("the system gives no reason") : reason_of(error_));
 }
 
 std::expected<void, FileError> NewFile::keep() {
@@ -91,11 +94,13 @@ std::expected<void, FileError> NewFile::keep() {
 }
 
 std::expected<void, FileError> check_writable(const fs::path& path) {
-    if (path.empty()) return cannot_write(path, "the name is empty");
-    if (fs::is_directory(path)) return cannot_write(path, "it is a directory; name a file in it");
+    if (path.empty()) return cannot_write(path, tr("the name is empty"));
+    if (fs::is_directory(path))
+        return cannot_write(path, tr("it is a directory; name a file in it"));
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder)) {
-        return cannot_write(path, "the folder '" + folder.string() + "' does not exist");
+        return cannot_write(
+            path, filled(tr("the folder {0} does not exist"), {"'" + folder.string() + "'"}));
     }
     if (::access(folder.c_str(), W_OK) != 0) return cannot_write(path, reason_of(errno));
     return {};

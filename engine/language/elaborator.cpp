@@ -2,6 +2,7 @@
 
 #include "engine/language/elaborator.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
@@ -38,9 +39,9 @@ std::string_view spelled_out(std::string_view name) {
     return {};
 }
 
-constexpr std::string_view no_surface = "a condition alone is no surface";
-constexpr std::string_view no_surface_hint =
-    "type = for its boundary, or put it behind a surface and a comma: x^2 + y^2 = 1, z < 1";
+constexpr const char* no_surface = marked("a condition alone is no surface");
+constexpr const char* no_surface_hint =
+    marked("type = for its boundary, or put it behind a surface and a comma: x^2 + y^2 = 1, z < 1");
 
 }  // namespace
 
@@ -51,7 +52,7 @@ std::expected<Program, ParseError> Elaborator::program() {
         return std::unexpected(no_place_error(without_surface_.front()));
     if (surfaces_.empty()) {
         return std::unexpected(ParseError{.offset = tree_.statements.back().offset,
-                                          .reason = "there is no surface yet, only definitions",
+                                          .reason = tr("there is no surface yet, only definitions"),
                                           .hint = hint_without_surface(),
                                           .unfinished = true});
     }
@@ -63,18 +64,18 @@ std::string Elaborator::hint_without_surface() {
     const Definition* const last = table_.of_statement(tree_.statements.size() - 1);
     const bool is_function = last != nullptr && last->is_function;
     if (is_function && !last->is_certain && last->name.size() > 2) {
-        const std::string hint = hint_for_unknown(last->name);
-        if (hint.starts_with("did you mean")) return "this defines " + last->name + "; " + hint;
+        if (const auto meant = nearest_known_name(last->name))
+            return filled(tr("this defines {0}; did you mean {1}?"), {last->name, *meant});
     }
     if (is_function && last->arguments == std::vector<std::string>{"x", "y", "z"})
-        return "type " + last->name + "(x, y, z) = 0 on the next line";
-    return "type an equation such as x^2 + y^2 + z^2 = 1 on the next line";
+        return filled(tr("type {0} on the next line"), {last->name + "(x, y, z) = 0"});
+    return filled(tr("type an equation such as {0} on the next line"), {"x^2 + y^2 + z^2 = 1"});
 }
 
 std::expected<Expr, ParseError> Elaborator::formula() {
     if (error_) return std::unexpected(*error_);
     if (tree_.statements.size() > 1) {
-        fail(tree_.statements[1].offset, "there is a second statement", "type one formula");
+        fail(tree_.statements[1].offset, tr("there is a second statement"), tr("type one formula"));
         return std::unexpected(*error_);
     }
     refuses_undefined_ = false;
@@ -88,8 +89,8 @@ std::expected<Expr, ParseError> Elaborator::last_value() {
     statement_ = tree_.statements.size() - 1;
     const StatementSyntax& statement = tree_.statements.back();
     if (is_condition(tree_[statement.relation].kind) || !statement.restrictions.empty()) {
-        fail(statement.offset, "an expression is needed here, no equation and no condition",
-             "type a value such as x^2 + y^2");
+        fail(statement.offset, tr("an expression is needed here, no equation and no condition"),
+             tr("type a value such as x^2 + y^2"));
         return std::unexpected(*error_);
     }
     const Number root = number(statement.relation, nullptr);
@@ -122,8 +123,8 @@ std::optional<ParseError> Elaborator::error_for_parametric() {
     if (!all(given) || !all(used)) return std::nullopt;
     return ParseError{
         .offset = tree_.statements.front().offset,
-        .reason = "x, y and z given by u and v are a parametric surface, which is not read",
-        .hint = "type one equation in x, y and z"};
+        .reason = tr("x, y and z given by u and v are a parametric surface, which is not read"),
+        .hint = tr("type one equation in x, y and z")};
 }
 
 bool Elaborator::build_statements() {
@@ -148,8 +149,9 @@ bool Elaborator::note_unreadable(const Definition& definition) {
     if (surfaces_.empty() || !error_) return false;
     const std::size_t offset = tree_.statements[definition.statement].offset;
     if (!definition.is_called) {
-        notes_.add(offset, "no surface needs this, and it is not read: " + error_->reason +
-                               (error_->hint.empty() ? "" : "; " + error_->hint));
+        const std::string hint = error_->hint.empty() ? "" : "; " + error_->hint;
+        notes_.add(offset, filled(tr("no surface needs this, and it is not read: {0}"),
+                                  {error_->reason + hint}));
     }
     readings_[definition.statement] = {
         .kind = definition.is_function ? StatementKind::Function : StatementKind::Value,
@@ -208,13 +210,13 @@ Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
         f = make_subtract(builder_, *left, *right);
         if (!done(*f, relation.offset)) return std::nullopt;
     } else if (relation.kind == SyntaxKind::Compare && relation.marks.contains('=')) {
-        return fail(relation.offset, "an equation and an inequality in one",
-                    "put the inequality behind a comma: x^2 + y^2 = 1, z < 1");
+        return fail(relation.offset, tr("an equation and an inequality in one"),
+                    tr("put the inequality behind a comma: x^2 + y^2 = 1, z < 1"));
     } else if (relation.kind == SyntaxKind::Compare && relation.marks == "n") {
-        return fail(relation.offset, std::string(no_surface),
-                    "compare with = for the surface where both sides are equal");
+        return fail(relation.offset, tr(no_surface),
+                    tr("compare with = for the surface where both sides are equal"));
     } else if (is_condition(relation.kind)) {
-        return fail(relation.offset, std::string(no_surface), std::string(no_surface_hint));
+        return fail(relation.offset, tr(no_surface), tr(no_surface_hint));
     } else {
         f = expression(statement.relation);
     }
@@ -227,7 +229,7 @@ Elaborator::Number Elaborator::expression(SyntaxId id) {
     const Built value = build(id, nullptr);
     if (!value) return std::nullopt;
     if (!value->condition) return value->id;
-    return fail(tree_[id].offset, std::string(no_surface), std::string(no_surface_hint));
+    return fail(tree_[id].offset, tr(no_surface), tr(no_surface_hint));
 }
 
 Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
@@ -237,8 +239,8 @@ Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& state
         const bool equates = syntax.kind == SyntaxKind::Compare &&
                              syntax.marks.find_first_of("=e") != std::string::npos;
         if (equates) {
-            return fail(syntax.offset, "behind a comma stands an inequality, not an equation",
-                        "for a second surface type ';' instead of the comma");
+            return fail(syntax.offset, tr("behind a comma stands an inequality, not an equation"),
+                        tr("for a second surface type ';' instead of the comma"));
         }
         const Number one = condition(id, nullptr, Numbers::Refused);
         if (!one) return std::nullopt;
@@ -247,7 +249,7 @@ Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& state
     }
     if (!all) return f;
     if (refuses_undefined_ && never_holds(*all)) {
-        return fail(tree_[statement.restrictions.front()].offset, "this never holds");
+        return fail(tree_[statement.restrictions.front()].offset, tr("this never holds"));
     }
     return make_call(builder_, Op::Where, f, *all);
 }
@@ -263,13 +265,14 @@ ParseError Elaborator::no_place_error(std::size_t statement) const {
     const bool capital = parameter_index_.contains("X") || parameter_index_.contains("Y") ||
                          parameter_index_.contains("Z");
     const StatementSyntax& syntax = tree_.statements[statement];
-    std::string hint = "type an equation such as x^2 + y^2 + z^2 = 1";
-    if (capital) hint = "write them as small letters";
-    if (parameter_index_.contains("p")) hint = "write the point p as x, y, z: length(x, y, z)";
+    std::string hint = tr("type an equation such as x^2 + y^2 + z^2 = 1");
+    if (capital) hint = tr("write them as small letters");
+    if (parameter_index_.contains("p")) hint = tr("write the point p as x, y, z: length(x, y, z)");
     if (syntax.leading_sign != '\0')
-        hint = std::string("to go on with the line above end that with ") + syntax.leading_sign;
+        hint = filled(tr("to go on with the line above end that with {0}"),
+                      {std::string(1, syntax.leading_sign)});
     return {.offset = syntax.offset,
-            .reason = "there is no x, y or z in it, so it is no surface",
+            .reason = tr("there is no x, y or z in it, so it is no surface"),
             .hint = hint};
 }
 
@@ -280,12 +283,12 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
         return false;
     }
     if (top.op == Op::Where && never_holds(top.b)) {
-        fail(tree_.statements[statement].offset, "its condition never holds");
+        fail(tree_.statements[statement].offset, tr("its condition never holds"));
         return false;
     }
     if (surfaces_.size() == ProgramLimits::surfaces) {
-        fail(tree_.statements[statement].offset,
-             "there are more than " + std::to_string(ProgramLimits::surfaces) + " surfaces");
+        fail(tree_.statements[statement].offset, filled(tr("there are more than {0} surfaces"),
+                                                        {std::to_string(ProgramLimits::surfaces)}));
         return false;
     }
     surfaces_.push_back({.statement = statement, .root = root});
@@ -322,8 +325,8 @@ void Elaborator::note_built_in(const Definition& definition) {
     const std::string& name = definition.name;
     if (!is_built_in_value(name) || built_in(name)->id == definition.value->id) return;
     notes_.add(tree_.statements[definition.statement].offset,
-               name + " is this value in all statements; for the built-in " + name + " type " +
-                   std::string(spelled_out(name)));
+               filled(tr("{0} is this value in all statements; for the built-in {0} type {1}"),
+                      {name, spelled_out(name)}));
 }
 
 /// The reading of a function; its arguments are built as parameters of their own.
@@ -356,8 +359,8 @@ std::expected<Program, ParseError> Elaborator::result() {
         nodes += expr.nodes().size();
         if (nodes > ProgramLimits::nodes) {
             fail(tree_.statements[surface.statement].offset,
-                 "the surfaces up to here have more than " + std::to_string(ProgramLimits::nodes) +
-                     " operations");
+                 filled(tr("the surfaces up to here have more than {0} operations"),
+                        {std::to_string(ProgramLimits::nodes)}));
             return std::unexpected(*error_);
         }
         readings_[surface.statement] = {.kind = StatementKind::Surface,

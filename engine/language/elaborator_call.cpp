@@ -1,9 +1,11 @@
 // Builds calls: of built-in functions, of functions that the text defines, of sums.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/elaborator.hpp"
+#include "engine/language/vocabulary/foreign.hpp"
 #include "engine/language/words/words.hpp"
 
 #include <cmath>
@@ -90,8 +92,8 @@ Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* sc
     const std::string name(syntax.function->name);
     const auto index =
         whole_number(syntax.operands[0], scope,
-                     {.reason = "the first argument of " + name + " is a whole number",
-                      .hint = "type 0, 1, ..."});
+                     {.reason = filled(tr("the first argument of {0} is a whole number"), {name}),
+                      .hint = tr("type 0, 1, ...")});
     if (!index) return std::nullopt;
     if (syntax.function->composed == Composed::Keep) {
         const Number value = number(syntax.operands[1], scope);
@@ -101,8 +103,8 @@ Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* sc
     }
     const auto kept = kept_.find(*index);
     if (kept != kept_.end()) return Value{.id = kept->second, .condition = false};
-    return fail(syntax.offset, "csd reads what no psh before it keeps",
-                "type psh(i, a) for the same i before it");
+    return fail(syntax.offset, tr("csd reads what no psh before it keeps"),
+                tr("type psh(i, a) for the same i before it"));
 }
 
 /// The exact value of a bound or an index, which must be a whole number.
@@ -120,27 +122,30 @@ std::optional<double> Elaborator::whole_number(SyntaxId id, const Binding* scope
 /// Writes out sum(f, i, m, n), prod, least or greatest.
 Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scope) {
     const std::string name(syntax.function->name);
+    const std::string example = filled(tr("for example {0}"), {name + "(x^i, i, 1, 5)"});
     const Syntax& index = tree_[syntax.operands[1]];
     if (index.kind != SyntaxKind::Name) {
-        return fail(index.offset, "the second argument of " + name + " is a name",
-                    "for example " + name + "(x^i, i, 1, 5)");
+        return fail(index.offset, filled(tr("the second argument of {0} is a name"), {name}),
+                    example);
     }
     std::optional<double> bounds[2];
     for (std::size_t i = 0; i < 2; ++i) {
-        const std::string rule = library_offset_ ? "the number of parts here is a whole number"
-                                                 : "the bounds of " + name + " are whole numbers";
-        const std::string hint =
-            library_offset_ ? "type one, such as 8" : "for example " + name + "(x^i, i, 1, 5)";
+        const std::string rule = library_offset_
+                                     ? tr("the number of parts here is a whole number")
+                                     : filled(tr("the bounds of {0} are whole numbers"), {name});
+        const std::string hint = library_offset_ ? tr("type one, such as 8") : example;
         bounds[i] = whole_number(syntax.operands[2 + i], scope, {.reason = rule, .hint = hint});
         if (!bounds[i]) return std::nullopt;
     }
     if (*bounds[1] - *bounds[0] >= max_terms) {
-        return fail(syntax.offset, name + " has more than 10 000 terms", "use fewer");
+        return fail(syntax.offset, filled(tr("{0} has more than 10 000 terms"), {name}),
+                    tr("use fewer"));
     }
     const Composed kind = *syntax.function->composed;
     const bool is_empty = *bounds[1] < *bounds[0];
     if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
-        return fail(syntax.offset, name + " has no terms", "let m be at most n");
+        return fail(syntax.offset, filled(tr("{0} has no terms"), {name}),
+                    tr("let m be at most n"));
     NodeId total = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0);
     for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
         const Binding binding{.name = index.text,
@@ -159,14 +164,17 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
 Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* scope) {
     Definition* const definition = table_.function(syntax.text, statement_);
     if (definition == nullptr) {
-        return fail(syntax.offset, quoted(syntax.text) + " is not a function",
-                    "define it, as in " + syntax.text + "(u, v) = u^2 + v^2");
+        return fail(syntax.offset, filled(tr("{0} is not a function"), {quoted(syntax.text)}),
+                    hint_to_define(syntax.text));
     }
     const std::size_t wanted = definition->arguments.size();
     if (syntax.operands.size() != wanted) {
-        return fail(syntax.offset, syntax.text + " takes " + std::to_string(wanted) +
-                                       (wanted == 1 ? " argument, not " : " arguments, not ") +
-                                       std::to_string(syntax.operands.size()));
+        const std::string given = std::to_string(syntax.operands.size());
+        const std::string reason =
+            wanted == 1 ? filled(tr("{0} takes 1 argument, not {1}"), {syntax.text, given})
+                        : filled(tr("{0} takes {1} arguments, not {2}"),
+                                 {syntax.text, std::to_string(wanted), given});
+        return fail(syntax.offset, reason);
     }
     std::vector<NodeId> arguments;
     for (const SyntaxId id : syntax.operands) {
@@ -175,8 +183,8 @@ Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* 
         arguments.push_back(*argument);
     }
     if (definition->in_progress) {
-        return fail(syntax.offset, quoted(syntax.text) + " is defined by itself",
-                    "write the terms out, or use sum or prod");
+        return fail(syntax.offset, filled(tr("{0} is defined by itself"), {quoted(syntax.text)}),
+                    tr("write the terms out, or use sum or prod"));
     }
     definition->is_called = true;
     return function_value(*definition, arguments);

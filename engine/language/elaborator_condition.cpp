@@ -1,5 +1,6 @@
 // Builds comparisons and connectives, and converts between truth values and numbers.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/language/elaborator.hpp"
@@ -13,7 +14,7 @@ Elaborator::Number Elaborator::number_of(const Value& value, std::size_t offset)
     if (!value.condition) return value.id;
     const NodeId one = builder_.constant(1.0);
     const NodeId zero = builder_.constant(0.0);
-    notes_.add(offset, "a condition counts as 1 where it holds and as 0 elsewhere");
+    notes_.add(offset, tr("a condition counts as 1 where it holds and as 0 elsewhere"));
     const Built number = done(make_call(builder_, Op::If, value.id, one, zero), offset);
     return number ? Number(number->id) : std::nullopt;
 }
@@ -25,7 +26,7 @@ Elaborator::Number Elaborator::condition_of(const Value& value, std::size_t offs
     const NodeId one = builder_.constant(1.0);
     const NodeId zero = builder_.constant(0.0);
     if (node.op == Op::If && node.b == one && node.c == zero) return node.a;
-    notes_.add(offset, "a number in place of a condition holds where it is not 0");
+    notes_.add(offset, tr("a number in place of a condition holds where it is not 0"));
     const NodeId below = make_call(builder_, Op::Less, value.id, zero);
     const NodeId above = make_call(builder_, Op::Less, zero, value.id);
     const Built either = done(make_call(builder_, Op::Or, below, above), offset, true);
@@ -37,7 +38,7 @@ Elaborator::Number Elaborator::condition(SyntaxId id, const Binding* scope, Numb
     if (!value) return std::nullopt;
     const std::size_t offset = tree_[id].offset;
     if (!value->condition && numbers == Numbers::Refused) {
-        return fail(offset, "a condition is wanted here", "compare, for example z < 1");
+        return fail(offset, tr("a condition is wanted here"), tr("compare, for example z < 1"));
     }
     return condition_of(*value, offset);
 }
@@ -61,7 +62,8 @@ Elaborator::Built Elaborator::compare(const Syntax& syntax, const Binding* scope
 
 Elaborator::Number Elaborator::compared(char mark, const Value& left, const Value& right,
                                         std::size_t offset) {
-    if (mark == '=') notes_.add(offset, "this = compares, as == does; it holds on a thin set only");
+    if (mark == '=')
+        notes_.add(offset, tr("this = compares, as == does; it holds on a thin set only"));
     if (mark == '=' || mark == 'e') return equality(left, right, offset);
     if (mark == 'n') {
         const Number same = equality(left, right, offset);

@@ -1,5 +1,6 @@
 #include "engine/language/elaborator_definitions.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/words/words.hpp"
 
@@ -61,7 +62,7 @@ bool DefinitionTable::read_definitions() {
             const Syntax& name = tree_[argument];
             if (names.insert(name.text).second) continue;
             error_ = {.offset = name.offset,
-                      .reason = "two arguments are called " + quoted(name.text),
+                      .reason = filled(tr("two arguments are called {0}"), {quoted(name.text)}),
                       .hint = {}};
             return false;
         }
@@ -254,9 +255,10 @@ void DefinitionTable::note_definitions(Notes& notes) const {
     for (std::uint32_t i = 0; i < definitions_.size(); ++i) {
         const std::string& name = definitions_[i].name;
         if (!out_[i] || is_built_in_value(name)) continue;
-        notes.add(offset_of(i), "nothing else uses " + name +
-                                    ", so this is a surface; to define it alone type " + name +
-                                    " := ...");
+        notes.add(
+            offset_of(i),
+            filled(tr("nothing else uses {0}, so this is a surface; to define it alone type {1}"),
+                   {name, name + " := ..."}));
     }
 }
 
@@ -264,15 +266,16 @@ void DefinitionTable::note_definitions(Notes& notes) const {
 void DefinitionTable::note_repetitions(const Lists& lists, Notes& notes) const {
     for (const auto& [name, indices] : lists) {
         for (std::size_t k = 1; k < indices.size(); ++k) {
-            notes.add(offset_of(indices[k]), quoted(name) +
-                                                 " is defined again: it means this from here on "
-                                                 "and in all surfaces");
+            notes.add(
+                offset_of(indices[k]),
+                filled(tr("{0} is defined again: it means this from here on and in all surfaces"),
+                       {quoted(name)}));
         }
         const Function* const function = find_function(name);
         const bool is_value = &lists == &values_;
         if (function == nullptr || (is_value && function->is_of_library())) continue;
         notes.add(offset_of(indices[0]),
-                  name + " is what this line defines, not the built-in function");
+                  filled(tr("{0} is what this line defines, not the built-in function"), {name}));
     }
 }
 

@@ -1,6 +1,7 @@
 // Builds the nodes of expressions.
 
 #include "engine/algebra/graph_facts.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/expr/constants.hpp"
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
@@ -21,10 +22,10 @@ constexpr int deep = 500;        // from this depth on, definitions are settled 
 constexpr std::size_t max_steps = 10'000'000;  // takes less than two seconds
 
 std::string why_undefined(const Node& node) {
-    if (node.op == Op::Divide) return "a division by 0";
-    if (node.op == Op::Mod) return "mod(a, 0)";
-    if (node.op == Op::Where) return "its condition never holds";
-    return std::string(op_info(node.op).spelling) + " outside its domain";
+    if (node.op == Op::Divide) return tr("this is not a number: a division by 0");
+    if (node.op == Op::Mod) return filled(tr("this is not a number: {0}"), {"mod(a, 0)"});
+    if (node.op == Op::Where) return tr("this is not a number: its condition never holds");
+    return filled(tr("this is not a number: {0} outside its domain"), {op_info(node.op).spelling});
 }
 
 }  // namespace
@@ -44,14 +45,14 @@ std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::str
 
 Elaborator::Built Elaborator::done(NodeId id, std::size_t offset, bool condition) {
     if (builder_.size() > ProgramLimits::nodes) {
-        return fail(offset, "the formula has more than " + std::to_string(ProgramLimits::nodes) +
-                                " operations");
+        return fail(offset, filled(tr("the formula has more than {0} operations"),
+                                   {std::to_string(ProgramLimits::nodes)}));
     }
     for (auto next = static_cast<NodeId>(facts_.size()); next < builder_.size(); ++next) {
         facts_.push_back(facts_of_node(builder_.node(next), facts_));
         const Node& node = builder_.node(next);
         if (refuses_undefined_ && (facts_.back().undefined || divides_by_zero(node))) {
-            return fail(offset, "this is not a number: " + why_undefined(node));
+            return fail(offset, why_undefined(node));
         }
     }
     return Value{.id = id, .condition = condition};
@@ -65,10 +66,10 @@ Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
     };
     const Level level(depth_);
     const Syntax& syntax = tree_[id];
-    if (depth_ > max_depth) return fail(syntax.offset, "the definitions are nested too deep");
+    if (depth_ > max_depth) return fail(syntax.offset, tr("the definitions are nested too deep"));
     if (++steps_ > max_steps) {
-        return fail(syntax.offset, "the sums and functions here ask for too many operations",
-                    "use fewer terms");
+        return fail(syntax.offset, tr("the sums and functions here ask for too many operations"),
+                    tr("use fewer terms"));
     }
     switch (syntax.kind) {
         case SyntaxKind::Number: return literal(syntax);
@@ -102,8 +103,8 @@ Elaborator::Number Elaborator::number(SyntaxId id, const Binding* scope) {
 Elaborator::Built Elaborator::literal(const Syntax& syntax) {
     const NumberEnclosure number = enclose_number(syntax.text);
     if (number.hi > largest_number) {
-        return fail(syntax.offset, "the number " + quoted(syntax.text) + " is too large",
-                    "stay below 1e300");
+        return fail(syntax.offset, filled(tr("the number {0} is too large"), {quoted(syntax.text)}),
+                    tr("stay below 1e300"));
     }
     return done(builder_.constant(number.lo, number.hi), syntax.offset);
 }
@@ -127,13 +128,15 @@ Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
         std::string call = name + "(";
         for (const std::string& argument : function->arguments)
             call += (call.ends_with('(') ? "" : ", ") + argument;
-        return fail(syntax.offset, quoted(name) + " is a function", "type " + call + ")");
+        return fail(syntax.offset, filled(tr("{0} is a function"), {quoted(name)}),
+                    filled(tr("type {0}"), {call + ")"}));
     }
     if (is_parameter_name(name)) return parameter(name, syntax.offset);
     if (auto foreign = error_for_foreign(name, syntax.offset)) {
         return fail(foreign->offset, std::move(foreign->reason), std::move(foreign->hint));
     }
-    return fail(syntax.offset, quoted(name) + " is not known", hint_for_unknown(name));
+    return fail(syntax.offset, filled(tr("{0} is not known"), {quoted(name)}),
+                hint_for_unknown(name));
 }
 
 Elaborator::Built Elaborator::said(const Syntax& syntax) {
@@ -176,8 +179,8 @@ Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t off
     const auto [entry, is_new] = parameter_index_.try_emplace(name, parameters_.size());
     if (is_new) {
         if (parameters_.size() == ProgramLimits::parameters) {
-            return fail(offset, "there are more than " + std::to_string(ProgramLimits::parameters) +
-                                    " parameters");
+            return fail(offset, filled(tr("there are more than {0} parameters"),
+                                       {std::to_string(ProgramLimits::parameters)}));
         }
         parameters_.push_back(name);
         note_capital(name, offset);
@@ -189,16 +192,16 @@ Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t off
 void Elaborator::note_capital(const std::string& name, std::size_t offset) {
     const bool is_axis = name == "X" || name == "Y" || name == "Z";
     if (!is_axis && name != "E") return;
-    notes_.add(offset, name + " is a parameter; for " +
-                           (is_axis ? "the coordinate type " : "2.718... type ") +
-                           in_small_letters(name));
+    const char* const note = is_axis ? tr("{0} is a parameter; for the coordinate type {1}")
+                                     : tr("{0} is a parameter; for 2.718... type {1}");
+    notes_.add(offset, filled(note, {name, in_small_letters(name)}));
 }
 
 Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax& syntax) {
     if (definition.value) return definition.value;
     if (definition.in_progress) {
         if (is_built_in_value(syntax.text)) return said(syntax);
-        return fail(syntax.offset, quoted(syntax.text) + " is defined by itself");
+        return fail(syntax.offset, filled(tr("{0} is defined by itself"), {quoted(syntax.text)}));
     }
     definition.in_progress = true;
     if (depth_ > deep && !settle(definition)) return std::nullopt;
@@ -276,8 +279,8 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
             default:
                 total = make_call(builder_, Op::Mod, *total, *factor);
                 notes_.add(offset,
-                           "a % b is mod(a, b), from 0 up to b; for the remainder of C, with "
-                           "the sign of a, type fmod(a, b)");
+                           tr("a % b is mod(a, b), from 0 up to b; for the remainder of C, with "
+                              "the sign of a, type fmod(a, b)"));
         }
         if (!done(*total, offset)) return std::nullopt;
     }
@@ -291,8 +294,9 @@ bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
     const auto& constant = facts_[divisor].constant;
     const bool is_zero = constant && constant->neg_lo == 0 && constant->hi == 0;
     if (!refuses_undefined_ || syntax.kind != SyntaxKind::Name || !is_zero) return false;
-    fail(syntax.offset, "this is not a number: a division by 0, as " + syntax.text + " is 0",
-         "give " + syntax.text + " another value");
+    fail(syntax.offset,
+         filled(tr("this is not a number: a division by 0, as {0} is 0"), {syntax.text}),
+         filled(tr("give {0} another value"), {syntax.text}));
     return true;
 }
 

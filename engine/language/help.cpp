@@ -1,5 +1,6 @@
 #include "engine/language/help.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 
 #include <cstddef>
@@ -9,68 +10,78 @@ namespace zeroset {
 namespace {
 
 struct Line {
-    std::string_view typed;
-    std::string_view meaning;
+    const char* typed;
+    const char* meaning;
 
-    constexpr Line(std::string_view what, std::string_view about) : typed(what), meaning(about) {}
+    constexpr Line(const char* what, const char* about) : typed(what), meaning(about) {}
 };
 
 constexpr Line statements[] = {
-    {"x^2 + y^2 + z^2 = 1", "an equation: a surface, where both sides are equal"},
-    {"x^2 + y^2 - z", "an expression: the surface where it is 0"},
-    {"x^2 + y^2 = 1, -1 < z < 1", "a surface, only where the inequalities hold; also {z < 1}"},
-    {"a = 2", "a constant, for all statements; a := 2 is never anything else"},
-    {"f(u, v) = u^2 + v^2", "a function, for all statements; it cannot call itself"},
-    {"a = 2; a = a + 1", "defined again: for what follows and for all surfaces"},
+    {"x^2 + y^2 + z^2 = 1", marked("an equation: a surface, where both sides are equal")},
+    {"x^2 + y^2 - z", marked("an expression: the surface where it is 0")},
+    {"x^2 + y^2 = 1, -1 < z < 1",
+     marked("a surface, only where the inequalities hold; also {z < 1}")},
+    {"a = 2", marked("a constant, for all statements; a := 2 is never anything else")},
+    {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},
+    {"a = 2; a = a + 1", marked("defined again: for what follows and for all surfaces")},
     {"; or a new line",
-     "between statements; a line goes on in brackets, behind an operator and before one"},
-    {"-x + y", "at the start of a line another statement, but + goes on where no = was before"},
+     marked("between statements; a line goes on in brackets, behind an operator and before one")},
+    {"-x + y",
+     marked("at the start of a line another statement, but + goes on where no = was before")},
     {"# a remark  // a remark",
-     "up to the end of the line, as % at its start; also /* a remark */"},
+     marked("up to the end of the line, as % at its start; also /* a remark */")},
 };
 
 constexpr Line names[] = {
-    {"x y z w", "the variables; t is another name of w"},
+    {"x y z w", marked("the variables; t is another name of w")},
     {"r, rho", "sqrt(x^2 + y^2 + z^2), sqrt(x^2 + y^2)"},
-    {"theta \u03b8, phi \u03c6", "the angles atan2(y, x) and acos(z/r)"},
+    {"theta \u03b8, phi \u03c6", marked("the angles atan2(y, x) and acos(z/r)")},
     {"pi \u03c0, tau \u03c4, e, golden", "3.14159..., 2 pi, 2.71828..., (1 + sqrt 5)/2"},
-    {"a, k, c_1, \u03b1", "any other letter is a parameter with a slider; its value is 1 at first"},
-    {"radius, a1, Iso_2", "names of any length once they are defined, which are never split"},
+    {"a, k, c_1, \u03b1",
+     marked("any other letter is a parameter with a slider; its value is 1 at first")},
+    {"radius, a1, Iso_2",
+     marked("names of any length once they are defined, which are never split")},
     {"r = 0.5",
-     "a constant where another statement uses r, alone the sphere; so with each name above"},
-    {"cx = 0.1", "a constant where another statement uses cx, alone the product c*x"},
+     marked(
+         "a constant where another statement uses r, alone the sphere; so with each name above")},
+    {"cx = 0.1", marked("a constant where another statement uses cx, alone the product c*x")},
 };
 
 constexpr Line expressions[] = {
-    {"12  .5  1e-3", "numbers, with a decimal point; 0,5 is 0.5 where it cannot be two values"},
+    {"12  .5  1e-3",
+     marked("numbers, with a decimal point; 0,5 is 0.5 where it cannot be two values")},
     {"+ - * / % ^",
-     "a % b is mod(a, b); -x^2 is -(x^2); x^y^z is x^(y^z); also ** \u00d7 \u00b7 \u00f7 \u2212"},
-    {"2x  x(x+3)  xy  2xy^2", "products need no *; 1/2x is (1/2)*x"},
-    {"( ) [ ] { }  |x|", "brackets; absolute value"},
-    {"x\u00b2  x^(1/3)  x^-2", "powers; a root of odd degree takes negative numbers, too"},
-    {"sin x  sin 2x  ln xy", "a function without parentheses takes the product behind it"},
-    {"sin^2 x  sin^-1 x", "(sin x)^2, but the inverse function asin x"},
-    {R"(\frac{a}{b}  \sqrt{x}  \sin)", "LaTeX as copied from a paper"},
-    {"x < y <= z  x == y  x != y", "conditions, for if, { } and behind a comma"},
-    {"and or not  & | !  && ||", "join conditions; | | around a value stay its absolute value"},
+     marked("a % b is mod(a, b); -x^2 is -(x^2); x^y^z is x^(y^z); also ** × · ÷ −")},
+    {"2x  x(x+3)  xy  2xy^2", marked("products need no *; 1/2x is (1/2)*x")},
+    {"( ) [ ] { }  |x|", marked("brackets; absolute value")},
+    {"x\u00b2  x^(1/3)  x^-2", marked("powers; a root of odd degree takes negative numbers, too")},
+    {"sin x  sin 2x  ln xy", marked("a function without parentheses takes the product behind it")},
+    {"sin^2 x  sin^-1 x", marked("(sin x)^2, but the inverse function asin x")},
+    {R"(\frac{a}{b}  \sqrt{x}  \sin)", marked("LaTeX as copied from a paper")},
+    {"x < y <= z  x == y  x != y", marked("conditions, for if, { } and behind a comma")},
+    {"and or not  & | !  && ||",
+     marked("join conditions; | | around a value stay its absolute value")},
     {"(x < 1)*y  if(x, 1, 2)",
-     "a condition is 1 or 0 as a number; a number holds where it is not 0"},
-    {"{x < 0: -x, x}", "cases, the same as if(x < 0, -x, x) and x < 0 ? -x : x"},
+     marked("a condition is 1 or 0 as a number; a number holds where it is not 0")},
+    {"{x < 0: -x, x}", marked("cases, the same as if(x < 0, -x, x) and x < 0 ? -x : x")},
 };
 
 constexpr Line elsewhere[] = {
     {"const float a = 2., b = 3.;",
-     "values as programs write them; also double, let, var, #declare"},
+     marked("values as programs write them; also double, let, var, #declare")},
     {"float f(float u) { float v = u*u; return v + 1.; }",
-     "a function, of values one after the other"},
-    {"#declare F = function(u, v) { u*v }", "a function as POV-Ray writes it"},
-    {"f[u_, v_] := u v  Sin[x]", "definitions and calls as Mathematica writes them; there E is e"},
+     marked("a function, of values one after the other")},
+    {"#declare F = function(u, v) { u*v }", marked("a function as POV-Ray writes it")},
+    {"f[u_, v_] := u v  Sin[x]",
+     marked("definitions and calls as Mathematica writes them; there E is e")},
     {"f = @(x, y) x.^2  f = lambda x: x**2",
-     "functions as MATLAB and Python write them; also (x) -> x, x => x and def f(x): return x"},
-    {"#define R 2.5", "a constant or function as C's macros write it"},
-    {"Math.sin(x)  np.sqrt(x)", "functions with the name of their library"},
-    {"x - 1 : y - 1 :", "surfaces apart by colons, as in K3DSurf"},
-    {"_0 var-x", "the first line of a list of instructions, as Fidget and libfive keep models"},
+     marked("functions as MATLAB and Python write them; also (x) -> x, x => x and def f(x): return "
+            "x")},
+    {"#define R 2.5", marked("a constant or function as C's macros write it")},
+    {"Math.sin(x)  np.sqrt(x)", marked("functions with the name of their library")},
+    {"x - 1 : y - 1 :", marked("surfaces apart by colons, as in K3DSurf")},
+    {"_0 var-x",
+     marked("the first line of a list of instructions, as Fidget and libfive keep models")},
 };
 
 constexpr std::string_view grammar =
@@ -101,20 +112,20 @@ template <std::size_t size>
 HelpSection section(std::string title, const Line (&lines)[size]) {
     HelpSection result{.title = std::move(title), .entries = {}};
     for (const Line& line : lines)
-        result.entries.push_back(
-            {.typed = std::string(line.typed), .meaning = std::string(line.meaning)});
+        result.entries.push_back({.typed = line.typed, .meaning = line.meaning});
     return result;
 }
 
 }  // namespace
 
 std::vector<HelpSection> language_help() {
-    std::vector<HelpSection> help{section("Statements", statements),
-                                  section("Names", names),
-                                  section("Expressions", expressions),
-                                  section("Texts from elsewhere", elsewhere),
-                                  {.title = "Functions", .entries = {}},
-                                  {.title = "Functions of POV-Ray and MathMod", .entries = {}}};
+    std::vector<HelpSection> help{
+        section(marked("Statements"), statements),
+        section(marked("Names"), names),
+        section(marked("Expressions"), expressions),
+        section(marked("Texts from elsewhere"), elsewhere),
+        {.title = marked("Functions"), .entries = {}},
+        {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";

@@ -17,7 +17,8 @@ struct HelpSection {
     std::vector<HelpEntry> entries;
 };
 
-/// The help on the formula language: one screen, and all functions.
+/// The help on the formula language: one screen, and all functions. In English; titles and meanings
+/// are in the catalogs (engine/base/translation.hpp).
 std::vector<HelpSection> language_help();
 
 /// The grammar of the language, in EBNF.

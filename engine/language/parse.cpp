@@ -1,5 +1,6 @@
 #include "engine/language/parse.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/language/elaborator.hpp"
 
@@ -10,11 +11,13 @@ namespace zeroset {
 namespace {
 
 ParseError unknown_parameter(const std::string& name, std::span<const std::string> parameters) {
-    std::string known = "the formula has none";
-    if (!parameters.empty()) known = "the formula's are";
+    std::string names;
     for (const std::string& parameter : parameters)
-        known += " " + parameter;
-    return {.offset = 0, .reason = "there is no parameter '" + name + "'", .hint = known};
+        names += (names.empty() ? "" : " ") + parameter;
+    return {.offset = 0,
+            .reason = filled(tr("there is no parameter {0}"), {"'" + name + "'"}),
+            .hint = parameters.empty() ? tr("the formula has none")
+                                       : filled(tr("the formula's are {0}"), {names})};
 }
 
 /// The graph with its parameters renumbered to their places in `parameters`.
@@ -52,8 +55,8 @@ std::expected<Expr, ParseError> read_value(std::string_view expression, std::str
     if (!alone) return std::unexpected(alone.error());
     if (alone->statements.size() > 1) {
         return std::unexpected(ParseError{.offset = alone->statements[1].offset,
-                                          .reason = "there is a second expression",
-                                          .hint = "type one of them"});
+                                          .reason = tr("there is a second expression"),
+                                          .hint = tr("type one of them")});
     }
     std::string text(program);
     text += "\n;\n";

@@ -1,6 +1,7 @@
 #include "engine/mesh/wall.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/mesh/place_index.hpp"
 
 #include <array>
@@ -16,9 +17,9 @@ glm::dvec3 across(const std::vector<glm::dvec3>& points, const Triangle& t) {
     return glm::cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
 }
 
-std::unexpected<std::string> refusal(const std::string& why, const glm::dvec3& where) {
-    return std::unexpected(why + " near " + short_number(where.x, 4) + "," +
-                           short_number(where.y, 4) + "," + short_number(where.z, 4));
+std::unexpected<std::string> refusal(const char* why, const glm::dvec3& where) {
+    return std::unexpected(filled(why, {short_number(where.x, 4) + "," + short_number(where.y, 4) +
+                                        "," + short_number(where.z, 4)}));
 }
 
 std::vector<glm::dvec3> points_of(const TriangleMesh& mesh) {
@@ -115,10 +116,11 @@ std::optional<std::string> turned(const SideSource& source, const Triangle& t,
     const glm::dvec3 before = across(source.points, t);
     for (const std::uint32_t v : t) {
         if (glm::dot(source.normals[v], before) < 0.7 * glm::length(before))
-            return refusal("the surface has an edge", source.points[v]).error();
+            return refusal(tr("the surface has an edge near {0}"), source.points[v]).error();
     }
     if (glm::dot(before, across(moved, t)) < 0.01 * glm::dot(before, before))
-        return refusal("the surface bends too much for this wall", source.points[t[0]]).error();
+        return refusal(tr("the surface bends too much for this wall near {0}"), source.points[t[0]])
+            .error();
     return std::nullopt;
 }
 
@@ -141,7 +143,7 @@ std::optional<std::string> defect(const TriangleMesh& mesh, const std::vector<gl
         const PointGrid grid(points, half);
         for (std::size_t v = 0; v < points.size(); ++v) {
             if (half > 2 * tolerance && grid.has_near(moved[v], half - 2 * tolerance))
-                return refusal("the wall would meet itself", points[v]).error();
+                return refusal(tr("the wall would meet itself near {0}"), points[v]).error();
         }
     }
     return std::nullopt;

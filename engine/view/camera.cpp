@@ -1,6 +1,7 @@
 #include "engine/view/camera.hpp"
 
 #include "engine/base/enum_names.hpp"
+#include "engine/base/translation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,16 +112,16 @@ const char* camera_defect(const Camera& camera) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     };
     if (!finite(camera.eye) || !finite(camera.look_at) || !finite(camera.up)) {
-        return "the camera has a coordinate that is not a finite number";
+        return tr("the camera has a coordinate that is not a finite number");
     }
     const glm::dvec3 view = camera.look_at - camera.eye;
-    if (glm::length(view) == 0) return "the eye is at the point looked at; move one of them";
+    if (glm::length(view) == 0) return tr("the eye is at the point looked at; move one of them");
     const glm::dvec3 side = glm::cross(view, camera.up);
     if (glm::length(side) <= 1e-9 * glm::length(view) * glm::length(camera.up)) {
-        return "the up direction is zero or along the view; choose another, for example 0,0,1";
+        return tr("the up direction is zero or along the view; choose another, for example 0,0,1");
     }
     if (!(camera.fov_rad > 0 && camera.fov_rad < std::numbers::pi)) {
-        return "the field of view must be above 0 and below 180 degrees";
+        return tr("the field of view must be above 0 and below 180 degrees");
     }
     return nullptr;
 }

@@ -1,6 +1,7 @@
 #include "pipeline/plans/export_formats.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/draw/files/formats.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/films/film_formats.hpp"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <mutex>
 #include <vector>
 
 namespace zeroset {
@@ -42,7 +45,7 @@ ExportFormat row_of(const FilmFormat& format) {
 ExportFormat frames_of(const PictureFormat& format) {
     ExportFormat row = row_of(format);
     row.kind = ExportKind::Film;
-    row.about = "a picture for each frame, numbered";
+    row.about = marked("a picture for each frame, numbered");
     row.quality = row.density = false;
     row.numbered = true;
     return row;
@@ -104,8 +107,13 @@ bool can_be_written(const ExportFormat& format) { return format.missing.empty();
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
-    static const std::vector<ExportFormat> formats = all_formats();
-    return formats;
+    // A table for each language, as what is missing is told in words.
+    static std::mutex mutex;
+    static std::map<Language, std::vector<ExportFormat>> tables;
+    const std::scoped_lock lock(mutex);
+    std::vector<ExportFormat>& table = tables[language()];
+    if (table.empty()) table = all_formats();
+    return table;
 }
 
 const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::path& path) {
@@ -128,7 +136,7 @@ std::string export_endings(ExportKind kind, bool ExportFormat::* has) {
 
 std::string export_use(ExportKind kind, bool ExportFormat::* has) {
     const std::string endings = export_endings(kind, has);
-    return endings.empty() ? "" : "; it is for " + endings;
+    return endings.empty() ? "" : "; " + filled(tr("it is for {0}"), {endings});
 }
 
 std::string missing_endings(ExportKind kind) {
@@ -142,23 +150,28 @@ std::string missing_endings(ExportKind kind) {
     for (const std::string& reason : reasons) {
         const auto endings = endings_of(
             kind, [&reason](const ExportFormat& format) { return format.missing == reason; });
-        text += (text.empty() ? "no " : "; no ") + one_of(endings) + ": " + reason;
+        text += (text.empty() ? "" : "; ") + filled(tr("no {0}: {1}"), {one_of(endings), reason});
     }
     return text;
 }
 
 std::string other_name(ExportKind kind, const std::filesystem::path& path) {
     std::string text = export_endings(kind);
-    text = text.empty() ? missing_endings(kind) : "type a name that ends in " + text;
-    if (kind == ExportKind::Film) text += "; frame####.png makes numbered pictures";
-    const auto formats = export_formats();
-    const auto other = std::ranges::find_if(formats, [&](const ExportFormat& format) {
-        return !format.numbered && can_be_written(format) &&
-               export_format_of(format.kind, path) == &format;
-    });
-    if (other == formats.end() || other->kind == kind) return text;
-    return text + "; " + std::string(other->ending) + " is written by `zeroset " +
-           std::string(command_of(other->kind)) + "`";
+    text =
+        text.empty() ? missing_endings(kind) : filled(tr("type a name that ends in {0}"), {text});
+    if (kind == ExportKind::Film)
+        text += std::string("; ") + tr("frame####.png makes numbered pictures");
+    constexpr std::array kinds{ExportKind::Picture, ExportKind::Film, ExportKind::Mesh,
+                               ExportKind::Drawing};
+    const ExportFormat* other = nullptr;
+    for (const ExportKind of : kinds) {
+        const ExportFormat* const format = export_format_of(of, path);
+        const bool fits = format != nullptr && !format->numbered && can_be_written(*format);
+        if (fits && other == nullptr) other = format;
+    }
+    if (other == nullptr || other->kind == kind) return text;
+    const std::string command = "`zeroset " + std::string(command_of(other->kind)) + "`";
+    return text + "; " + filled(tr("{0} is written by {1}"), {other->ending, command});
 }
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #include "pipeline/plans/film.hpp"
 
 #include "engine/base/clock.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/image/gamma.hpp"
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"
@@ -231,7 +232,7 @@ std::expected<FilmWork, std::string> draw_film(const Film& film, const TakeFrame
             continue;
         }
         const auto not_drawn = drawer.draw(next, work);
-        if (cancelled()) return std::unexpected("it was cancelled");
+        if (cancelled()) return std::unexpected(tr("it was cancelled"));
         if (not_drawn) return std::unexpected(*not_drawn);
         if (const auto not_taken = taker.wait(work)) return std::unexpected(*not_taken);
         std::swap(next, last);

@@ -1,6 +1,7 @@
 #include "pipeline/plans/poster.hpp"
 
 #include "engine/base/clock.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/render/render.hpp"
 #include "engine/trace/tile.hpp"
 #include "pipeline/finish_picture.hpp"
@@ -92,7 +93,8 @@ std::expected<PosterWork, std::string> draw_poster(const Poster& poster, const T
         const auto start = TimeLimit::Clock::now();
         work.counters += draw_band(poster, row, frame, watch);
         work.drawing_ms += ms_since(start);
-        if (watch.cancel != nullptr && *watch.cancel) return std::unexpected("it was cancelled");
+        if (watch.cancel != nullptr && *watch.cancel)
+            return std::unexpected(tr("it was cancelled"));
         std::optional<Framebuffer> painted;
         if (*marks) (*marks)->paint(painted.emplace(frame), row);
         const auto taken =

@@ -1,6 +1,7 @@
 #include "engine/draw/files/formats.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/draw/files/pdf.hpp"
 #include "engine/draw/files/svg.hpp"
 #include "engine/draw/files/tikz.hpp"
@@ -24,15 +25,15 @@ Encoded encode_tikz(const LineDrawing& drawing, const DrawingStyle& style) {
 constexpr std::array formats{
     DrawingFormat{.ending = ".svg",
                   .name = "SVG",
-                  .about = "for the web and to be edited",
+                  .about = marked("for the web and to be edited"),
                   .encode = encode_svg},
     DrawingFormat{.ending = ".pdf",
                   .name = "PDF",
-                  .about = "for papers: \\includegraphics",
+                  .about = marked("for papers: \\includegraphics"),
                   .encode = pdf_of},
     DrawingFormat{.ending = ".tex",
                   .name = "TikZ",
-                  .about = "for papers: lines as text of LaTeX",
+                  .about = marked("for papers: lines as text of LaTeX"),
                   .encode = encode_tikz},
 };
 

@@ -1,5 +1,7 @@
 #include "engine/draw/files/pdf.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <hpdf.h>
 
 #include <algorithm>
@@ -106,7 +108,7 @@ std::string bytes_of(HPDF_Doc document) {
 std::expected<std::string, std::string> pdf_of(const LineDrawing& drawing,
                                                const DrawingStyle& style) {
     const Document document(HPDF_New(nullptr, nullptr));
-    if (!document) return std::unexpected("there is no memory for a PDF");
+    if (!document) return std::unexpected(tr("there is no memory for a PDF"));
     HPDF_SetCompressionMode(document.get(), HPDF_COMP_ALL);
     const std::vector<LineGroup> groups = line_groups(drawing, style);
     PdfPage page(HPDF_AddPage(document.get()), drawing, unit_for(groups));
@@ -115,7 +117,8 @@ std::expected<std::string, std::string> pdf_of(const LineDrawing& drawing,
     std::string bytes = bytes_of(document.get());
     const HPDF_STATUS error = HPDF_GetError(document.get());
     if (error != HPDF_OK || bytes.empty()) {
-        return std::unexpected("the PDF library gave error " + std::to_string(error));
+        return std::unexpected(
+            filled(tr("the PDF library gave error {0}"), {std::to_string(error)}));
     }
     return bytes;
 }

@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/ffmpeg_codecs.hpp"
 #include "engine/export/codecs/ffmpeg_objects.hpp"
@@ -109,7 +110,7 @@ std::expected<void, std::string> FfmpegFilm::open(const std::filesystem::path& p
     packet_.reset(av_packet_alloc());
     frame_ = codec_frame(*encoder_);
     if (stream_ == nullptr || packet_ == nullptr || frame_ == nullptr)
-        return std::unexpected("memory is short");
+        return std::unexpected(tr("memory is short"));
     stream_->time_base = encoder_->time_base;
     stream_->avg_frame_rate = encoder_->framerate;
     if (const int error = avcodec_parameters_from_context(stream_->codecpar, encoder_.get());

@@ -1,4 +1,5 @@
 #include "engine/base/parallel.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/ffmpeg_codecs.hpp"
 #include "engine/export/codecs/film_palette.hpp"
 #include "engine/export/packed.hpp"
@@ -77,7 +78,7 @@ std::expected<void, std::string> Gif::write(FilmEncoder& film, const FilmPalette
         parallel_for(count, 0, [&](std::size_t i) { some[i] = numbers_of(first + i, palette); });
         for (std::size_t i = 0; i < count; ++i) {
             numbers_ = std::move(some[i]);
-            if (numbers_.empty()) return std::unexpected("memory is damaged");
+            if (numbers_.empty()) return std::unexpected(tr("memory is damaged"));
             if (auto added =
                     film.add({.width = settings_.width, .height = settings_.height, .pixels = {}});
                 !added)

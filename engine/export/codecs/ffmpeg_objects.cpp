@@ -1,5 +1,6 @@
 #include "engine/export/codecs/ffmpeg_objects.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 
 #include <array>
@@ -8,7 +9,7 @@ namespace zeroset {
 
 std::string missing_encoder(const char* name) {
     if (avcodec_find_encoder_by_name(name) != nullptr) return "";
-    return std::string("the FFmpeg libraries here have no encoder ") + name;
+    return filled(tr("the FFmpeg libraries here have no encoder {0}"), {name});
 }
 
 std::string ffmpeg_error(int error) {

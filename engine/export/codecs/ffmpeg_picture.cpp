@@ -1,4 +1,5 @@
 #include "engine/base/parallel.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/encoded_picture.hpp"
 #include "engine/export/codecs/ffmpeg_objects.hpp"
@@ -44,7 +45,7 @@ EncodedPicture encoded(const PictureCodec& codec, const RawPicture& picture) {
         return std::unexpected(ffmpeg_error(error));
     const CodecFrame frame = codec_frame(*context);
     const CodecPacket packet(av_packet_alloc());
-    if (frame == nullptr || packet == nullptr) return std::unexpected("memory is short");
+    if (frame == nullptr || packet == nullptr) return std::unexpected(tr("memory is short"));
     frame->pts = 0;
     frame->quality = context->global_quality;
     const std::size_t row_bytes = picture.rows.size() / static_cast<std::size_t>(picture.height);

@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/encoded_picture.hpp"
 #include "engine/export/codecs/film_encoder.hpp"
@@ -11,7 +12,7 @@ std::unexpected<std::string> refused() { return std::unexpected(missing_encoder(
 
 }  // namespace
 
-std::string missing_encoder(const char*) { return "this Zeroset was built without FFmpeg"; }
+std::string missing_encoder(const char*) { return tr("this Zeroset was built without FFmpeg"); }
 
 EncodedPicture encoded_jpeg(const RawPicture&, int) { return refused(); }
 EncodedPicture encoded_webp(const RawPicture&, int) { return refused(); }

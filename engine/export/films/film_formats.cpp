@@ -1,6 +1,7 @@
 #include "engine/export/films/film_formats.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr double any_rate = 240.0;
 constexpr std::array<FilmFormat, 6> formats{{
     {.name = "MP4",
      .ending = ".mp4",
-     .about = "H.264: plays everywhere, in talks and on telephones",
+     .about = marked("H.264: plays everywhere, in talks and on telephones"),
      .codec = FilmCodec::H264,
      .alpha = false,
      .lossy = true,
@@ -24,7 +25,7 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = any_rate},
     {.name = "WebM",
      .ending = ".webm",
-     .about = "VP9: for the web; can be transparent",
+     .about = marked("VP9: for the web; can be transparent"),
      .codec = FilmCodec::Vp9,
      .alpha = true,
      .lossy = true,
@@ -33,7 +34,7 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = any_rate},
     {.name = "QuickTime",
      .ending = ".mov",
-     .about = "ProRes 4444: for cutting; can be transparent",
+     .about = marked("ProRes 4444: for cutting; can be transparent"),
      .codec = FilmCodec::ProRes,
      .alpha = true,
      .lossy = false,
@@ -42,7 +43,7 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = any_rate},
     {.name = "Matroska",
      .ending = ".mkv",
-     .about = "FFV1: without loss; can be transparent",
+     .about = marked("FFV1: without loss; can be transparent"),
      .codec = FilmCodec::Ffv1,
      .alpha = true,
      .lossy = false,
@@ -51,7 +52,7 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = any_rate},
     {.name = "GIF",
      .ending = ".gif",
-     .about = "plays in every page and message; 255 colors",
+     .about = marked("plays in every page and message; 255 colors"),
      .codec = FilmCodec::Gif,
      .alpha = true,
      .lossy = false,
@@ -60,7 +61,7 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = 50.0},  // viewers slow down what is quicker
     {.name = "APNG",
      .ending = ".apng",
-     .about = "as GIF, but without loss; can be transparent",
+     .about = marked("as GIF, but without loss; can be transparent"),
      .codec = FilmCodec::Apng,
      .alpha = true,
      .lossy = false,
@@ -80,7 +81,7 @@ std::string transparent_endings() {
         if (format.alpha && missing_encoder(encoder_of(format.codec)).empty())
             endings.push_back(format.ending);
     }
-    return endings.empty() ? "#.png, for numbered pictures" : one_of(endings);
+    return endings.empty() ? tr("#.png, for numbered pictures") : one_of(endings);
 }
 
 }  // namespace
@@ -97,20 +98,21 @@ std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings&
     const std::string name(format.name);
     const std::string missing = missing_encoder(encoder_of(format.codec));
     if (!missing.empty())
-        return "no " + name + ": " + missing + "; numbered frames need none: type frame####.png";
+        return filled(tr("no {0}: {1}; numbered frames need none: type frame####.png"),
+                      {name, missing});
     if (settings.alpha && !format.alpha)
-        return "a film in " + name + " cannot be transparent; type a name that ends in " +
-               transparent_endings();
+        return filled(tr("a film in {0} cannot be transparent; type a name that ends in {1}"),
+                      {name, transparent_endings()});
     if (format.even && (settings.width % 2 != 0 || settings.height % 2 != 0))
-        return name + " has even sides only: " + even_size(settings) + " would do";
+        return filled(tr("{0} has even sides only: {1} would do"), {name, even_size(settings)});
     if (std::max(settings.width, settings.height) > format.largest_side) {
-        return name + " films cannot be larger than " + std::to_string(format.largest_side) +
-               " pixels a side";
+        return filled(tr("{0} films cannot be larger than {1} pixels a side"),
+                      {name, std::to_string(format.largest_side)});
     }
     const double rate = static_cast<double>(settings.rate.frames) / settings.rate.seconds;
     if (rate > format.largest_rate) {
-        return name + " plays " + std::to_string(static_cast<int>(format.largest_rate)) +
-               " frames a second at most";
+        return filled(tr("{0} plays {1} frames a second at most"),
+                      {name, std::to_string(static_cast<int>(format.largest_rate))});
     }
     return std::nullopt;
 }

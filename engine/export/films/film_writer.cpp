@@ -1,5 +1,6 @@
 #include "engine/export/films/film_writer.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/export/pictures/pixel_rows.hpp"
 
 namespace zeroset {
@@ -8,7 +9,8 @@ FilmWriter::FilmWriter(const std::filesystem::path& path, const FilmSettings& se
     : path_(path), settings_(settings), file_(path) {}
 
 std::unexpected<FileError> FilmWriter::failure(const std::string& reason) const {
-    return std::unexpected(FileError{"cannot write '" + path_.string() + "': " + reason});
+    return std::unexpected(
+        FileError{filled(tr("cannot write {0}: {1}"), {"'" + path_.string() + "'", reason})});
 }
 
 std::expected<std::unique_ptr<FilmWriter>, FileError> FilmWriter::begin(

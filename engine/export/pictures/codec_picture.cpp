@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/encoded_picture.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
 #include "engine/export/pictures/pixel_rows.hpp"
@@ -31,7 +32,8 @@ public:
                                    .alpha = options_.alpha,
                                    .rows = rows_});
         if (file) return write_file(path_, *file);
-        return std::unexpected(FileError{"cannot write '" + path_.string() + "': " + file.error()});
+        return std::unexpected(FileError{
+            filled(tr("cannot write {0}: {1}"), {"'" + path_.string() + "'", file.error()})});
     }
 
 private:

@@ -1,4 +1,5 @@
 #include "engine/base/parallel.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/new_file.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
 #include "engine/export/pictures/pixel_rows.hpp"
@@ -163,7 +164,7 @@ std::expected<void, FileError> ExrPicture::add(const PictureBand& band) {
         exr_->writePixels(frame.height);
     } catch (const std::exception& error) {
         return std::unexpected(
-            FileError{std::string("cannot write the EXR file: ") + error.what()});
+            FileError{filled(tr("cannot write the EXR file: {0}"), {error.what()})});
     }
     if (!file_.stream()) return file_.error();
     return {};

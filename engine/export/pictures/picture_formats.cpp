@@ -1,6 +1,7 @@
 #include "engine/export/pictures/picture_formats.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/encoded_picture.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
@@ -18,7 +19,7 @@ constexpr std::int64_t gathered = std::int64_t{256} << 20U;
 constexpr std::array<PictureFormat, 5> formats{{
     {.name = "PNG",
      .endings = {".png", ""},
-     .about = "without loss, of any size; opens again as a session",
+     .about = marked("without loss, of any size; opens again as a session"),
      .bits = {8, 16},
      .alpha = true,
      .lossy = false,
@@ -30,7 +31,7 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_png_picture},
     {.name = "JPEG",
      .endings = {".jpg", ".jpeg"},
-     .about = "small files, with losses",
+     .about = marked("small files, with losses"),
      .bits = {8, 8},
      .alpha = false,
      .lossy = true,
@@ -42,7 +43,7 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_jpeg_picture},
     {.name = "WebP",
      .endings = {".webp", ""},
-     .about = "smaller files for the web; without loss at quality 100",
+     .about = marked("smaller files for the web; without loss at quality 100"),
      .bits = {8, 8},
      .alpha = true,
      .lossy = true,
@@ -54,7 +55,7 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_webp_picture},
     {.name = "TIFF",
      .endings = {".tif", ".tiff"},
-     .about = "without loss, for printers",
+     .about = marked("without loss, for printers"),
      .bits = {8, 16},
      .alpha = true,
      .lossy = false,
@@ -66,7 +67,8 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_tiff_picture},
     {.name = "OpenEXR",
      .endings = {".exr", ""},
-     .about = "light in full precision with depth, position, normal and certificate as layers",
+     .about =
+         marked("light in full precision with depth, position, normal and certificate as layers"),
      .bits = {32, 32},
      .alpha = true,
      .lossy = false,
@@ -89,14 +91,15 @@ std::string other_ending(const Can& can) {
     for (const PictureFormat& format : formats) {
         if (can(format) && missing_part(format).empty()) endings.push_back(format.endings[0]);
     }
-    return endings.empty() ? "" : "; type a name that ends in " + one_of(endings);
+    return endings.empty() ? ""
+                           : "; " + filled(tr("type a name that ends in {0}"), {one_of(endings)});
 }
 
 /// "8 or 16": the bits a channel that a format can have.
 std::string bits_of(const PictureFormat& format) {
     const auto [least, most] = std::ranges::minmax(format.bits);
     return least == most ? std::to_string(most)
-                         : std::to_string(least) + " or " + std::to_string(most);
+                         : filled(tr("{0} or {1}"), {std::to_string(least), std::to_string(most)});
 }
 
 std::string size_text(const ImageSize& size) {
@@ -107,17 +110,19 @@ std::optional<std::string> size_refusal(const PictureFormat& format,
                                         const PictureOptions& options) {
     const int side = std::max(options.size.width, options.size.height);
     const std::string name(format.name);
-    const std::string instead = "; PNG can: type a name that ends in .png";
+    const std::string instead = std::string("; ") + tr("PNG can: type a name that ends in .png");
     if (side > format.largest_side) {
-        return "a " + name + " cannot be larger than " + std::to_string(format.largest_side) +
-               " pixels a side" + instead;
+        return filled(tr("a {0} cannot be larger than {1} pixels a side"),
+                      {name, std::to_string(format.largest_side)}) +
+               instead;
     }
     const std::int64_t channels = options.alpha ? 4 : 3;
     const std::int64_t bytes =
         std::int64_t{options.size.width} * options.size.height * channels * options.bits / 8;
     if (format.most_bytes > 0 && bytes > format.most_bytes) {
-        return "a " + name + " of " + size_text(options.size) +
-               " pixels would need too much memory" + instead;
+        return filled(tr("a {0} of {1} pixels would need too much memory"),
+                      {name, size_text(options.size)}) +
+               instead;
     }
     return std::nullopt;
 }
@@ -141,15 +146,16 @@ std::string missing_part(const PictureFormat& format) {
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options) {
     const std::string name(format.name);
     if (const std::string missing = missing_part(format); !missing.empty())
-        return "no " + name + ": " + missing + "; type a name that ends in .png";
+        return filled(tr("no {0}: {1}; type a name that ends in .png"), {name, missing});
     if (options.alpha && !format.alpha)
-        return "a " + name + " cannot be transparent" +
+        return filled(tr("a {0} cannot be transparent"), {name}) +
                other_ending([](const PictureFormat& other) { return other.alpha; });
     if (!has_bits(format, options.bits)) {
         const std::string other =
             other_ending([&](const PictureFormat& row) { return has_bits(row, options.bits); });
-        return "a " + name + " cannot have " + std::to_string(options.bits) + " bits a channel" +
-               (other.empty() ? "; type " + bits_of(format) : other);
+        return filled(tr("a {0} cannot have {1} bits a channel"),
+                      {name, std::to_string(options.bits)}) +
+               (other.empty() ? "; " + filled(tr("type {0}"), {bits_of(format)}) : other);
     }
     return size_refusal(format, options);
 }

@@ -1,5 +1,6 @@
 // Errors in a text, each with a hint what to type instead.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
@@ -36,12 +37,12 @@ std::nullopt_t SyntaxParser::fail(const Token& at, std::string reason, std::stri
 ParseError SyntaxParser::missing_operand() const {
     const Token& here = next();
     const bool at_start = at_ == statement_start_;
-    const std::string place =
-        at_start ? "before " + quoted(here.text) : "after " + quoted(before());
+    const char* const reason = at_start ? tr("a number, a variable or '(' is missing before {0}")
+                                        : tr("a number, a variable or '(' is missing after {0}");
     const bool bar = !at_start && (before() == "|" || next_is("|"));
     return {.offset = here.offset,
-            .reason = "a number, a variable or '(' is missing " + place,
-            .hint = bar ? "inside | | type a product with *: |x - 2*|y||" : "",
+            .reason = filled(reason, {quoted(tokens_[at_start ? at_ : at_ - 1].text)}),
+            .hint = bar ? tr("inside | | type a product with *: |x - 2*|y||") : "",
             .unfinished = here.kind == TokenKind::End};
 }
 
@@ -52,40 +53,40 @@ ParseError SyntaxParser::surplus() const {
     if (text == ")" || text == "]" || text == "}") {
         const std::string opener = text == ")" ? "(" : text == "]" ? "[" : "{";
         return {.offset = here.offset,
-                .reason = "this " + quoted(text) + " closes nothing",
-                .hint = "delete it or add a " + quoted(opener) + " before"};
+                .reason = filled(tr("this {0} closes nothing"), {quoted(text)}),
+                .hint = filled(tr("delete it or add a {0} before"), {quoted(opener)})};
     }
     if (text == ",") {
         return {.offset = here.offset,
-                .reason = "a ',' stands outside a function's arguments",
-                .hint = "write decimals with a point, 1.5"};
+                .reason = tr("a ',' stands outside a function's arguments"),
+                .hint = tr("write decimals with a point, 1.5")};
     }
     const Token& left = tokens_[at_ - 1];
     const bool adjacent = left.end() == here.offset;
     if (here.kind == TokenKind::Number && left.kind == TokenKind::Number) {
-        return {
-            .offset = here.offset,
-            .reason = "one number follows another: " + quoted(left.text) + " and " + quoted(text),
-            .hint = adjacent ? "a number has one point"
-                             : "write numbers without spaces, products with *"};
+        return {.offset = here.offset,
+                .reason = filled(tr("one number follows another: {0} and {1}"),
+                                 {quoted(left.text), quoted(text)}),
+                .hint = adjacent ? tr("a number has one point")
+                                 : tr("write numbers without spaces, products with *")};
     }
     if (text == "!") {
         return {.offset = here.offset,
-                .reason = "'!' stands before a condition, not behind a number",
-                .hint = "for n! type prod(i, i, 1, n)"};
+                .reason = tr("'!' stands before a condition, not behind a number"),
+                .hint = tr("for n! type prod(i, i, 1, n)")};
     }
     const std::string reason =
-        "an operator is missing between " + quoted(left.text) + " and " + quoted(text);
+        filled(tr("an operator is missing between {0} and {1}"), {quoted(left.text), quoted(text)});
     if (here.kind == TokenKind::Number && adjacent) {
         const std::string l(left.text);
         const bool is_short = left.kind == TokenKind::Name && l.size() + text.size() < 20;
         return {.offset = here.offset,
                 .reason = reason,
-                .hint = is_short ? "type " + l + "*" + text + ", " + l + "^" + text + " or " + l +
-                                       "_" + text
-                                 : "type ^ before it for a power, * for a product"};
+                .hint = is_short ? filled(tr("type {0}, {1} or {2}"),
+                                          {l + "*" + text, l + "^" + text, l + "_" + text})
+                                 : tr("type ^ before it for a power, * for a product")};
     }
-    return {.offset = here.offset, .reason = reason, .hint = "for a product type *"};
+    return {.offset = here.offset, .reason = reason, .hint = tr("for a product type *")};
 }
 
 bool SyntaxParser::close(const Token& opener) {
@@ -98,13 +99,14 @@ bool SyntaxParser::close(const Token& opener) {
     const std::string missing = quoted(closer == "|)" ? "|" : closer);
     if (at_break()) {
         refuse({.offset = opener.offset,
-                .reason = "this " + shown + " is not closed",
-                .hint = "add a " + missing,
+                .reason = filled(tr("this {0} is not closed"), {shown}),
+                .hint = filled(tr("add a {0}"), {missing}),
                 .unfinished = next().kind == TokenKind::End});
     } else if (next_is_one_of({")", "]", "}", "|", "|)"})) {
         refuse({.offset = opener.offset,
-                .reason = "this " + shown + " is not closed before the " + quoted(next().text),
-                .hint = "add a " + missing + " there"});
+                .reason = filled(tr("this {0} is not closed before the {1}"),
+                                 {shown, quoted(next().text)}),
+                .hint = filled(tr("add a {0} there"), {missing})});
     } else {
         refuse(surplus());
     }
@@ -114,20 +116,21 @@ bool SyntaxParser::close(const Token& opener) {
 ParseError SyntaxParser::no_function(const Token& name) const {
     const std::string full = full_name(name);
     if (auto foreign = error_for_foreign(full, name.offset)) return std::move(*foreign);
-    std::string hint = hint_for_unknown(full);
+    const auto meant = nearest_known_name(full);
     const bool is_letter = is_built_in_value(full) || is_parameter_name(full);
-    if (is_letter && !hint.starts_with("did you mean f_"))
-        hint = "define it, as in f(u, v) = u^2 + v^2";
-    if (hint.starts_with("define")) hint = "define it, as in " + full + "(u, v) = u^2 + v^2";
-    return {.offset = name.offset, .reason = quoted(full) + " is not a function", .hint = hint};
+    const bool defines = is_letter && !(meant && meant->starts_with("f_"));
+    return {.offset = name.offset,
+            .reason = filled(tr("{0} is not a function"), {quoted(full)}),
+            .hint = defines ? hint_to_define(full) : hint_for_unknown_function(full)};
 }
 
 ParseError SyntaxParser::wrong_count(const Token& token, const Function& function,
                                      std::size_t count) {
-    const std::string name(function.name);
+    const std::string call =
+        std::string(function.name) + "(" + std::string(function.arguments) + ")";
     return {.offset = token.offset,
-            .reason = name + " takes " + function.arity_text() + ", not " + std::to_string(count),
-            .hint = "type " + name + "(" + std::string(function.arguments) + ")"};
+            .reason = function.refusal(count),
+            .hint = filled(tr("type {0}"), {call})};
 }
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #include "engine/language/syntax/syntax_floats.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 
@@ -59,9 +60,11 @@ std::vector<Token> without_float_suffixes(std::vector<Token> tokens, const Defin
             continue;
         }
         const std::string number = shown_number(tokens[at - 1].text);
-        notes.add(tokens[at].offset, number + "f is read as the number " + number +
-                                         ", as programs write it; for a product type " + number +
-                                         "*f");
+        notes.add(
+            tokens[at].offset,
+            filled(
+                tr("{0} is read as the number {1}, as programs write it; for a product type {2}"),
+                {number + "f", number, number + "*f"}));
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // Lists of instructions as Fidget and libfive store models (.vm). Each line has a name for its
 // result, the operation, and the names of the operands. The last result is the formula.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
 #include "engine/language/words/words.hpp"
@@ -38,14 +39,16 @@ SyntaxParser::Parsed SyntaxParser::instructions() {
             continue;
         }
         const Token& name = take();
-        if (name.kind != TokenKind::Name) return fail(name, "an instruction starts with a name");
+        if (name.kind != TokenKind::Name)
+            return fail(name, tr("an instruction starts with a name"));
         const Parsed value = instruction(known);
         if (!value) return value;
         if (!at_break()) return refuse(surplus());
         values.push_back(*value);
         known[full_name(name)] = *value;
     }
-    tree_.notes.add(offset, "this is read as a list of instructions, the last of them the formula");
+    tree_.notes.add(offset,
+                    tr("this is read as a list of instructions, the last of them the formula"));
     return add(SyntaxKind::List, offset, std::move(values));
 }
 
@@ -57,9 +60,9 @@ SyntaxParser::Parsed SyntaxParser::instruction(const NameMap<SyntaxId>& known) {
         const Token& axis = take();
         if (axis.text == "x" || axis.text == "y" || axis.text == "z")
             return add(SyntaxKind::Name, axis.offset, {}, {}, axis.text);
-        return fail(axis, "the variables are var-x, var-y and var-z");
+        return fail(axis, tr("the variables are var-x, var-y and var-z"));
     }
-    if (word.kind != TokenKind::Name) return fail(word, "an instruction is missing here");
+    if (word.kind != TokenKind::Name) return fail(word, tr("an instruction is missing here"));
     return instruction_value(word, known);
 }
 
@@ -67,7 +70,8 @@ SyntaxParser::Parsed SyntaxParser::instruction_number() {
     const std::size_t offset = next().offset;
     const bool negative = next_is("-");
     if (next_is_one_of({"-", "+"})) take();
-    if (next().kind != TokenKind::Number) return fail(next(), "a number is missing behind 'const'");
+    if (next().kind != TokenKind::Number)
+        return fail(next(), tr("a number is missing behind 'const'"));
     const SyntaxId number = add(SyntaxKind::Number, offset, {}, {}, take().text);
     return negative ? add(SyntaxKind::Negate, offset, {number}) : number;
 }
@@ -79,7 +83,8 @@ SyntaxParser::Parsed SyntaxParser::instruction_value(const Token& word,
         const Token& name = take();
         const auto earlier = known.find(full_name(name));
         if (earlier == known.end()) {
-            return fail(name, quoted(full_name(name)) + " is no instruction before this one");
+            return fail(name, filled(tr("{0} is no instruction before this one"),
+                                     {quoted(full_name(name))}));
         }
         operands.push_back(add(SyntaxKind::Earlier, name.offset, {earlier->second}));
     }
@@ -100,10 +105,11 @@ SyntaxParser::Parsed SyntaxParser::instruction_value(const Token& word,
     }
     const Function* const function = function_of(full_name(word));
     if (function == nullptr || function->repeats() || !function->takes(operands.size())) {
-        return fail(word,
-                    quoted(full_name(word)) + " is no instruction for " +
-                        std::to_string(operands.size()) + " values",
-                    "known are const, var-x, neg, add, sub, mul, div, min, max, sqrt, square, ...");
+        return fail(
+            word,
+            filled(tr("{0} is no instruction for {1} values"),
+                   {quoted(full_name(word)), std::to_string(operands.size())}),
+            tr("known are const, var-x, neg, add, sub, mul, div, min, max, sqrt, square, ..."));
     }
     return add_call(*function, word.offset, std::move(operands));
 }

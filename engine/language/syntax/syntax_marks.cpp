@@ -1,5 +1,6 @@
 #include "engine/language/syntax/syntax_marks.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
@@ -180,8 +181,9 @@ void MarkReader::note_sign(std::size_t at) {
     const bool may_go_on =
         is_symbol(next, {"+"}) || (is_symbol(next, {"-"}) && frames_.front().equals == 0);
     if (!may_go_on) return;
-    notes_.add(next.offset, "this line stands alone; to go on with the one above end that with " +
-                                std::string(next.text));
+    notes_.add(next.offset,
+               filled(tr("this line stands alone; to go on with the one above end that with {0}"),
+                      {next.text}));
 }
 
 void MarkReader::end_part() {
@@ -238,11 +240,11 @@ void MarkReader::colon(std::size_t at) {
     if (is_label(at)) {
         marks_[at] = Mark::Label;
         notes_.add(tokens_[at].offset,
-                   "what stands before ':' is taken as a name for what follows");
+                   tr("what stands before ':' is taken as a name for what follows"));
         statement_ = at + 1;
         return;
     }
-    notes_.add(tokens_[at].offset, "':' ends a surface here, as ';' does");
+    notes_.add(tokens_[at].offset, tr("':' ends a surface here, as ';' does"));
     marks_[at] = Mark::Ends;
     end_statement(at);
 }
@@ -261,7 +263,7 @@ void MarkReader::ampersand(std::size_t at) {
     }
     const bool at_relation = is_symbol(tokens_[at + 1], {"=", "==", "<", ">", "<=", ">="});
     if (!at_relation)
-        notes_.add(tokens_[at].offset, "this & means nothing; for a condition type and");
+        notes_.add(tokens_[at].offset, tr("this & means nothing; for a condition type and"));
 }
 
 /// Notes a connective after the last comma: what follows it is no comparison that starts at the
@@ -304,7 +306,8 @@ void MarkReader::decide_commas(const Frame& frame) {
         const std::string typed = shown_number(tokens_[points.front().at - 1].text);
         notes_.add(
             tokens_[points.front().at].offset,
-            "the comma behind " + typed + " separates two values; type decimals with a point");
+            filled(tr("the comma behind {0} separates two values; type decimals with a point"),
+                   {typed}));
     } else if (frame.place == Place::Group) {
         if (fewer == 0) make_points(points);
     } else if (frame.place == Place::Statement || frame.colons == 0) {
@@ -323,11 +326,12 @@ void MarkReader::make_points(const std::vector<Comma>& commas) {
         const std::string left = shown_number(tokens_[comma.at - 1].text);
         const std::string right = shown_number(tokens_[comma.at + 1].text);
         const std::string number = left + "." + right;
-        const std::string other = right.size() == 3
-                                      ? "a thousand times as much type " + left + right
-                                      : "two values put a space behind the comma";
+        const char* const note =
+            right.size() == 3
+                ? tr("{0} is read as {1}; for a thousand times as much type {2}")
+                : tr("{0} is read as {1}; for two values put a space behind the comma");
         notes_.add(tokens_[comma.at].offset,
-                   left + "," + right + " is read as " + number + "; for " + other);
+                   filled(note, {left + "," + right, number, left + right}));
     }
 }
 

@@ -1,5 +1,6 @@
 // Operands of formulas: numbers, names, brackets, calls.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
@@ -42,8 +43,8 @@ SyntaxParser::Parsed SyntaxParser::operand() {
 SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (token.text == "and" || token.text == "or") return refuse(missing_operand());
     if (token.text == "not")
-        return fail(token, "'not' stands before a comparison only",
-                    "put it in parentheses: (not x < 1)");
+        return fail(token, tr("'not' stands before a comparison only"),
+                    tr("put it in parentheses: (not x < 1)"));
     take();
     if (token.text == "\\frac") return fraction();
     if (token.text == "\\sqrt" || token.text == "√" || token.text == "∛") return radical(token);
@@ -70,9 +71,9 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (called && !defined && !is_letter_name) return refuse(no_function(token));
     const bool means_call = std::string_view("fghFGH").contains(full) && next_is("(");
     if (means_call && !defined_.defines_value(full) && adjacent(token, next())) {
-        tree_.notes.add(token.offset, full + "(...) is read as " + full +
-                                          "*(...); to make it a function define it, as in " + full +
-                                          "(u, v) = u^2 + v^2");
+        tree_.notes.add(token.offset,
+                        filled(tr("{0} is read as {1}; to make it a function define it, as in {2}"),
+                               {full + "(...)", full + "*(...)", full + "(u, v) = u^2 + v^2"}));
     }
     return add(SyntaxKind::Name, token.offset, {}, {}, full);
 }
@@ -82,8 +83,9 @@ SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     const std::size_t start = at_ - 1;
     const int bars = std::exchange(bars_, 0);
     if (start == statement_start_ && opener.text != "{" && is_list()) {
-        return fail(opener, "a list in brackets is a point or a parametric surface, no equation",
-                    "type an equation in x, y and z");
+        return fail(opener,
+                    tr("a list in brackets is a point or a parametric surface, no equation"),
+                    tr("type an equation in x, y and z"));
     }
     ++brackets_;
     Parsed inside = choice();
@@ -202,7 +204,7 @@ SyntaxParser::Parsed SyntaxParser::superscript() {
     const bool negative = digits.starts_with('-');
     const std::string size = digits.substr(digits.starts_with('+') || negative ? 1 : 0);
     if (size.empty() || size.find_first_of("+-") != std::string::npos) {
-        return fail(token, "this exponent is no whole number", "type ^ before it");
+        return fail(token, tr("this exponent is no whole number"), tr("type ^ before it"));
     }
     const SyntaxId number = add(SyntaxKind::Number, token.offset, {}, {}, size);
     return negative ? add(SyntaxKind::Negate, token.offset, {number}) : number;
@@ -260,14 +262,17 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
     const std::string name(function.name);
     if (!function.takes(1)) {
         const bool restricts = function.op == Op::Where || function.op == Op::If;
-        const std::string typed = "type " + name + "(" + std::string(function.arguments) + ")";
-        return fail(next(), "'(' is missing after " + quoted(full_name(token)),
-                    restricts ? typed + ", or behind a surface a comma and the condition" : typed);
+        const std::string call = name + "(" + std::string(function.arguments) + ")";
+        const char* const hint = restricts
+                                     ? tr("type {0}, or behind a surface a comma and the condition")
+                                     : tr("type {0}");
+        return fail(next(), filled(tr("'(' is missing after {0}"), {quoted(full_name(token))}),
+                    filled(hint, {call}));
     }
     if (at_break() || (!starts_factor() && next().kind != TokenKind::Number &&
                        !next_is_one_of({"-", "+", "|"}))) {
-        return fail(next(), quoted(token.text) + " is a function and wants a value",
-                    "type " + name + "(...)");
+        return fail(next(), filled(tr("{0} is a function and wants a value"), {quoted(token.text)}),
+                    filled(tr("type {0}"), {name + "(...)"}));
     }
     const Parsed value = bare_argument();
     if (!value) return std::nullopt;
@@ -319,10 +324,11 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     if (!values) return std::nullopt;
     if (square && token.text == "Log" && values->size() == 2) {
         std::swap((*values)[0], (*values)[1]);
-        tree_.notes.add(token.offset, "Log[b, x] is log(x, b), as in Mathematica");
+        tree_.notes.add(token.offset,
+                        filled(tr("{0} is {1}, as in Mathematica"), {"Log[b, x]", "log(x, b)"}));
     }
     if (function.op == Op::Where && values->size() == 3) {
-        tree_.notes.add(token.offset, "where(condition, a, b) is if(condition, a, b)");
+        tree_.notes.add(token.offset, tr("where(condition, a, b) is if(condition, a, b)"));
         return add_call(*find_function("if"), token.offset, std::move(*values));
     }
     if (token.text == "log" && !token.subscript.empty() && values->size() == 1) {
@@ -348,8 +354,9 @@ std::vector<SyntaxId> SyntaxParser::in_order_of_atan2(const Token& token,
                                                       std::vector<SyntaxId> values) {
     const bool swapped = token.text == "ArcTan";
     if (swapped) std::swap(values[0], values[1]);
-    tree_.notes.add(token.offset, swapped ? "ArcTan[x, y] is atan2(y, x), as in Mathematica"
-                                          : "atan(a, b) is atan2(a, b), the angle of (b, a)");
+    tree_.notes.add(token.offset, swapped ? filled(tr("{0} is {1}, as in Mathematica"),
+                                                   {"ArcTan[x, y]", "atan2(y, x)"})
+                                          : tr("atan(a, b) is atan2(a, b), the angle of (b, a)"));
     return values;
 }
 
@@ -364,8 +371,8 @@ SyntaxParser::Parsed SyntaxParser::with_exponent(SyntaxId call, const Token& tok
     const Function* const other = inverse_of(function);
     const std::string name(function.name);
     if (other == nullptr) {
-        return fail(token, name + "^-1 can be read in two ways",
-                    "for the reciprocal type 1/" + name + "(...)");
+        return fail(token, filled(tr("{0} can be read in two ways"), {name + "^-1"}),
+                    filled(tr("for the reciprocal type {0}"), {"1/" + name + "(...)"}));
     }
     tree_.nodes[call].function = other;
     return call;

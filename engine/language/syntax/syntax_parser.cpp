@@ -1,5 +1,6 @@
 #include "engine/language/syntax/syntax_parser.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
 
 #include <array>
@@ -26,8 +27,8 @@ SyntaxParser::Parsed SyntaxParser::choice() {
         if (!value) return value;
         operands.push_back(*value);
         if (!next_is(":")) {
-            return fail(next(), "':' is missing after the value of a choice",
-                        "type condition ? a : b");
+            return fail(next(), tr("':' is missing after the value of a choice"),
+                        tr("type condition ? a : b"));
         }
         take();
         const Parsed further = logic();
@@ -96,8 +97,8 @@ SyntaxParser::Parsed SyntaxParser::relation() {
     while (const char mark = comparison()) {
         const bool equates = mark == '=' || mark == ':';
         if (equates && marks.find_first_of("=:") != std::string::npos) {
-            return fail(next(), "there is a second '='",
-                        "keep one, or put the next equation behind ';'");
+            return fail(next(), tr("there is a second '='"),
+                        tr("keep one, or put the next equation behind ';'"));
         }
         take();
         marks += mark;
@@ -158,8 +159,8 @@ SyntaxParser::Parsed SyntaxParser::product() {
         const bool written = next_is_one_of({"*", "/", "%"});
         if (!written && !starts_factor()) break;
         if (is_derivative()) {
-            return fail(next(), "derivatives such as d/dx are not read",
-                        "type the derivative as a formula");
+            return fail(next(), tr("derivatives such as d/dx are not read"),
+                        tr("type the derivative as a formula"));
         }
         marks += written ? take().text.front() : '*';
         const Parsed further = written ? signed_power() : power();
@@ -186,7 +187,7 @@ bool SyntaxParser::may_nest(int further) {
     if (depth_ + further <= max_depth) return true;
     const std::string most = std::to_string(max_depth);
     refuse({.offset = next().offset,
-            .reason = "the formula is nested more than " + most + " deep",
+            .reason = filled(tr("the formula is nested more than {0} deep"), {most}),
             .hint = {}});
     return false;
 }
@@ -213,7 +214,7 @@ SyntaxParser::Parsed SyntaxParser::negated() {
     if (!operand) return operand;
     if (sign.text == "~") {
         if (!is_condition(tree_[*operand].kind)) return operand;
-        tree_.notes.add(sign.offset, "~ is read as not; for a space of LaTeX leave it out");
+        tree_.notes.add(sign.offset, tr("~ is read as not; for a space of LaTeX leave it out"));
     }
     return add(SyntaxKind::Not, sign.offset, {*operand});
 }

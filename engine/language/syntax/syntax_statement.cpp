@@ -1,5 +1,6 @@
 // Statements of a text, and definitions as programs write them.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_floats.hpp"
 #include "engine/language/syntax/syntax_marks.hpp"
@@ -17,8 +18,8 @@ std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
         take();
     if (next().kind == TokenKind::End) {
         ParseError error{.offset = next().offset,
-                         .reason = "there is no formula yet",
-                         .hint = "type one, for example x^2 + y^2 + z^2 = 1",
+                         .reason = tr("there is no formula yet"),
+                         .hint = filled(tr("type one, for example {0}"), {"x^2 + y^2 + z^2 = 1"}),
                          .unfinished = true};
         return std::unexpected(std::move(error));
     }
@@ -74,7 +75,7 @@ bool SyntaxParser::part_of_statement(bool is_certain, std::size_t offset) {
     if (tree_.statements.size() == ProgramLimits::statements) {
         const std::string most = std::to_string(ProgramLimits::statements);
         refuse({.offset = next().offset,
-                .reason = "there are more than " + most + " statements",
+                .reason = filled(tr("there are more than {0} statements"), {most}),
                 .hint = {}});
         return false;
     }
@@ -240,8 +241,8 @@ SyntaxParser::Parsed SyntaxParser::block() {
     if (!next_is("}")) {
         const bool unfinished = next().kind == TokenKind::End;
         return refuse({.offset = opener.offset,
-                       .reason = "this '{' is not closed behind 'return'",
-                       .hint = "add a '}'",
+                       .reason = tr("this '{' is not closed behind 'return'"),
+                       .hint = tr("add a '}'"),
                        .unfinished = unfinished});
     }
     take();
@@ -258,8 +259,8 @@ bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
     do {
         const Token& name = next();
         if (name.kind != TokenKind::Name || !is_symbol(tokens_[at_ + 1], {"="})) {
-            fail(name, "only values and 'return' are read in a function's braces",
-                 "type NAME = value; and return value;");
+            fail(name, tr("only values and 'return' are read in a function's braces"),
+                 tr("type NAME = value; and return value;"));
             return false;
         }
         take();
@@ -269,16 +270,18 @@ bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
         locals.push_back({.name = full_name(name), .offset = name.offset, .value = *value});
         if (next().kind == TokenKind::Break) return true;
     } while (is_certain && declares_more() && take().kind == TokenKind::Symbol);
-    fail(next(), "';' is missing behind a value in a function's braces", "type NAME = value;");
+    fail(next(), tr("';' is missing behind a value in a function's braces"),
+         tr("type NAME = value;"));
     return false;
 }
 
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::size_t counted_end) {
     if (text.size() > ProgramLimits::text) {
         const std::string most = std::to_string(ProgramLimits::text);
-        return std::unexpected(ParseError{.offset = ProgramLimits::text,
-                                          .reason = "the text is longer than " + most + " bytes",
-                                          .hint = {}});
+        return std::unexpected(
+            ParseError{.offset = ProgramLimits::text,
+                       .reason = filled(tr("the text is longer than {0} bytes"), {most}),
+                       .hint = {}});
     }
     Notes notes;
     Notes unused;

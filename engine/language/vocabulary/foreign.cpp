@@ -1,5 +1,6 @@
 #include "engine/language/vocabulary/foreign.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/nearest_word.hpp"
@@ -21,8 +22,8 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
     if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
                    "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
         return ParseError{.offset = offset,
-                          .reason = "vectors are not read: " + quoted(name),
-                          .hint = "write their components as numbers of their own"};
+                          .reason = filled(tr("vectors are not read: {0}"), {quoted(name)}),
+                          .hint = tr("write their components as numbers of their own")};
     }
     constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
     const bool is_noise =
@@ -31,46 +32,53 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
                    "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted", "f_waves",
                    "f_wrinkles"});
     if (is_noise) {
-        return ParseError{.offset = offset,
-                          .reason = "there is no noise here: " + quoted(name) + " is not known",
-                          .hint = "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("there is no noise here: {0} is not known"), {quoted(name)}),
+            .hint = tr("leave it out, or type waves such as sin(5x) sin(5y) sin(5z)")};
     }
     if (is_one_of({"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
-        return ParseError{.offset = offset,
-                          .reason = "iterations are not read: " + quoted(name) + " repeats a step",
-                          .hint = "type a formula that does without it"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("iterations are not read: {0} repeats a step"), {quoted(name)}),
+            .hint = tr("type a formula that does without it")};
     }
     if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
-        return ParseError{.offset = offset,
-                          .reason = quoted(name) + " of POV-Ray gives a color or a vector",
-                          .hint = "type a formula that gives a number"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("{0} of POV-Ray gives a color or a vector"), {quoted(name)}),
+            .hint = tr("type a formula that gives a number")};
     }
     if (word == "for") {
-        return ParseError{.offset = offset,
-                          .reason = quoted(name) + " belongs to a program, which is not read",
-                          .hint = "put a condition behind a comma: z = x^2, x > 0"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
+            .hint = tr("put a condition behind a comma: z = x^2, x > 0")};
     }
     if (word == "def" || word == "lambda") {
-        return ParseError{.offset = offset,
-                          .reason = quoted(name) + " belongs to a program, which is not read",
-                          .hint = "define the function as f(x, y, z) = x^2 + y^2 - z"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
+            .hint = tr("define the function as f(x, y, z) = x^2 + y^2 - z")};
     }
     if (is_one_of({"while", "return", "void", "else", "struct", "uniform", "import"})) {
-        return ParseError{.offset = offset,
-                          .reason = quoted(name) + " belongs to a program, which is not read",
-                          .hint = "type its formulas, each on a line of its own"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
+            .hint = tr("type its formulas, each on a line of its own")};
     }
     if (is_one_of({"contourplot3d", "plot3d", "implicitplot3d", "implicitplot", "implicit_plot3d",
                    "fimplicit3", "fimplicit", "isosurface", "parametricplot3d", "show",
                    "manipulate"})) {
-        return ParseError{.offset = offset,
-                          .reason = quoted(name) + " is a command of another program",
-                          .hint = "type only the equation in it"};
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("{0} is a command of another program"), {quoted(name)}),
+            .hint = tr("type only the equation in it")};
     }
     return std::nullopt;
 }
 
-std::string hint_for_unknown(std::string_view name) {
+std::optional<std::string> nearest_known_name(std::string_view name) {
     std::vector<std::string_view> words = function_spellings();
     constexpr std::size_t shortest_of_library = 5;  // shorter library names, such as f_r, are near
                                                     // to any short name
@@ -78,36 +86,63 @@ std::string hint_for_unknown(std::string_view name) {
         return name.size() < shortest_of_library && find_function(word)->is_of_library();
     });
     words.insert(words.end(), built_in_values().begin(), built_in_values().end());
-    if (const auto meant = meant_word(name, words))
-        return "did you mean " + std::string(*meant) + "?";
+    const auto meant = meant_word(name, words);
+    return meant ? std::optional(std::string(*meant)) : std::nullopt;
+}
+
+namespace {
+
+/// What else than a name of its own an unknown name may be meant as.
+std::optional<std::string> hint_for_meant(std::string_view name) {
+    if (const auto meant = nearest_known_name(name))
+        return filled(tr("did you mean {0}?"), {*meant});
     // A letter before a known name, such as ksin, is meant as a coefficient times that name.
     const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
     if (coefficient || name.size() == 2) {
-        return "for a product type " + std::string(name.substr(0, 1)) + "*" +
-               std::string(name.substr(1));
+        return filled(tr("for a product type {0}"),
+                      {std::string(name.substr(0, 1)) + "*" + std::string(name.substr(1))});
     }
     constexpr std::size_t longest_shown = 24;
-    if (name.size() > longest_shown) return "type a product with *";
-    return "define it, as in " + std::string(name) + " = 2, or type a product with *";
+    if (name.size() > longest_shown) return tr("type a product with *");
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string hint_for_unknown(std::string_view name) {
+    if (auto hint = hint_for_meant(name)) return std::move(*hint);
+    return filled(tr("define it, as in {0}, or type a product with *"),
+                  {std::string(name) + " = 2"});
+}
+
+std::string hint_for_unknown_function(std::string_view name) {
+    if (auto hint = hint_for_meant(name)) return std::move(*hint);
+    return hint_to_define(name);
+}
+
+std::string hint_to_define(std::string_view function) {
+    return filled(tr("define it, as in {0}"), {std::string(function) + "(u, v) = u^2 + v^2"});
 }
 
 std::string hint_for_sign(char32_t code) {
     constexpr char32_t wide = 0xFF01 - '!';  // full-width form of an ASCII character c: c + wide
-    static constexpr std::array<std::pair<std::u32string_view, std::string_view>, 7> hints{
-        {{U"\"'`“”„‘’«»", "leave quotation marks out; a derivative is typed as its formula"},
-         {U"±∓", "type two equations, one with + and one with -"},
-         {U"°", "type radians(90) for 90 degrees"},
-         {U"∑Σ∏", "type sum(f, i, 1, 5) or prod(f, i, 1, 5), written out"},
-         {U"∫∂∇", "integrals and derivatives are not read; type their formulas"},
-         {U"∞", "type a large number"},
-         {U"∈∉⊂∀∃", "type a condition such as -1 < x < 1 behind a comma"}}};
+    static constexpr std::array<std::pair<std::u32string_view, const char*>, 7> hints{
+        {{U"\"'`“”„‘’«»",
+          marked("leave quotation marks out; a derivative is typed as its formula")},
+         {U"±∓", marked("type two equations, one with + and one with -")},
+         {U"°", marked("type radians(90) for 90 degrees")},
+         {U"∑Σ∏", marked("type sum(f, i, 1, 5) or prod(f, i, 1, 5), written out")},
+         {U"∫∂∇", marked("integrals and derivatives are not read; type their formulas")},
+         {U"∞", marked("type a large number")},
+         {U"∈∉⊂∀∃", marked("type a condition such as -1 < x < 1 behind a comma")}}};
     for (const auto& [signs, hint] : hints) {
-        if (signs.contains(code)) return std::string(hint);
+        if (signs.contains(code)) return tr(hint);
     }
     if (code > wide + ' ' && code < wide + 0x7F)
-        return std::string("it is a wide sign; type ") + static_cast<char>(code - wide);
-    if (code >= 0x0400 && code < 0x0500) return "it is a Cyrillic letter; type the Latin one";
-    return "type + - * / ^ ( ) and names such as x, y, z, sqrt";
+        return filled(tr("it is a wide sign; type {0}"),
+                      {std::string(1, static_cast<char>(code - wide))});
+    if (code >= 0x0400 && code < 0x0500) return tr("it is a Cyrillic letter; type the Latin one");
+    return tr("type + - * / ^ ( ) and names such as x, y, z, sqrt");
 }
 
 ParseError error_for_part(std::string_view part, std::size_t offset) {
@@ -115,12 +150,13 @@ ParseError error_for_part(std::string_view part, std::size_t offset) {
                                                       "green", "blue", "filter", "transmit"};
     if (std::ranges::find(colours, part) != colours.end()) {
         return {.offset = offset,
-                .reason = "." + std::string(part) + " is a part of a color, which is not read",
-                .hint = "type a formula that gives a number"};
+                .reason = filled(tr("{0} is a part of a color, which is not read"),
+                                 {"." + std::string(part)}),
+                .hint = tr("type a formula that gives a number")};
     }
     return {.offset = offset,
-            .reason = "vectors and their parts are not read",
-            .hint = "write the components as numbers of their own"};
+            .reason = tr("vectors and their parts are not read"),
+            .hint = tr("write the components as numbers of their own")};
 }
 
 }  // namespace zeroset

@@ -15,8 +15,17 @@ namespace zeroset {
 /// for other names.
 std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset);
 
+/// The known name that an unknown one is near to; nullopt: it is near to none.
+std::optional<std::string> nearest_known_name(std::string_view name);
+
 /// A hint for an unknown name: the nearest known name, or the product that was meant.
 std::string hint_for_unknown(std::string_view name);
+
+/// The same for a name that is called as a function.
+std::string hint_for_unknown_function(std::string_view name);
+
+/// A hint for a function that the text is to define.
+std::string hint_to_define(std::string_view function);
 
 /// A hint for a character without a meaning.
 std::string hint_for_sign(char32_t code);

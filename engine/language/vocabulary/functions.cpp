@@ -1,5 +1,6 @@
 #include "engine/language/vocabulary/functions.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/constants.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
@@ -349,11 +350,16 @@ bool Function::takes(std::size_t arguments_given) const {
            (most < 0 || arguments_given <= static_cast<std::size_t>(most));
 }
 
-std::string Function::arity_text() const {
-    std::string text = std::to_string(least);
-    if (most < 0) text += " or more";
-    if (most > least) text += " or " + std::to_string(most);
-    return text + (least == 1 && most == 1 ? " argument" : " arguments");
+std::string Function::refusal(std::size_t arguments_given) const {
+    const std::string fewest = std::to_string(least);
+    const std::string given = std::to_string(arguments_given);
+    if (most < 0)
+        return filled(tr("{0} takes {1} or more arguments, not {2}"), {name, fewest, given});
+    if (most > least)
+        return filled(tr("{0} takes {1} or {2} arguments, not {3}"),
+                      {name, fewest, std::to_string(most), given});
+    if (most == 1) return filled(tr("{0} takes 1 argument, not {1}"), {name, given});
+    return filled(tr("{0} takes {1} arguments, not {2}"), {name, fewest, given});
 }
 
 std::span<const Function> functions() {

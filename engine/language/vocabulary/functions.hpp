@@ -24,7 +24,7 @@ struct Function {
     int least;  ///< fewest arguments
     int most;   ///< most arguments; -1: any number
     std::string_view arguments;
-    std::string_view meaning;          ///< one line of help
+    std::string_view meaning;          ///< one line of help, in English
     std::optional<Op> op;              ///< the operator, for a row of op.def
     std::optional<Composed> composed;  ///< for a row of functions.def
     std::string_view body = {};        ///< for a row of library.def: the formula, in the language
@@ -38,8 +38,8 @@ struct Function {
     /// Whether the function is a row of library.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
     [[nodiscard]] bool takes(std::size_t arguments_given) const;
-    /// The number of arguments in words: "2 arguments", "1 or 2 arguments", "2 or more arguments".
-    [[nodiscard]] std::string arity_text() const;
+    /// The error for another number of arguments than the function takes.
+    [[nodiscard]] std::string refusal(std::size_t arguments_given) const;
 };
 
 /// All functions: the rows of op.def, functions.def and library.def.

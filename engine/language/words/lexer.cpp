@@ -1,5 +1,6 @@
 #include "engine/language/words/lexer.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
@@ -103,8 +104,8 @@ Done Lexer::remark() {
         const std::size_t end = text_.find("*/", at_ + 2);
         if (end == std::string_view::npos) {
             return std::unexpected(ParseError{.offset = at_,
-                                              .reason = "this remark is not closed",
-                                              .hint = "add */ where it ends",
+                                              .reason = tr("this remark is not closed"),
+                                              .hint = tr("add */ where it ends"),
                                               .unfinished = true});
         }
         const bool has_lines = text_.substr(at_, end - at_).contains('\n');
@@ -157,7 +158,8 @@ void Lexer::note_short_remark() {
     const char before = at_ > 0 ? text_[at_ - 1] : ' ';
     if (!is_part(before) && before != ')') return;
     if (!is_part(peek(2)) && peek(2) != '(') return;
-    notes_.add(at_ - 1, "what stands behind // is a remark; for a whole quotient type floor(a/b)");
+    notes_.add(at_ - 1,
+               tr("what stands behind // is a remark; for a whole quotient type floor(a/b)"));
 }
 
 /// Reads an ASCII operator; "**" becomes "^".
@@ -212,7 +214,7 @@ Done Lexer::other_character() {
         return {};
     }
     std::string hint = hint_for_sign(point.code);
-    if (peek() == '_') hint = "a subscript stands right behind a letter: c_1, c_{12}";
+    if (peek() == '_') hint = tr("a subscript stands right behind a letter: c_1, c_{12}");
     const bool behind_value =
         !tokens_.empty() && tokens_.back().end() == at_ &&
         (tokens_.back().kind == TokenKind::Name || is_symbol(tokens_.back(), {")"}));
@@ -221,11 +223,11 @@ Done Lexer::other_character() {
         return std::unexpected(error_for_part(text_.substr(at_ + 1, length), at_));
     }
     const bool printable = point.length > 1 || (peek() > ' ' && peek() < '\x7F');
-    const std::string shown =
-        printable ? quoted(text_.substr(at_, point.length))
-                  : "the byte " + std::to_string(static_cast<unsigned char>(peek()));
-    return std::unexpected(
-        ParseError{.offset = at_, .reason = shown + " has no meaning here", .hint = hint});
+    const std::string reason =
+        printable ? filled(tr("{0} has no meaning here"), {quoted(text_.substr(at_, point.length))})
+                  : filled(tr("the byte {0} has no meaning here"),
+                           {std::to_string(static_cast<unsigned char>(peek()))});
+    return std::unexpected(ParseError{.offset = at_, .reason = reason, .hint = hint});
 }
 
 Done Lexer::command() {
@@ -259,11 +261,11 @@ Done Lexer::command() {
     }
     const std::optional<Sign> sign = sign_of_command(word);
     if (!sign) {
-        return std::unexpected(ParseError{
-            .offset = at_,
-            .reason =
-                "the LaTeX command " + quoted(text_.substr(at_, length)) + " is not known here",
-            .hint = "leave it out or type its meaning"});
+        return std::unexpected(
+            ParseError{.offset = at_,
+                       .reason = filled(tr("the LaTeX command {0} is not known here"),
+                                        {quoted(text_.substr(at_, length))}),
+                       .hint = tr("leave it out or type its meaning")});
     }
     if (sign->text.empty() && word_in_braces(at_ + length)) return {};
     push_sign(*sign, length);

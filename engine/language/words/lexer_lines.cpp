@@ -1,5 +1,6 @@
 // Where a line continues the statement of the line before it.
 
+#include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/words/lexer.hpp"
 
@@ -70,7 +71,7 @@ private:
                                       : !has_equals_ && is_symbol(next, {"+"});
         if (joins && (has_equals_ || !within_row)) {
             notes_.add(next.offset,
-                       "this line goes on with the one above; to part them put ; between");
+                       tr("this line goes on with the one above; to part them put ; between"));
         }
         return joins;
     }

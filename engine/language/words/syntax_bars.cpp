@@ -1,5 +1,6 @@
 #include "engine/language/words/syntax_bars.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
@@ -96,7 +97,7 @@ private:
                             has_space_before(tokens_, last) && has_space_before(tokens_, end + 1);
         if (!spaced || !begins_operand(tokens_[end + 1])) return;
         notes_.add(tokens_[bars_[i].at].offset,
-                   "| ... | is an absolute value here; for a choice type or");
+                   tr("| ... | is an absolute value here; for a choice type or"));
     }
 
     std::span<const Token> tokens_;

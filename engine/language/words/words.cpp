@@ -1,5 +1,6 @@
 #include "engine/language/words/words.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/nearest_word.hpp"
@@ -76,8 +77,9 @@ void note_product(const Token& subscripted, const Token& letter, Notes& notes) {
     if (!plain || is_built_in_value(letter.text)) return;
     const std::string name = full_name(subscripted);
     const std::string typed = name + std::string(letter.text);
-    notes.add(subscripted.offset, typed + " is read as " + name + "*" + std::string(letter.text) +
-                                      "; to make it one name define it, as in " + typed + " = 2");
+    notes.add(subscripted.offset,
+              filled(tr("{0} is read as {1}; to make it one name define it, as in {2}"),
+                     {typed, name + "*" + std::string(letter.text), typed + " = 2"}));
 }
 
 }  // namespace
@@ -126,7 +128,7 @@ void Words::push_name(const Token& token, std::vector<Token>& out, Notes& notes)
         !defined_.defines_value("E")) {
         out.push_back(token);
         out.back().text = "e";
-        notes.add(token.offset, "E is e = 2.718..., as in Mathematica");
+        notes.add(token.offset, filled(tr("{0} is {1}, as in Mathematica"), {"E", "e = 2.718..."}));
     } else if (stays_whole(token)) {
         out.push_back(token);
     } else if (const std::string_view known = known_spelling(full_name(token)); !known.empty()) {
@@ -152,8 +154,9 @@ void Words::push_pieces(const Token& token, std::vector<Token>& out, Notes& note
         return;
     }
     if (function != nullptr) {
-        notes.add(token.offset, std::string(run) + " is read as " + std::string(function->name) +
-                                    " " + std::string(run.substr(lengths[0])));
+        notes.add(token.offset,
+                  filled(tr("{0} is read as {1}"), {run, std::string(function->name) + " " +
+                                                             std::string(run.substr(lengths[0]))}));
     }
     std::size_t at = 0;
     for (const std::size_t length : lengths) {

@@ -1,5 +1,6 @@
 #include "engine/language/words/words_defined.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
@@ -164,10 +165,11 @@ bool DefinitionSearch::defines_product(const Candidate& candidate,
         defines ? (used || is_no_surface) && !is_letter_known && !of_places_only : is_letter_known;
     if (is_plain) return defines;
     const std::string product = product_of(factors);
-    notes_.add(candidate.begin, defines
-                                    ? name + " is a name of its own here; otherwise type " + product
-                                    : name + " is read as " + product +
-                                          " here; to define the name type " + name + " := ...");
+    notes_.add(
+        candidate.begin,
+        defines ? filled(tr("{0} is a name of its own here; otherwise type {1}"), {name, product})
+                : filled(tr("{0} is read as {1} here; to define the name type {2}"),
+                         {name, product, name + " := ..."}));
     return defines;
 }
 
@@ -185,8 +187,8 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
         const bool called = uses.calls > 0;
         if (!called && std::ranges::all_of(candidate.arguments, is_coordinate)) {
             result_.places_.insert(candidate.name_offset);
-            notes_.add(candidate.begin,
-                       "read as " + name + " = ...; for the product type " + name + "*(...)");
+            notes_.add(candidate.begin, filled(tr("read as {0}; for the product type {1}"),
+                                               {name + " = ...", name + "*(...)"}));
             return false;
         }
         return called || candidate.arguments.size() > 1;

@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/mesh/files/bytes.hpp"
 #include "engine/mesh/files/corner_normals.hpp"
 #include "engine/mesh/files/encoders.hpp"
@@ -175,7 +176,7 @@ EncodedMesh encode_glb(const MeshFile& file) {
     for (const MeshObject& object : file.objects)
         bytes += 120 * object.mesh.triangles.size() + 28 * object.mesh.vertices.size();
     if (bytes > std::numeric_limits<std::uint32_t>::max())
-        return std::unexpected("a glb file holds at most 4 GB; ask for fewer triangles");
+        return std::unexpected(tr("a glb file holds at most 4 GB; ask for fewer triangles"));
     for (const MeshObject& object : file.objects)
         writer.add(object, metres_per_mm * file.mm_per_unit);
     return writer.finish(file.comment);

@@ -1,6 +1,7 @@
 #include "engine/mesh/files/mesh_file.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/mesh/files/encoders.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 constexpr std::array formats{
     MeshFormat{.ending = ".stl",
                .name = "STL, binary",
-               .about = "shape alone: every printer takes it",
+               .about = marked("shape alone: every printer takes it"),
                .holds_colors = false,
                .holds_objects = false,
                .holds_normals = false,
@@ -19,7 +20,7 @@ constexpr std::array formats{
                .encode = encode_stl},
     MeshFormat{.ending = ".3mf",
                .name = "3MF",
-               .about = "for printers: millimetres, colors, several surfaces",
+               .about = marked("for printers: millimetres, colors, several surfaces"),
                .holds_colors = true,
                .holds_objects = true,
                .holds_normals = false,
@@ -27,7 +28,7 @@ constexpr std::array formats{
                .encode = encode_3mf},
     MeshFormat{.ending = ".ply",
                .name = "PLY, binary",
-               .about = "colors at every vertex",
+               .about = marked("colors at every vertex"),
                .holds_colors = true,
                .holds_objects = false,
                .holds_normals = true,
@@ -35,7 +36,7 @@ constexpr std::array formats{
                .encode = encode_ply},
     MeshFormat{.ending = ".obj",
                .name = "Wavefront OBJ",
-               .about = "every 3D program takes it",
+               .about = marked("every 3D program takes it"),
                .holds_colors = false,
                .holds_objects = true,
                .holds_normals = true,
@@ -43,7 +44,7 @@ constexpr std::array formats{
                .encode = encode_obj},
     MeshFormat{.ending = ".glb",
                .name = "glTF 2.0, binary",
-               .about = "for the web and for 3D programs, with colors",
+               .about = marked("for the web and for 3D programs, with colors"),
                .holds_colors = true,
                .holds_objects = true,
                .holds_normals = true,

@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/mesh/files/bytes.hpp"
 #include "engine/mesh/files/corner_normals.hpp"
 #include "engine/mesh/files/encoders.hpp"
@@ -42,7 +43,7 @@ EncodedMesh encode_ply(const MeshFile& file) {
         triangles += object.mesh.triangles.size();
     }
     if (vertices > 0x7FFFFFFFU)
-        return std::unexpected("a PLY file of this kind holds at most 2147483647 vertices");
+        return std::unexpected(tr("a PLY file of this kind holds at most 2147483647 vertices"));
     ByteWriter out(31 * vertices + 13 * triangles + 1000);
     out.put_text(header_of(file, vertices, triangles));
     for (const MeshObject& object : file.objects)

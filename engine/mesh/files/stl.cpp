@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/mesh/files/bytes.hpp"
 #include "engine/mesh/files/corner_normals.hpp"
 #include "engine/mesh/files/encoders.hpp"
@@ -13,7 +14,7 @@ EncodedMesh encode_stl(const MeshFile& file) {
     for (const MeshObject& object : file.objects)
         triangles += object.mesh.triangles.size();
     if (triangles > std::numeric_limits<std::uint32_t>::max())
-        return std::unexpected("an STL file holds at most 4294967295 triangles");
+        return std::unexpected(tr("an STL file holds at most 4294967295 triangles"));
     ByteWriter out(header_bytes + 4 + triangle_bytes * triangles);
     // Readers take a header that begins with "solid" for a text file's.
     std::string header = "zeroset";

@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "engine/mesh/files/encoders.hpp"
 #include "engine/mesh/files/number_text.hpp"
 
@@ -150,7 +151,7 @@ std::expected<std::vector<std::byte>, std::string> bytes_of(zip_source_t* source
     const zip_int64_t read = zip_source_read(source, bytes.data(), bytes.size());
     zip_source_close(source);
     if (read != static_cast<zip_int64_t>(bytes.size()))
-        return std::unexpected("the archive is cut");
+        return std::unexpected(tr("the archive is cut"));
     return bytes;
 }
 
