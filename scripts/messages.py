@@ -120,6 +120,22 @@ def update(pot):
         print(f"{po.name}: {len(open_ones)} texts to translate")
 
 
+def places(text):
+    """Returns the places for values in a text, such as {0}."""
+    return sorted(set(re.findall(r"\{\d\}", text)))
+
+
+def wrong_places(po):
+    """Returns the messages of a catalog whose translation has other places than the text."""
+    wrong = []
+    for block in entries(po, "--translated"):
+        text, _, translation = block.partition("\nmsgstr")
+        text = text[text.index("\nmsgid" if "\nmsgid" in text else "msgid"):]
+        if places(text) != places(translation):
+            wrong.append(block)
+    return wrong
+
+
 def check(pot, folder):
     bad = 0
     for po in sorted(FOLDER.glob("*.po")):
@@ -128,6 +144,9 @@ def check(pot, folder):
                         str(po), str(pot)], check=True)
         for block in entries(merged, "--untranslated") + entries(merged, "--only-fuzzy"):
             print(f"{po.name}: to translate:\n{block}")
+            bad += 1
+        for block in wrong_places(merged):
+            print(f"{po.name}: other places for values:\n{block}")
             bad += 1
         for block in entries(merged, "--only-obsolete"):
             print(f"{po.name}: in no source:\n{block}")

@@ -57,18 +57,21 @@ std::string note_of(CodeState code) {
 }
 
 /// Sets the language of all texts, where it is not set yet.
-void take_language(const ui::Layout& layout, Language of_desktop) {
-    const Language wanted = layout.language.value_or(of_desktop);
-    if (wanted != language()) set_language(wanted, decimal_mark_of(wanted, locale_variables()));
+void take_language(ui::UiState& state, Language of_desktop) {
+    const Language wanted = state.edited.layout.language.value_or(of_desktop);
+    if (wanted == language() && !state.shown.export_formats.empty()) return;
+    set_language(wanted, decimal_mark_of(wanted, locale_variables()));
+    const auto formats = export_formats();
+    state.shown.export_formats.assign(formats.begin(), formats.end());
 }
 
 ui::UiState first_state(const DesktopOptions& options) {
-    take_language(options.layout, options.desktop_language);
     ui::UiState state;
     state.edited.document = options.document;
     state.edited.theme = options.theme;
     state.edited.follows_desktop = options.follows_desktop;
     state.edited.layout = options.layout;
+    take_language(state, options.desktop_language);
     state.edited.read_only = options.read_only;
     state.edited.full_screen = options.read_only;
     state.edited.layout.presents = options.read_only;
@@ -86,8 +89,6 @@ ui::UiState first_state(const DesktopOptions& options) {
                                        .about = item.about,
                                        .group = item.group,
                                        .source = item.source});
-    const auto formats = export_formats();
-    state.shown.export_formats.assign(formats.begin(), formats.end());
     state.edited.tour_seen = options.tour_seen;
     if (options.tour) ui::action_named("Tour of the window").run(state);
     for (const ui::Action* const action : options.actions)
@@ -142,7 +143,7 @@ void Desktop::draw_frame() {
     if (latency_ != nullptr && events.input) latency_->input(*events.input);
     if (events.close) session_.close();
     session_.open(events.dropped);
-    take_language(state_.edited.layout, desktop_language_);
+    take_language(state_, desktop_language_);
     const std::uint64_t before = feed_.newest();
     take_formula();
     feed_.take_double();

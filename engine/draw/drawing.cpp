@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 5> all_names{"silhouette", "crease", "bou
                                                     "intersection", "contour"};
 /// More than one line of each kind, in messages.
 constexpr std::array<const char*, 5> all_plurals{marked("silhouettes"), marked("creases"),
-                                                 marked("boundarys"), marked("intersections"),
+                                                 marked("boundaries"), marked("intersections"),
                                                  marked("contours")};
 
 }  // namespace

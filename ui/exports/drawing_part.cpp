@@ -31,14 +31,16 @@ constexpr std::array<KindText, 5> kinds{{
      .usual_width = nullptr},
     {.name = "creases",
      .about = "Where the surface has an edge, or meets itself.",
-     .usual_width = "0.8 of that"},
+     .usual_width = "0.8 \xC3\x97 silhouettes"},
     {.name = "boundaries",
      .about = "Where the box, a section or a jump ends the surface.",
-     .usual_width = "0.8 of that"},
-    {.name = "intersections", .about = "Where two surfaces meet.", .usual_width = "0.8 of that"},
+     .usual_width = "0.8 \xC3\x97 silhouettes"},
+    {.name = "intersections",
+     .about = "Where two surfaces meet.",
+     .usual_width = "0.8 \xC3\x97 silhouettes"},
     {.name = "contours",
      .about = "The contour lines that are chosen in the section Look.",
-     .usual_width = "0.4 of that"},
+     .usual_width = "0.4 \xC3\x97 silhouettes"},
 }};
 
 void draw_page_size(glm::dvec2& size_mm) {

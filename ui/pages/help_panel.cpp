@@ -36,11 +36,12 @@ std::vector<HelpSection> gestures_help() {
                      {.typed = "click on a surface",
                       .meaning = "keep a marker there; on a marker: select it"},
                      {.typed = "drag a handle",
-                      .meaning = "move a face of the clip box, the sphere, a section; Esc: not"},
+                      .meaning =
+                          "move a face of the clip box, the sphere, a section; Esc gives it up"},
                      {.typed = "Shift with a face",
                       .meaning = "moves the opposite one, too; Ctrl: all of them"},
                      {.typed = "Shift with a section's ball",
-                      .meaning = "turns it to even directions"}}},
+                      .meaning = "turns it to axes and diagonals only"}}},
         {.title = "Statements",
          .entries = {{.typed = "Enter", .meaning = "a new row below"},
                      {.typed = "Shift+Enter", .meaning = "a new line in the row"},
@@ -78,7 +79,8 @@ std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& f
     if (contains(tr(section.title.c_str()), filter)) return section.entries;
     std::vector<HelpEntry> found;
     for (const HelpEntry& entry : section.entries) {
-        if (contains(entry.typed, filter) || contains(tr(entry.meaning.c_str()), filter)) {
+        if (contains(typed_text(entry, typed), filter) ||
+            contains(tr(entry.meaning.c_str()), filter)) {
             found.push_back(entry);
         }
     }

@@ -179,8 +179,7 @@ bool draw_opening(Camera& camera) {
         camera.fov_rad = glm::radians(degrees);
         return true;
     }
-    draw_label(tr("height"),
-               tr("Of what parallel rays show from the picture's top to its bottom, world units."));
+    draw_label(tr("height"), tr("The height of what parallel rays show, in world units."));
     double height = shown_height(camera);
     if (!draw_number_field("##height", height, 1e-12, largest_number)) return false;
     camera = with_shown_height(camera, height);

@@ -155,8 +155,9 @@ bool draw_section(Edited& edited, Section& section) {
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
     draw_place(edited.document.clip, section);
     if (axis_of(section) == free_axis) {
-        draw_label(tr("normal"),
-                   tr("The section is across this direction and takes away what lies there."));
+        draw_label(
+            tr_in("section", "normal"),
+            tr("The section is across this direction, and cuts away the side to which it points."));
         glm::dvec3 normal = section.normal;
         if (draw_numbers("normal", std::array{&normal.x, &normal.y, &normal.z}).changed &&
             glm::length(normal) > 0) {
@@ -189,7 +190,7 @@ void draw_sections(Edited& edited) {
     if (ImGui::Button(tr("Add a section"), ImVec2(-FLT_MIN, 0.0F))) {
         sections.push_back(section_across(static_cast<int>(sections.size() % 3), edited.document));
     }
-    draw_tooltip(tr("Cuts by a plane and shows what is inside."));
+    draw_tooltip(tr("Cuts the surfaces by a plane, to look inside."));
 }
 
 }  // namespace

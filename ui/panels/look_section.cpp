@@ -26,18 +26,16 @@ namespace zeroset::ui {
 namespace {
 
 constexpr const char* about_expression = marked(
-    "A formula of x, y, z, w and the sliders' letters, such as x^2 + y^2, with the functions "
-    "and values of the list.");
+    "A formula of x, y, z, w and the sliders' letters, such as x^2 + y^2; F1 lists the "
+    "functions.");
 
 void draw_color_by(ColorChoice& coloring) {
     draw_label(tr("color"), tr("What the colors of the surfaces tell."));
-    if (!ImGui::BeginCombo("##color_by", tr(shown_name(coloring.by)),
-                           ImGuiComboFlags_HeightLarge)) {
+    if (!ImGui::BeginCombo("##color_by", shown_name(coloring.by), ImGuiComboFlags_HeightLarge)) {
         return;
     }
     for (const ColorBy by : color_modes()) {
-        if (!ImGui::Selectable(tr(shown_name(by)), by == coloring.by) || by == coloring.by)
-            continue;
+        if (!ImGui::Selectable(shown_name(by), by == coloring.by) || by == coloring.by) continue;
         // Settings of the old quantity mean nothing for the new one.
         coloring = {.by = by, .expression = coloring.expression, .lines = coloring.lines};
     }
@@ -46,7 +44,7 @@ void draw_color_by(ColorChoice& coloring) {
 
 void draw_expression(const char* id, std::string& expression, const std::string& error,
                      const Palette& colors) {
-    draw_label(tr("of"), tr(about_expression));
+    draw_label(tr("formula"), tr(about_expression));
     ImGui::PushFont(font(FontRole::Formula));
     ImGui::InputTextWithHint(id, "x^2 + y^2", &expression);
     ImGui::PopFont();

@@ -170,7 +170,7 @@ RowEvent draw_menu(const Row& row) {
     item(tr("Move up"), keys_in_language("Alt+Up").c_str(), RowEvent::MoveUp);
     item(tr("Move down"), keys_in_language("Alt+Down").c_str(), RowEvent::MoveDown);
     if (row.report != nullptr && !row.report->readings.empty()) {
-        if (ImGui::MenuItem(tr("Copy as read"))) {
+        if (ImGui::MenuItem(tr("Copy the reading"))) {
             ImGui::SetClipboardText(row.report->readings.front().text.c_str());
         }
     }

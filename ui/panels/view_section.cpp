@@ -21,7 +21,7 @@ void draw_projection(std::optional<Camera>& camera) {
     bool parallel = camera->projection == Projection::Orthographic;
     if (ImGui::Checkbox(labelled(tr("Parallel rays"), "###parallel").c_str(), &parallel))
         camera->projection = parallel ? Projection::Orthographic : Projection::Perspective;
-    draw_tooltip(tr("All rays leave the picture in one direction, none is nearer to the eye (5)."));
+    draw_tooltip(tr("All rays have one direction: things do not get smaller with distance (5)."));
 }
 
 void draw_light(Document& document) {

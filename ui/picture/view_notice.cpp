@@ -23,7 +23,7 @@ constexpr float least_picture_em = 11.0F;
 constexpr float widest_em = 26.0F;
 
 constexpr std::array<Example, 3> all_examples{
-    {{.title = "A ball", .text = "x^2 + y^2 + z^2 = 1"},
+    {{.title = "A sphere", .text = "x^2 + y^2 + z^2 = 1"},
      {.title = "Waves", .text = "z = sin(3x) cos(3y) / 2"},
      {.title = "With a slider", .text = "x^2 + y^2 - z^2 = a"}}};
 
