@@ -39,9 +39,13 @@ std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& ro
 RowError row_error(const ParseError& error, std::size_t begin, const std::string& row) {
     const auto of = [&](const ParseError& found, std::size_t offset) {
         const std::string hint = found.hint.empty() ? "" : "; " + found.hint;
-        return RowError{.reason = found.reason + hint,
+        RowError result{.reason = found.reason + hint,
                         .at = std::min(offset, row.size()),
                         .unfinished = found.unfinished};
+        const bool is_there =
+            found.mend && std::string_view(row).substr(result.at).starts_with(found.mend->word);
+        if (is_there) result.mend = found.mend;
+        return result;
     };
     const std::size_t at = error.offset - std::min(begin, error.offset);
     if (at >= row.size()) {

@@ -28,6 +28,7 @@ struct RowError {
     std::string reason;       ///< what is wrong, and what to type instead; one line
     std::size_t at = 0;       ///< offset in the row's text, in bytes; at most its size
     bool unfinished = false;  ///< correct so far, but the row ends too early
+    std::optional<Mend> mend = std::nullopt;  ///< of the word at `at`, where one is likely
 };
 
 /// The result of reading a row. With an error, it keeps the readings of the row's last good text.

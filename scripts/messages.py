@@ -49,7 +49,7 @@ def source(path):
     text = path.read_text()
     members = TABLES.get(str(path.relative_to(ROOT)))
     if members:
-        pattern = rf"(\.(?:{'|'.join(members)}) = )({LITERALS})"
+        pattern = rf"(\.(?:{'|'.join(members)}) =\s+)({LITERALS})"
         text = re.sub(pattern, r"\1marked(\2)", text, flags=re.DOTALL)
     return text
 
@@ -95,11 +95,10 @@ def template(folder):
     command = ["xgettext", "--language=C++", "--from-code=UTF-8", "--no-wrap", "--no-location",
                "--sort-output", "--add-comments=Translators:", "--package-name=zeroset",
                "--keyword", *(f"--keyword={keyword}" for keyword in KEYWORDS),
-               # No text is a pattern of printf, even with a % in it.
-               *(f"--flag={keyword.split(':')[0]}:1:no-c-format" for keyword in KEYWORDS),
-               *(f"--flag={keyword.split(':')[0]}:2:no-c-format" for keyword in KEYWORDS),
                "-o", str(pot)]
     subprocess.run(command + names, cwd=folder, check=True)
+    # No text is a pattern of printf, even with a % in it.
+    pot.write_text(re.sub(r"(?m)^#, c-format\n", "", pot.read_text()))
     return pot
 
 

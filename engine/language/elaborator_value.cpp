@@ -135,8 +135,9 @@ Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
     if (auto foreign = error_for_foreign(name, syntax.offset)) {
         return fail(foreign->offset, std::move(foreign->reason), std::move(foreign->hint));
     }
-    return fail(syntax.offset, filled(tr("{0} is not known"), {quoted(name)}),
-                hint_for_unknown(name));
+    fail(syntax.offset, filled(tr("{0} is not known"), {quoted(name)}), hint_for_unknown(name));
+    if (!library_offset_ && error_->offset == syntax.offset) error_->mend = mend_for_unknown(name);
+    return std::nullopt;
 }
 
 Elaborator::Built Elaborator::said(const Syntax& syntax) {

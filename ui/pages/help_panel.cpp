@@ -75,7 +75,14 @@ const std::vector<HelpSection>& keys_help() {
     return sections;
 }
 
-std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& filter) {
+/// What is typed, as in the user's language: formulas are the same in all of them.
+std::string typed_text(const HelpEntry& entry, FontRole typed) {
+    if (typed == FontRole::SmallFormula) return entry.typed;
+    return keys_in_language(tr(entry.typed.c_str()));
+}
+
+std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& filter,
+                                FontRole typed) {
     if (contains(tr(section.title.c_str()), filter)) return section.entries;
     std::vector<HelpEntry> found;
     for (const HelpEntry& entry : section.entries) {
@@ -85,12 +92,6 @@ std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& f
         }
     }
     return found;
-}
-
-/// What is typed, as in the user's language: formulas are the same in all of them.
-std::string typed_text(const HelpEntry& entry, FontRole typed) {
-    if (typed == FontRole::SmallFormula) return entry.typed;
-    return keys_in_language(tr(entry.typed.c_str()));
 }
 
 void draw_entries(const std::vector<HelpEntry>& entries, FontRole typed, const Palette& colors) {
@@ -118,7 +119,7 @@ bool draw_sections(const std::vector<HelpSection>& sections, const std::string& 
                    FontRole typed, const Palette& colors) {
     bool any = false;
     for (const HelpSection& section : sections) {
-        const std::vector<HelpEntry> entries = filtered(section, filter);
+        const std::vector<HelpEntry> entries = filtered(section, filter, typed);
         if (entries.empty()) continue;
         ImGui::PushID(&section);
         if (any) ImGui::Dummy(ImVec2(0.0F, em(0.3F)));

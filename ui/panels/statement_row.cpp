@@ -220,15 +220,32 @@ void draw_notes(const Row& row, float width) {
     ImGui::PopStyleColor();
 }
 
+/// Draws a button that puts a likely word in the place of the one that is not known.
+void draw_mend(const Row& row, const RowError& error) {
+    const std::string label = error.mend->word + " \xE2\x86\x92 " + error.mend->by;
+    ImGui::PushFont(font(FontRole::SmallFormula));
+    const bool wanted = ImGui::SmallButton((label + "###mend").c_str());
+    ImGui::PopFont();
+    draw_tooltip(filled(tr("Put {0} in its place"), {error.mend->by}));
+    if (!wanted) return;
+    row.statement.text.replace(error.at, error.mend->word.size(), error.mend->by);
+    row.state.wishes.reload = row.statement.id;
+    row.state.wishes.focus = RowFocus{.row = row.statement.id, .caret = RowFocus::Caret::End};
+}
+
 void draw_error(const Row& row, const RowError& error, float width) {
     const bool quiet = error.unfinished;
     ImGui::PushStyleColor(ImGuiCol_Text, quiet ? row.colors.quiet : row.colors.error);
     ImGui::PushFont(font(FontRole::Small));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    const float left = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(error.reason.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::PopStyleColor();
+    if (!error.mend) return;
+    ImGui::SetCursorPosX(left);
+    draw_mend(row, error);
 }
 
 std::string without_blanks(std::string text) {

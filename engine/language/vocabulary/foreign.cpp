@@ -92,16 +92,29 @@ std::optional<std::string> nearest_known_name(std::string_view name) {
 
 namespace {
 
+/// The name as a product; a letter before a known name, such as ksin, is a coefficient times that.
+std::optional<std::string> as_product(std::string_view name) {
+    const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
+    if (!coefficient && name.size() != 2) return std::nullopt;
+    return std::string(name.substr(0, 1)) + "*" + std::string(name.substr(1));
+}
+
+}  // namespace
+
+std::optional<Mend> mend_for_unknown(const std::string& name) {
+    if (const auto meant = nearest_known_name(name)) return Mend{.word = name, .by = *meant};
+    if (const auto product = as_product(name)) return Mend{.word = name, .by = *product};
+    return std::nullopt;
+}
+
+namespace {
+
 /// What else than a name of its own an unknown name may be meant as.
 std::optional<std::string> hint_for_meant(std::string_view name) {
     if (const auto meant = nearest_known_name(name))
         return filled(tr("did you mean {0}?"), {*meant});
-    // A letter before a known name, such as ksin, is meant as a coefficient times that name.
-    const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
-    if (coefficient || name.size() == 2) {
-        return filled(tr("for a product type {0}"),
-                      {std::string(name.substr(0, 1)) + "*" + std::string(name.substr(1))});
-    }
+    if (const auto product = as_product(name))
+        return filled(tr("for a product type {0}"), {*product});
     constexpr std::size_t longest_shown = 24;
     if (name.size() > longest_shown) return tr("type a product with *");
     return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,20 @@
 
 namespace zeroset {
 
+/// What a reader would put in the place of a word.
+struct Mend {
+    std::string word;  ///< as it is typed
+    std::string by;
+
+    bool operator==(const Mend&) const = default;
+};
+
 struct ParseError {
-    std::size_t offset;       ///< in bytes from the start of the text
-    std::string reason;       ///< what is wrong, one line
-    std::string hint;         ///< what to type instead; may be empty
-    bool unfinished = false;  ///< the text is right so far, but stops too early
+    std::size_t offset;                       ///< in bytes from the start of the text
+    std::string reason;                       ///< what is wrong, one line
+    std::string hint;                         ///< what to type instead; may be empty
+    bool unfinished = false;                  ///< the text is right so far, but stops too early
+    std::optional<Mend> mend = std::nullopt;  ///< of the word at `offset`, where one is likely
 };
 
 enum class StatementKind : std::uint8_t { Value, Function, Surface };
