@@ -7,7 +7,7 @@
 namespace zeroset::ui {
 
 /// Width of the labels in front of controls, in em.
-inline constexpr float label_width = 3.6F;
+inline constexpr float label_width = 4.1F;
 
 /// Draws a label, cut where it is too long; the control that follows fills the rest of the line.
 void draw_label(const std::string& label, const std::string& explanation,
