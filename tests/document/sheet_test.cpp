@@ -50,6 +50,16 @@ TEST_F(Sheets, MarkTheErrorWithinItsRow) {
     EXPECT_EQ(reading_.surface_rows, std::vector{1}) << "the others are drawn";
 }
 
+TEST_F(Sheets, SayWhatAnUnknownNameIsLikelyMeantAs) {
+    read({"x = 1", "y = sinn x", "z = ksin + 1", "w = sqt(x)", "y = wxyzq + 1"});
+    EXPECT_EQ(error(2).mend, (Mend{.word = "sinn", .by = "sin"}));
+    EXPECT_EQ(reading_.reports.at(2).text.substr(error(2).at, 4), "sinn");
+    EXPECT_EQ(error(4).mend, (Mend{.word = "sqt", .by = "sqrt"}));
+    EXPECT_EQ(error(5).mend, std::nullopt);
+    read({"y = (x"});
+    EXPECT_EQ(error(1).mend, std::nullopt);
+}
+
 TEST_F(Sheets, MarkTheErrorsOfAllRows) {
     read({"x + * y", "y = 1", "z = )", "a = 3"});
     EXPECT_TRUE(reading_.reports.at(1).error);

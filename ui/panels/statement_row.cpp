@@ -224,7 +224,7 @@ void draw_notes(const Row& row, float width) {
 void draw_mend(const Row& row, const RowError& error) {
     const std::string label = error.mend->word + " \xE2\x86\x92 " + error.mend->by;
     ImGui::PushFont(font(FontRole::SmallFormula));
-    const bool wanted = ImGui::SmallButton((label + "###mend").c_str());
+    const bool wanted = ImGui::Button((label + "###mend").c_str());
     ImGui::PopFont();
     draw_tooltip(filled(tr("Put {0} in its place"), {error.mend->by}));
     if (!wanted) return;
@@ -238,13 +238,14 @@ void draw_error(const Row& row, const RowError& error, float width) {
     ImGui::PushStyleColor(ImGuiCol_Text, quiet ? row.colors.quiet : row.colors.error);
     ImGui::PushFont(font(FontRole::Small));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    const float left = ImGui::GetCursorPosX();
+    const ImVec2 at = ImGui::GetCursorPos();
     ImGui::TextUnformatted(error.reason.c_str());
+    const float height = ImGui::GetItemRectSize().y;
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::PopStyleColor();
     if (!error.mend) return;
-    ImGui::SetCursorPosX(left);
+    ImGui::SetCursorPos(ImVec2(at.x, at.y + height + em(0.3F)));
     draw_mend(row, error);
 }
 

@@ -132,9 +132,13 @@ Emptiness emptiness_of(const UiState& state) {
     const std::vector<int>& surfaces = state.shown.reading.surface_rows;
     const bool known = figures.width_px > 0 && !figures.hidden && !surfaces.empty();
     if (!known || counts.certified + counts.undecided + counts.jumps > 0) return Emptiness::None;
-    const bool seen = std::ranges::any_of(all, [&surfaces](const Statement& row) {
-        return row.visible && std::ranges::find(surfaces, row.id) != surfaces.end();
-    });
+    const auto is_surface = [&surfaces](const Statement& row) {
+        return std::ranges::find(surfaces, row.id) != surfaces.end();
+    };
+    // While no row can be read nothing is hidden.
+    if (std::ranges::none_of(all, is_surface)) return Emptiness::None;
+    const bool seen = std::ranges::any_of(
+        all, [&](const Statement& row) { return row.visible && is_surface(row); });
     return seen ? Emptiness::OutOfView : Emptiness::AllHidden;
 }
 

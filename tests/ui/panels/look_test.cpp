@@ -2,6 +2,7 @@
 
 #include "document/look.hpp"
 
+#include "document/colors.hpp"
 #include "engine/annotate/hidden.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/view/pixel_ray.hpp"
@@ -115,6 +116,8 @@ TEST_P(Looking, SaysInTheCornerWhichColorIsWhichNumber) {
 }
 
 TEST_P(Looking, SaysWhatIsUnderThePointer) {
+    // Its other side is not as amber as a warning.
+    state_.edited.document.statements[0].color = palette_fronts()[1];
     state_.shown.pointed = PointedFacts{{.point = {0.5, 0.25, -1},
                                          .distance = 4,
                                          .within = 1e-9,

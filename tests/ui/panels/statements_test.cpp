@@ -1,5 +1,6 @@
 // Tests of the list of statements: rows by keyboard and mouse, errors and readings.
 
+#include "document/colors.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/model/ui_state.hpp"
@@ -286,7 +287,10 @@ TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
     const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
                          static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
     const Rectangle dot = bounds(frame, 0xFFE0C030U, area, exact);
-    EXPECT_NEAR(dot.right - dot.left, px(14), px(2));
+    const std::uint32_t back = back_color(0x30C0E0);
+    const Rectangle other = bounds(
+        frame, 0xFF000000U | (back & 0xFFU) << 16U | (back & 0xFF00U) | back >> 16U, area, exact);
+    EXPECT_NEAR(other.right - dot.left, px(14), px(2)) << "both sides' colors";
     click_at({static_cast<float>(dot.left + dot.right) / 2,
               static_cast<float>(dot.top + dot.bottom) / 2});
     draw_frame();  // the popup shows all hues
@@ -334,6 +338,20 @@ TEST_P(Statements, MarkTheWrongCharacterOfALine) {
     EXPECT_NEAR(static_cast<float>(marked.top), field(2).Pos.y + static_cast<float>(px(6 + 2 * 15)),
                 static_cast<float>(px(3)));
     EXPECT_GE(mark(frame, 1).left, mark(frame, 1).right) << "no other row is marked";
+}
+
+TEST_P(Statements, PutALikelyWordInThePlaceOfAnUnknownOne) {
+    set_rows(state_, {"sinn x = 1"});
+    set_error(1, "sinn x = 1", 0);
+    state_.shown.reading.reports[1].error->mend = Mend{.word = "sinn", .by = "sin"};
+    draw();
+    const ImRect typed = field(1).Rect();
+    const float small = font(FontRole::Small)->FontSize;
+    click_at({typed.Min.x + static_cast<float>(px(30)),
+              typed.Max.y + small + static_cast<float>(px(18))});
+    EXPECT_EQ(texts()[0], "sin x = 1");
+    draw();
+    EXPECT_STREQ(ImGui::GetInputTextState(ImGui::GetActiveID())->TextA.Data, "sin x = 1");
 }
 
 TEST_P(Statements, PointToAMarkOutOfSight) {

@@ -83,6 +83,12 @@ TEST_P(ViewNotice, TellsOfHiddenSurfaces) {
     EXPECT_TRUE(state_.edited.document.statements[0].visible);
 }
 
+TEST_P(ViewNotice, SaysNothingWhileNoRowCanBeRead) {
+    state_.shown.reading.surface_rows = {0};  // an empty stand-in
+    show_nothing();
+    EXPECT_EQ(emptiness_of(state_), Emptiness::None);
+}
+
 TEST_P(ViewNotice, WaitsForThePictureOfTheText) {
     state_.shown.figures.hidden = true;
     show_nothing();
