@@ -1,9 +1,22 @@
 #include "app/cli/add_options.hpp"
 
+#include "engine/render/tracers.hpp"
+
 #include <cstdint>
+#include <string>
 
 namespace zeroset {
 namespace {
+
+/// All of them, the usual one first.
+std::string names_of_tracers() {
+    std::string names;
+    for (const Tracer& tracer : tracers()) {
+        const bool is_first = names.empty();
+        names += (is_first ? "" : ", ") + std::string(tracer.name) + (is_first ? " (default)" : "");
+    }
+    return names;
+}
 
 void add_look_options(CLI::App& app, LookText& look) {
     add_color_options(app, look);
@@ -107,7 +120,7 @@ void add_view_options(CLI::App& app, ViewText& view) {
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
-    add_value(app, "--tracer", trace.tracer, "how roots are found: beams (default) or k-bisection");
+    add_value(app, "--tracer", trace.tracer, "how roots are found: " + names_of_tracers());
     auto* const d_stop =
         add_value(app, "--dstop", trace.d_stop,
                   "stop at cells of the clip box's edge times 2^-N (default 22, in the window 14)");

@@ -88,6 +88,13 @@ struct BenchCommand {
 };
 int run_bench(const BenchCommand& command);
 
+/// Times tracers on a paper's surfaces, beside what it printed.
+struct CompareCommand {
+    std::optional<std::string> table, surfaces, tracers, d_stop, threads, size, repeat, budget,
+        json;
+};
+int run_compare(const CompareCommand& command);
+
 struct GalleryCommand {
     bool names = false;
     bool json = false;

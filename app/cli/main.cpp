@@ -130,6 +130,27 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     return bench_app;
 }
 
+CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
+    CLI::App* const compare_app =
+        app.add_subcommand("compare", "time the papers' algorithms beside what the papers printed");
+    add_value(*compare_app, "--table", compare.table,
+              "knoll-table-1 (default), knoll-figure-9 or florez-table-4.1");
+    add_value(*compare_app, "--surface", compare.surfaces,
+              "surfaces of bench's suite: A,B,... or all (default: the table's)");
+    add_value(*compare_app, "--tracer", compare.tracers,
+              "tracers: A,B,... or all (default: beams and the table's)");
+    add_value(*compare_app, "--dstop", compare.d_stop,
+              "tolerances: N,M,... (default: the table's)");
+    add_value(*compare_app, "--threads", compare.threads, "threads (default: 1)");
+    add_value(*compare_app, "--size", compare.size,
+              "WIDTHxHEIGHT, or N for a square (default: the table's)");
+    add_value(*compare_app, "--repeat", compare.repeat, "frames timed after a warm-up (default 3)");
+    add_value(*compare_app, "--budget", compare.budget,
+              "seconds after which a frame ends undecided (default 30)");
+    add_value(*compare_app, "--json", compare.json, "also as a JSON file; - for JSON alone");
+    return compare_app;
+}
+
 /// The values of all subcommands' options.
 struct Commands {
     RenderCommand render;
@@ -141,6 +162,7 @@ struct Commands {
     GalleryCommand gallery;
     ExplainCommand explain;
     BenchCommand bench;
+    CompareCommand compare;
 };
 
 /// A subcommand and what it does.
@@ -162,6 +184,7 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
         {add_gallery(app, c.gallery), [&c] { return run_gallery(c.gallery); }},
         {add_explain(app, c.explain), [&c] { return run_explain(c.explain); }},
         {add_bench(app, c.bench), [&c] { return run_bench(c.bench); }},
+        {add_compare(app, c.compare), [&c] { return run_compare(c.compare); }},
         {language_app, [] { return run_language(); }},
     };
 }

@@ -1,5 +1,6 @@
 #include "engine/render/tracers.hpp"
 
+#include "engine/trace/along_rays/tracers_along_rays.hpp"
 #include "engine/trace/beam/beam_tracer.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
 
@@ -20,6 +21,42 @@ std::span<const Tracer> tracers() {
         Tracer{.name = "k-bisection",
                .about = "bisection along the dominant axis of a packet of rays (Knoll 2007)",
                .trace_tile = trace_tile_k_bisection},
+        Tracer{.name = "t-bisection",
+               .about = "bisection of packets of rays in their parameter (Knoll 2007)",
+               .trace_tile = trace_tile_t_bisection},
+        Tracer{.name = "mitchell",
+               .about = "roots isolated by f and f' over intervals, then refined (Mitchell 1990)",
+               .trace_tile = trace_tile_mitchell},
+        Tracer{.name = "newton",
+               .about = "interval Newton method along rays (Florez 2008, figure 4.7)",
+               .trace_tile = trace_tile_newton},
+        Tracer{.name = "alefeld-hansen",
+               .about = "interval Newton method with the operator of Alefeld and Hansen "
+                        "(Caprani 2000)",
+               .trace_tile = trace_tile_alefeld_hansen},
+        Tracer{.name = "mrf",
+               .about = "interval bisection that looks at signs (Sanjuan-Estrada 2003)",
+               .trace_tile = trace_tile_mrf},
+        Tracer{.name = "mrfro",
+               .about = "the same, f over intervals only between equal signs "
+                        "(Sanjuan-Estrada 2003)",
+               .trace_tile = trace_tile_mrfro},
+        Tracer{.name = "mrfro-newton",
+               .about = "mrfro with the interval Newton method (Florez 2008)",
+               .trace_tile = trace_tile_mrfro_newton},
+        Tracer{.name = "affine",
+               .about = "bisection by reduced affine arithmetic along rays (Knoll 2009)",
+               .trace_tile = trace_tile_affine},
+        Tracer{.name = "lg",
+               .about = "roots isolated by Lipschitz bounds along rays (Kalra and Barr 1989)",
+               .trace_tile = trace_tile_lg},
+        Tracer{.name = "sphere-tracing",
+               .about = "steps as long as bounds of the slope allow (Hart 1996)",
+               .trace_tile = trace_tile_sphere_tracing},
+        Tracer{.name = "point-sampling",
+               .about = "marching with sign changes; proves nothing and misses roots",
+               .trace_tile = trace_tile_point_sampling,
+               .proves = false},
     };
     return table;
 }

@@ -21,6 +21,9 @@ struct Tracer {
     bool specializes = false;
     bool takes_open_space = false;  ///< knows of TraceFrame::open
     bool takes_unions = false;      ///< knows of TraceFrame::union_members
+    /// Whether it certifies roots and rays without any; else all it says is undecided, and where it
+    /// shows nothing there may be a root.
+    bool proves = true;
 };
 
 }  // namespace zeroset

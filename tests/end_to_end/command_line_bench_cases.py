@@ -1,4 +1,4 @@
-"""Tests of `zeroset bench`: suites, tables and figures."""
+"""Tests of `zeroset bench` and `zeroset compare`: suites, tables and figures."""
 
 import json
 
@@ -86,3 +86,51 @@ class BenchTest(ProgramTest):
             self.assertEqual(result.code, 2, str(result))
             self.assertRegex(result.err, r"\Aerror: --suite suite.json: [^\n]+\n\Z")
             self.assertEqual(result.out, "", str(result))
+
+
+class CompareTest(ProgramTest):
+    def compare(self, *options):
+        return json.loads(self.run_ok("compare", "--size", 40, "--repeat", 1, "--json", "-",
+                                      *options).out)
+
+    def test_a_papers_table_beside_its_printed_figures(self):
+        answer = self.compare()
+        self.assertEqual(answer["table"], "knoll-table-1")
+        rows = {(row["surface"], row["d_stop"], row["tracer"]): row for row in answer["rows"]}
+        self.assertEqual(len(rows), 2 * 2 * 4)
+        for (_, _, tracer), row in rows.items():
+            self.assertGreater(row["frame_ms"]["median"], 0)
+            self.assertEqual(row["refuted"], 0)
+            self.assertEqual(row["missed"], 0)
+            self.assertEqual(row["certified"] + row["undecided"] + row["miss"], 40 * 40)
+            self.assertEqual(row["printed_ms"] is None, tracer == "beams")
+        slow = rows["trilerp", 22, "t-bisection"]
+        self.assertAlmostEqual(slow["printed_ms"], 1000 / 0.31)
+        self.assertAlmostEqual(slow["printed_times"], 2.8 / 0.31)
+        self.assertAlmostEqual(slow["times"], slow["frame_ms"]["median"]
+                               / rows["trilerp", 22, "k-bisection"]["frame_ms"]["median"])
+
+    def test_all_tracers_on_chosen_surfaces(self):
+        answer = self.compare("--surface", "sphere,planes", "--tracer", "all", "--dstop", "8")
+        rows = answer["rows"]
+        self.assertEqual({row["surface"] for row in rows}, {"sphere", "planes"})
+        proving = [row for row in rows if row["tracer"] != "point-sampling"]
+        sampled = [row for row in rows if row["tracer"] == "point-sampling"]
+        self.assertGreater(len(proving), 20)
+        self.assertEqual(len(sampled), 2)
+        for row in proving:
+            self.assertEqual((row["missed"], row["refuted"]), (0, 0), row)
+            self.assertGreater(row["certified"], row["undecided"], row)
+        for row in sampled:
+            self.assertEqual(row["certified"], 0)
+
+    def test_text_and_file(self):
+        table = self.run_ok("compare", "--table", "florez-table-4.1", "--surface", "sphere",
+                            "--size", 24, "--repeat", 1, "--json", "compare.json").out
+        for word in ("Florez 2008", "mrfro-newton", "printed", "missed", "Horned Cube"):
+            self.assertIn(word, table)
+        lines = [line for line in table.splitlines() if line.startswith("sphere")]
+        self.assertEqual(len(lines), 6)
+        self.assertEqual(len({len(line.rstrip()) for line in lines}), 1)  # aligned
+        answer = json.loads((self.folder / "compare.json").read_text(encoding="utf-8"))
+        self.assertEqual(len(answer["rows"]), 6)

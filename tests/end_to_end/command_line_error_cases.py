@@ -122,6 +122,14 @@ WRONG_COMMANDS = [
     (["bench", "--reflections", "6"], ["--reflections 6", "5"]),
     (["bench", "--first-picture", "--antialias"], ["--first-picture", "--antialias"]),
     (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
+    (["compare", "--table", "knoll"], ["--table knoll", "knoll-table-1", "florez-table-4.1"]),
+    (["compare", "--tracer", "beams,magic"], ["--tracer magic", "sphere-tracing"]),
+    (["compare", "--surface", "sphere,cube"], ["--surface cube", "tangle"]),
+    (["compare", "--dstop", "10,99"], ["--dstop", "99"]),
+    (["compare", "--threads", "0"], ["--threads"]),
+    (["compare", "--repeat", "0"], ["--repeat"]),
+    (["compare", "--size", "0"], ["--size"]),
+    (["compare", "--budget", "-1"], ["--budget"]),
     (["--nope"], ["--nope"]),
     (["--present"], ["--present", "FILE.zeroset.json"]),
     (["--present", "no_such.zeroset.json"], ["no_such.zeroset.json"]),
@@ -265,6 +273,10 @@ class UnwritableTest(ProgramTest):
                 result = run("render", "x", "--size", "8", option, name, cwd=self.folder)
                 self.check_failed(result, [name])
                 self.assertEqual(self.files(), [])
+
+    def test_no_such_folder_for_figures(self):
+        result = run("compare", "--size", "8", "--json", "no/out.json", cwd=self.folder)
+        self.check_failed(result, ["no/out.json"])
 
     def test_one_unwritable_file_leaves_the_others_unwritten(self):
         result = run("render", "x", "--size", "8", "-o", "out.png", "--depth", "no/out.pfm",

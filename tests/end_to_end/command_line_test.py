@@ -4,7 +4,7 @@ import json
 import math
 from collections import Counter
 
-from command_line_bench_cases import BenchTest
+from command_line_bench_cases import BenchTest, CompareTest
 from command_line_budget_cases import BudgetTest, SignalTest
 from command_line_depth_cases import DepthTest
 from command_line_error_cases import UnwritableTest, WrongInputTest
@@ -17,7 +17,7 @@ from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
 
 # The test cases that unittest runs from here, imported ones included.
-__all__ = ["BenchTest", "BudgetTest", "DepthTest", "ExplainTest", "FilmPixelsTest",
+__all__ = ["BenchTest", "BudgetTest", "CompareTest", "DepthTest", "ExplainTest", "FilmPixelsTest",
            "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "SignalTest", "UnwritableTest",
            "WrongInputTest"]
 
@@ -366,9 +366,9 @@ class HelpTest(ProgramTest):
 
     def test_help_names_every_subcommand(self):
         text = self.run_ok("--help").out
-        for word in ("render", "draw", "gallery", "explain", "bench", "EQUATION"):
+        for word in ("render", "draw", "gallery", "explain", "bench", "compare", "EQUATION"):
             self.assertIn(word, text)
-        for command in ("render", "draw", "gallery", "explain", "bench"):
+        for command in ("render", "draw", "gallery", "explain", "bench", "compare"):
             self.assertIn("--help", self.run_ok(command, "--help").out)
 
 

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <charconv>
 #include <cstdio>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -21,7 +22,7 @@ constexpr const char* usage =
     "usage: ray_checks [--size N] [--dstop N] [--rays N] [--edges N] [--bits N]\n"
     "                  [--surfaces N] [--seed S] [--gallery 0|1] [--cut 0|1]\n"
     "                  [--commands 0|1] [--threads N] [TRACER...]\n"
-    "Checks these tracers, all if none is given.\n"
+    "Checks these tracers, all that prove what they show if none is given.\n"
     "  --size      width and height of the pictures, 128 if not given\n"
     "  --rays      of each picture, at random; 0, the default: all\n"
     "  --edges     of each picture, besides those, at random where neighbours differ\n"
@@ -77,7 +78,8 @@ std::optional<Options> options_of(const std::vector<std::string_view>& arguments
             std::from_chars(value.data(), value.data() + value.size(), *number);
         if (error != std::errc{} || end != value.data() + value.size()) return std::nullopt;
     }
-    if (options.tracers.empty()) options.tracers.assign(tracers().begin(), tracers().end());
+    if (options.tracers.empty())
+        std::ranges::copy_if(tracers(), std::back_inserter(options.tracers), &Tracer::proves);
     return options;
 }
 

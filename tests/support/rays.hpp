@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -91,9 +92,17 @@ private:
     }
 };
 
+/// The tracers that prove what they show.
+inline std::vector<Tracer> proving_tracers() {
+    std::vector<Tracer> proving;
+    std::ranges::copy_if(tracers(), std::back_inserter(proving), &Tracer::proves);
+    return proving;
+}
+
+/// Their names.
 inline std::vector<std::string> tracer_names() {
     std::vector<std::string> names;
-    for (const Tracer& tracer : tracers())
+    for (const Tracer& tracer : proving_tracers())
         names.emplace_back(tracer.name);
     return names;
 }

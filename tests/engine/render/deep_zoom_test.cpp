@@ -5,6 +5,7 @@
 #include "engine/scene/precision.hpp"
 #include "tests/support/exact_ray.hpp"
 #include "tests/support/mpfr_number.hpp"
+#include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -259,12 +260,12 @@ std::string test_name(const Tracer& tracer) {
 INSTANTIATE_TEST_SUITE_P(Ways, DeepZoom,
                          ::testing::Combine(::testing::Values(Way{"small_box", small_box},
                                                               Way{"near_camera", near_camera}),
-                                            ::testing::ValuesIn(tracers())),
+                                            ::testing::ValuesIn(proving_tracers())),
                          [](const auto& way) {
                              return std::get<Way>(way.param).name + std::string("_") +
                                     test_name(std::get<Tracer>(way.param));
                          });
-INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(tracers()),
+INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(proving_tracers()),
                          [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
+
+#include <cstddef>
+
+namespace zeroset {
+
+/// Pixels of a picture that are not as those proved in another picture of the same view.
+struct WrongPixels {
+    std::size_t missed = 0;   ///< a certified root there, nothing shown
+    std::size_t added = 0;    ///< proved empty there, something shown
+    std::size_t moved = 0;    ///< a certified root there, shown farther from it than allowed
+    std::size_t refuted = 0;  ///< those of all these that the picture claims to have proved
+};
+
+/// `tolerance`: how far hits of `frame` may be from the roots of `proved`, world units along the
+/// ray's dominant axis. `proved`: traced so finely that its own error does not count.
+WrongPixels wrong_pixels(const Framebuffer& frame, const Framebuffer& proved, const Camera& camera,
+                         double tolerance);
+
+}  // namespace zeroset

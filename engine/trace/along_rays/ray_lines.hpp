@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/trace/tile.hpp"
+#include "engine/trace/tile_rays.hpp"
+#include "engine/trace/trace_frame.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace zeroset {
+
+/// The ray of a pixel: the point at depth s is origin + s direction.
+struct RayLine {
+    std::array<double, 3> origin, direction;
+    DepthRange inside;  ///< where it is inside the clip box and the region
+    double from, to;    ///< where roots are looked for: not beyond the tile's limit by much
+    double per_size;    ///< change of s for a step of 1 along the ray's dominant axis
+    std::uint8_t axis;  ///< the dominant one
+};
+
+/// The rays of a tile on which something may be seen.
+class RayLines {
+public:
+    /// Keeps its room from one tile to the next. `digits`: of the type in which f is enclosed.
+    void begin(const TraceFrame& frame, const Tile& tile, const TileRays& rays, int digits);
+
+    /// The pixels whose rays are inside the clip box and the region somewhere.
+    [[nodiscard]] const std::vector<std::uint32_t>& pixels() const { return pixels_; }
+    [[nodiscard]] const RayLine& of(std::uint32_t pixel) const { return lines_[pixel]; }
+    /// The width of the finest stretches at depth s on a ray: cells as in SearchDepth, or the
+    /// value of the rule epsilon, but not below a few ulp of the type.
+    [[nodiscard]] double finest(const RayLine& line, double s) const;
+    /// Whether brackets of some finest stretches are narrow enough to certify a root.
+    [[nodiscard]] bool certifies(const RayLine& line) const { return certifies_[line.axis]; }
+
+private:
+    void set_cells(const TraceFrame& frame, int digits);
+    void add(const Tile& tile, const TileRays& rays, int col, int row);
+
+    std::vector<RayLine> lines_;  ///< in rows of tile_size
+    std::vector<std::uint32_t> pixels_;
+    double epsilon_ = 0.0;          ///< of the rule epsilon; 0: another one
+    std::array<double, 3> cell_{};  ///< the finest, of rays along each axis, world units
+    std::array<bool, 3> certifies_{};
+    bool grows_ = false;  ///< cells grow with their distance from the eye
+    double look_distance_ = 0.0;
+    double growth_ = 0.0;       ///< a cell for each unit of that distance
+    double most_growth_ = 1.0;  ///< the widest cell, in finest ones
+};
+
+}  // namespace zeroset

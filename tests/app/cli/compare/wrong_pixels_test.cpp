@@ -1,0 +1,68 @@
+#include "app/cli/compare/wrong_pixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+// Pixels unlike those that are proved, kind by kind.
+
+namespace zeroset::test {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::infinity();
+
+struct Pixel {
+    Certificate certificate;
+    float depth;
+};
+
+WrongPixels judged(const Pixel& shown, const Pixel& proved) {
+    Framebuffer frame(1, 1);
+    Framebuffer truth(1, 1);
+    frame.certificate[0] = shown.certificate;
+    frame.depth[0] = shown.depth;
+    truth.certificate[0] = proved.certificate;
+    truth.depth[0] = proved.depth;
+    const Camera camera{.eye = {0, -4, 0}, .look_at = {0, 0, 0}, .fov_rad = 0.5};
+    return wrong_pixels(frame, truth, camera, 0.01);
+}
+
+void expect_counts(const WrongPixels& wrong, std::size_t missed, std::size_t added,
+                   std::size_t moved, std::size_t refuted) {
+    EXPECT_EQ(wrong.missed, missed);
+    EXPECT_EQ(wrong.added, added);
+    EXPECT_EQ(wrong.moved, moved);
+    EXPECT_EQ(wrong.refuted, refuted);
+}
+
+constexpr Pixel root{Certificate::Certified, 3.0F};
+constexpr Pixel empty{Certificate::Miss, none};
+constexpr Pixel unknown{Certificate::Undecided, 3.0F};
+
+TEST(WrongPixels, AreNoneInTheSamePicture) {
+    expect_counts(judged(root, root), 0, 0, 0, 0);
+    expect_counts(judged(empty, empty), 0, 0, 0, 0);
+    expect_counts(judged({Certificate::Undecided, 3.009F}, root), 0, 0, 0, 0);
+    expect_counts(judged({Certificate::Undecided, none}, empty), 0, 0, 0, 0);
+}
+
+TEST(WrongPixels, AreMissedAddedOrMoved) {
+    expect_counts(judged({Certificate::Undecided, none}, root), 1, 0, 0, 0);
+    expect_counts(judged({Certificate::Undecided, 3.0F}, empty), 0, 1, 0, 0);
+    expect_counts(judged({Certificate::Undecided, 3.02F}, root), 0, 0, 1, 0);
+    expect_counts(judged({Certificate::Undecided, 2.98F}, root), 0, 0, 1, 0);
+}
+
+TEST(WrongPixels, AreRefutedWhereTheyClaimToBeProved) {
+    expect_counts(judged(empty, root), 1, 0, 0, 1);
+    expect_counts(judged(root, empty), 0, 1, 0, 1);
+    expect_counts(judged({Certificate::Certified, 3.5F}, root), 0, 0, 1, 1);
+}
+
+TEST(WrongPixels, CountOnlyWhereSomethingIsProved) {
+    expect_counts(judged(empty, unknown), 0, 0, 0, 0);
+    expect_counts(judged({Certificate::Certified, 9.0F}, unknown), 0, 0, 0, 0);
+}
+
+}  // namespace
+}  // namespace zeroset::test
