@@ -2,8 +2,8 @@
 
 #include "app/desktop/wait_notice.hpp"
 #include "document/document.hpp"
-#include "engine/base/language.hpp"
 #include "document/sheet.hpp"
+#include "engine/base/language.hpp"
 #include "engine/render/render_job.hpp"
 #include "engine/scene/settings.hpp"
 #include "pipeline/color_formulas.hpp"

@@ -119,11 +119,11 @@ ParseError SyntaxParser::no_function(const Token& name) const {
     const auto meant = nearest_known_name(full);
     const bool is_letter = is_built_in_value(full) || is_parameter_name(full);
     const bool defines = is_letter && !(meant && meant->starts_with("f_"));
-    return {.offset = name.offset,
-            .reason = filled(tr("{0} is not a function"), {quoted(full)}),
-            .hint = defines ? hint_to_define(full) : hint_for_unknown_function(full),
-            .mend = defines || !meant ? std::nullopt
-                                      : std::optional(Mend{.word = full, .by = *meant})};
+    return {
+        .offset = name.offset,
+        .reason = filled(tr("{0} is not a function"), {quoted(full)}),
+        .hint = defines ? hint_to_define(full) : hint_for_unknown_function(full),
+        .mend = defines || !meant ? std::nullopt : std::optional(Mend{.word = full, .by = *meant})};
 }
 
 ParseError SyntaxParser::wrong_count(const Token& token, const Function& function,
