@@ -128,6 +128,11 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
                                     "stop at boxes with a diagonal below E, world units");
     auto* const delta =
         add_value(app, "--delta", trace.delta, "stop where the enclosure of f is narrower than D");
+    add_value(app, "--levels", trace.levels,
+              "of the octree's tracers: halve the clip box N times, 10 to 53, in place of --dstop")
+        ->excludes(d_stop)
+        ->excludes(epsilon)
+        ->excludes(delta);
     d_stop->excludes(epsilon)->excludes(delta);
     epsilon->excludes(delta);
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");

@@ -46,6 +46,7 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
     if (command.shadows) return InputError{.reason = has + "no --shadows; leave it out"};
     if (command.antialias) return InputError{.reason = has + "no --antialias; leave it out"};
+    if (command.levels) return InputError{.reason = has + "no --levels; leave it out"};
     if (command.aa) return InputError{.reason = has + "no --aa; leave it out"};
     if (command.light.look) return InputError{.reason = has + "no --look; leave it out"};
     if (command.light.reflections)
@@ -81,7 +82,9 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
         TraceText text;
         text.tracer = names.substr(begin, end - begin);
-        text.d_stop = command.d_stop.value_or(command.first_picture ? "14" : "10");
+        text.levels = command.levels;
+        if (!text.levels)
+            text.d_stop = command.d_stop.value_or(command.first_picture ? "14" : "10");
         text.threads = command.threads;
         const auto settings = read_trace_settings(text);
         if (!settings) return std::unexpected(settings.error());

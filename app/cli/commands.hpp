@@ -80,7 +80,7 @@ struct ExplainCommand {
 int run_explain(const ExplainCommand& command);
 
 struct BenchCommand {
-    std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
+    std::optional<std::string> suite, tracers, threads, d_stop, levels, size, repeat, budget, json;
     bool shadows = false, antialias = false;  ///< antialias: the same as an `aa`
     std::optional<std::string> aa;            ///< as read_antialias reads it
     LightText light;                          ///< the look and the mirrors; no other
@@ -94,6 +94,15 @@ struct CompareCommand {
         json;
 };
 int run_compare(const CompareCommand& command);
+
+/// Repeats the traversals of octrees in 128 bits and prints what differs, as JSON.
+struct TraversalCommand {
+    std::string equation;
+    ViewText view;
+    std::optional<std::string> levels, threads;
+    std::string size = "512x512";
+};
+int run_traversal(const TraversalCommand& command);
 
 struct GalleryCommand {
     bool names = false;

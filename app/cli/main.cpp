@@ -109,7 +109,9 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     add_value(*bench_app, "--suite", bench.suite,
               "a JSON file of surfaces (default: the gallery's)");
     add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
-    add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
+    auto* const d_stop =
+        add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
+    add_value(*bench_app, "--levels", bench.levels, "as for render")->excludes(d_stop);
     add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
     add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
     add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
@@ -151,6 +153,24 @@ CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
     return compare_app;
 }
 
+CLI::App* add_traversal(CLI::App& app, TraversalCommand& traversal) {
+    CLI::App* const traversal_app =
+        app.add_subcommand("traversal", "repeat the octrees' traversals in numbers of 128 bits");
+    traversal_app->footer(
+        "Prints as JSON, for octree, octree-unrounded and gargantini, how many octants were "
+        "divided, on how many rays, and how many sub-octants were missed or surplus.");
+    add_value(*traversal_app, "EQUATION", traversal.equation,
+              "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
+    add_value(*traversal_app, "--levels", traversal.levels,
+              "halve the clip box so often: 10 to 53 (default 30)");
+    add_value(*traversal_app, "--size", traversal.size,
+              "WIDTHxHEIGHT of the rays, or N for a square (default 512)");
+    add_value(*traversal_app, "--threads", traversal.threads, "threads (default: all cores)");
+    add_view_options(*traversal_app, traversal.view);
+    return traversal_app;
+}
+
 /// The values of all subcommands' options.
 struct Commands {
     RenderCommand render;
@@ -163,6 +183,7 @@ struct Commands {
     ExplainCommand explain;
     BenchCommand bench;
     CompareCommand compare;
+    TraversalCommand traversal;
 };
 
 /// A subcommand and what it does.
@@ -185,6 +206,7 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
         {add_explain(app, c.explain), [&c] { return run_explain(c.explain); }},
         {add_bench(app, c.bench), [&c] { return run_bench(c.bench); }},
         {add_compare(app, c.compare), [&c] { return run_compare(c.compare); }},
+        {add_traversal(app, c.traversal), [&c] { return run_traversal(c.traversal); }},
         {language_app, [] { return run_language(); }},
     };
 }

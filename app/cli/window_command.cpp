@@ -15,6 +15,10 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     if (!input) return std::unexpected(input.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());
+    if (trace.levels) {
+        return wrong_input("--levels " + *trace.levels +
+                           ": the window has --dstop only; type zeroset render for a picture");
+    }
     if (!input->rows && input->path.empty() && errors == TextErrors::Refused)
         return std::unexpected(input->rows.error());
     DesktopOptions options;

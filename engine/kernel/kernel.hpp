@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/kernel/batches.hpp"
+#include "engine/kernel/kernel_memory.hpp"
 #include "engine/kernel/specializer.hpp"
 #include "engine/kernel/uniforms.hpp"
 #include "engine/real/rounding.hpp"
@@ -72,6 +73,8 @@ struct Kernel {
     bool defined_everywhere = false;  ///< f is surely defined for all values of the variables
     /// Ranges of a function that is continuous only where f is defined; none: not known.
     KernelFunction<RangeBatchOf<double>> domain;
+    /// What tracers keep of this function from frame to frame; not nullptr.
+    std::shared_ptr<KernelMemory> memory = std::make_shared<KernelMemory>();
 
     /// The functions in one type.
     template <class Real>

@@ -84,7 +84,7 @@ class TilePainter {
 public:
     /// `fineness`: pixels of `image` across one of the picture.
     TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
-                const ImageSize& image, int fineness);
+                const ImageSize& image, int fineness, const TimeLimit& limit);
     /// In upward rounding.
     TileState paint(Tile tile, const TimeLimit& limit, Workspace& workspace, const Canvas& out,
                     Counters& counters) const;
@@ -117,11 +117,12 @@ private:
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
     std::vector<std::unique_ptr<FrameUnion>> unions_;     ///< nullptr: no union is known
     std::vector<std::unique_ptr<OpenView>> open_views_;   ///< nullptr: not known
+    std::vector<std::shared_ptr<const PreparedSurface>> prepared_;  ///< by the tracer; or none
     std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
 };
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
-                         const ImageSize& image, int fineness)
+                         const ImageSize& image, int fineness, const TimeLimit& limit)
     : tracer_(*find_tracer(settings.tracer)),
       light_(scene, view, settings, fineness),
       beams_(antialias_of(scene, settings) == Antialias::Beams) {
@@ -130,7 +131,12 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
         surfaces_.back().whole_pixels = beams_;
         if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
-    for (const TraceFrame& surface : surfaces_) {
+    for (TraceFrame& surface : surfaces_) {
+        if (tracer_.prepare != nullptr) {
+            prepared_.push_back(
+                tracer_.prepare(surface.with(surface.kernel, limit), settings.threads));
+            surface.prepared = prepared_.back().get();
+        }
         const bool pays = tracer_.specializes || surface.kernel.interpreted;
         kernels_.push_back(
             pays && surface.kernel.specializer ? std::make_unique<FrameKernels>(surface) : nullptr);
@@ -253,7 +259,8 @@ public:
     FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                  const ImageBand& band, Framebuffer& out, const RenderWatch& watch)
         : view_(camera),
-          painter_(scene, view_, settings, {.width = out.width, .height = band.height}, 1),
+          painter_(scene, view_, settings, {.width = out.width, .height = band.height}, 1,
+                   watch.limit),
           across_(rays_across(antialias_of(scene, settings))),
           band_(band),
           out_(out),
@@ -261,7 +268,8 @@ public:
         if (across_ > 1)
             fine_painter_.emplace(
                 scene, view_, settings,
-                ImageSize{.width = across_ * out.width, .height = across_ * band.height}, across_);
+                ImageSize{.width = across_ * out.width, .height = across_ * band.height}, across_,
+                watch.limit);
     }
     /// `tile`: of the image. `blank_rows`: the tile's of the band. In upward rounding.
     TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,

@@ -3,6 +3,8 @@
 #include "engine/trace/along_rays/tracers_along_rays.hpp"
 #include "engine/trace/beam/beam_tracer.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
+#include "engine/trace/octree/octree_memory.hpp"
+#include "engine/trace/octree/octree_tracer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,6 +58,23 @@ std::span<const Tracer> tracers() {
         Tracer{.name = "point-sampling",
                .about = "marching with sign changes; proves nothing and misses roots",
                .trace_tile = trace_tile_point_sampling,
+               .proves = false},
+        Tracer{.name = "octree",
+               .about = "an octree, in which surface and ray are voxelised together (Stolte 2005)",
+               .trace_tile = trace_tile_octree,
+               .prepare = prepare_octree,
+               .takes_levels = true},
+        Tracer{.name = "octree-unrounded",
+               .about = "the same without outward rounding of the ray",
+               .trace_tile = trace_tile_octree_unrounded,
+               .prepare = prepare_octree,
+               .takes_levels = true,
+               .proves = false},
+        Tracer{.name = "gargantini",
+               .about = "the same with the ray's intersections with mid-planes (Gargantini 1993)",
+               .trace_tile = trace_tile_gargantini,
+               .prepare = prepare_octree,
+               .takes_levels = true,
                .proves = false},
     };
     return table;

@@ -36,7 +36,8 @@ Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCri
     const double reach = std::max({far.x, far.y, far.z});
     const int possible = deepest_halving(clip, reach, std::numeric_limits<float>::digits);
     const SearchDepth depth = search_depth(clip, view, stop);
-    const bool whole = depth.deeper < deep_view && possible >= max_d_stop - most_missed_halvings;
+    const bool whole = depth.deeper < deep_view && depth.wanted <= max_d_stop &&
+                       possible >= max_d_stop - most_missed_halvings;
     return !whole && depth.wanted + lost_bits > possible ? Precision::Double : Precision::Float;
 }
 

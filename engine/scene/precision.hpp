@@ -36,7 +36,7 @@ int deepest_halving(const Box& clip, double reach, int digits);
 
 /// Double where float could not decide at the wanted cells: the box is so far from the origin, or
 /// the view so deep in it, that they are near or below float's resolution there. Whole boxes near
-/// the origin stay in float at any d_stop.
+/// the origin stay in float up to max_d_stop.
 Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCriterion& stop);
 
 /// The precision that the view wants, and double where numbers of the scene's functions leave the

@@ -12,6 +12,11 @@ namespace zeroset {
 
 class OpenView;
 
+/// What a tracer has made of a surface before it is asked for tiles (Tracer::prepare). Read-only.
+struct PreparedSurface {
+    virtual ~PreparedSurface() = default;
+};
+
 /// A part of a union (engine/trace/frame_union.hpp), and where it may be: at which depths along the
 /// view axis, from the plane through the point looked at, and where in the image.
 struct UnionMember {
@@ -39,6 +44,8 @@ struct TraceFrame {
     /// Where in this view the surface may be, of rays through the pixels of the image; nullptr: not
     /// known. Tracers may leave out what is elsewhere.
     const OpenView* open = nullptr;
+    /// By the tracer, of the whole surface; nullptr: nothing was prepared.
+    const PreparedSurface* prepared = nullptr;
 
     /// Whether the search is to end. Tracers look at it before each call of a kernel or so, not for
     /// each cell.
@@ -53,7 +60,8 @@ struct TraceFrame {
                 .depth = depth,
                 .precision = precision,
                 .limit = new_limit,
-                .whole_pixels = whole_pixels};
+                .whole_pixels = whole_pixels,
+                .prepared = prepared};
     }
 };
 

@@ -4,6 +4,7 @@
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
 
+#include <memory>
 #include <string_view>
 
 namespace zeroset {
@@ -21,6 +22,13 @@ struct Tracer {
     bool specializes = false;
     bool takes_open_space = false;  ///< knows of TraceFrame::open
     bool takes_unions = false;      ///< knows of TraceFrame::union_members
+    /// Makes what belongs to a surface rather than to a view of it, on so many threads (0: all
+    /// cores), or finds it where a frame before has left it (Kernel::memory); nullptr where `limit`
+    /// is over. Called once for a frame; the kernel is the whole one. No function: there is
+    /// nothing.
+    std::shared_ptr<const PreparedSurface> (*prepare)(const TraceFrame& surface,
+                                                      int threads) = nullptr;
+    bool takes_levels = false;  ///< searches depths beyond max_d_stop, up to max_levels
     /// Whether it certifies roots and rays without any; else all it says is undecided, and where it
     /// shows nothing there may be a root.
     bool proves = true;

@@ -11,6 +11,13 @@ RUN_TIME = 1
 
 # (wrong options of `render x`, words that the error line must contain)
 WRONG_OPTIONS = [
+    (["bench", "--levels", "30"], ["--levels 30", "beams"]),
+    (["bench", "--first-picture", "--levels", "30"], ["--first-picture", "--levels"]),
+    (["traversal"], ["EQUATION"]),
+    (["traversal", "x", "--levels", "54"], ["--levels 54", "10 to 53"]),
+    (["traversal", "x", "--size", "0"], ["--size"]),
+    (["traversal", "x +"], ["x +"]),
+    (["x", "--tracer", "octree", "--levels", "30"], ["--levels 30", "window", "render"]),
     (["--nope"], ["--nope"]),
     (["--color-by", ""], ["--color-by", "expression"]),
     (["--color-map", "jet"], ["--color-map jet", "aurora"]),
@@ -70,6 +77,10 @@ WRONG_OPTIONS = [
     (["--epsilon", "-1"], ["--epsilon"]),
     (["--delta", "nan"], ["--delta", "nan"]),
     (["--dstop", "5", "--epsilon", "0.1"], ["--dstop", "--epsilon"]),
+    (["--levels", "30"], ["--levels 30", "beams", "--tracer octree"]),
+    (["--tracer", "octree", "--levels", "54"], ["--levels 54", "10 to 53"]),
+    (["--tracer", "octree", "--levels", "9"], ["--levels 9", "10 to 53"]),
+    (["--tracer", "octree", "--levels", "30", "--dstop", "9"], ["--levels", "--dstop"]),
     (["--threads", "0"], ["--threads"]),
     (["--threads", "1.5"], ["--threads", "1.5"]),
     (["--repeat", "0"], ["--repeat"]),

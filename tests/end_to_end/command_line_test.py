@@ -13,13 +13,14 @@ from command_line_film_cases import FilmTest, FormatTest
 from command_line_film_pixels_cases import FilmPixelsTest
 from command_line_lost_file_cases import LostFileTest
 from command_line_mesh_cases import MeshTest
+from command_line_octree_cases import OctreeTest
 from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
 
 # The test cases that unittest runs from here, imported ones included.
 __all__ = ["BenchTest", "BudgetTest", "CompareTest", "DepthTest", "ExplainTest", "FilmPixelsTest",
-           "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "SignalTest", "UnwritableTest",
-           "WrongInputTest"]
+           "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "OctreeTest", "SignalTest",
+           "UnwritableTest", "WrongInputTest"]
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
@@ -366,9 +367,10 @@ class HelpTest(ProgramTest):
 
     def test_help_names_every_subcommand(self):
         text = self.run_ok("--help").out
-        for word in ("render", "draw", "gallery", "explain", "bench", "compare", "EQUATION"):
+        for word in ("render", "draw", "gallery", "explain", "bench", "compare", "traversal",
+                     "EQUATION"):
             self.assertIn(word, text)
-        for command in ("render", "draw", "gallery", "explain", "bench", "compare"):
+        for command in ("render", "draw", "gallery", "explain", "bench", "compare", "traversal"):
             self.assertIn("--help", self.run_ok(command, "--help").out)
 
 

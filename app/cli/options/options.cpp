@@ -313,6 +313,15 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
             return wrong_input(std::string(option) + " " + **typed + ": must be above 0");
         settings.stop = {.rule = rule, .value = *value};
     }
+    if (text.levels) {
+        const auto levels = read_integer("--levels", *text.levels, min_levels, max_levels);
+        if (!levels) return std::unexpected(levels.error());
+        if (!find_tracer(settings.tracer)->takes_levels) {
+            return wrong_input("--levels " + *text.levels + ": the tracer " + settings.tracer +
+                               " has none; type --dstop, or add --tracer octree");
+        }
+        settings.stop = {.rule = StopRule::DStop, .value = static_cast<double>(*levels)};
+    }
     if (text.threads) {
         const auto threads = read_integer("--threads", *text.threads, 1, 1024);
         if (!threads) return std::unexpected(threads.error());

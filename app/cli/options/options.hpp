@@ -34,7 +34,7 @@ struct ViewText {
 
 /// Options for tracing and for the look, as typed.
 struct TraceText {
-    std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
+    std::optional<std::string> tracer, d_stop, epsilon, delta, levels, threads;
     std::optional<std::string> aa;  ///< as read_antialias reads it
     /// True or false as given; absent: the document's choice. `antialias`: the same as an `aa`.
     std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid, textbook;

@@ -216,6 +216,21 @@ Meeting meeting_of(const DomainScene& scene, const Ray& ray) {
     return meeting;
 }
 
+namespace {
+
+/// The last place in the piece on the way from a point in it to `to`.
+glm::dvec3 last_inside(const Piece& piece, const glm::dvec3& point, const glm::dvec3& to) {
+    double inside = 0.0;
+    double outside = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (inside + outside);
+        (piece.inside(glm::mix(point, to, middle)) < 0 ? outside : inside) = middle;
+    }
+    return glm::mix(point, to, inside);
+}
+
+}  // namespace
+
 bool is_near(const DomainScene& scene, const glm::dvec3& point, double reach) {
     constexpr int n = 4;  // places on each side
     for (const Piece& piece : scene.pieces) {
@@ -224,8 +239,11 @@ bool is_near(const DomainScene& scene, const glm::dvec3& point, double reach) {
         for (int i = 0; i < (2 * n + 1) * (2 * n + 1) * (2 * n + 1); ++i) {
             const glm::dvec3 step(i % (2 * n + 1) - n, i / (2 * n + 1) % (2 * n + 1) - n,
                                   i / ((2 * n + 1) * (2 * n + 1)) - n);
-            const glm::dvec3 p = point + reach / n * step;
-            if (piece.inside(p) < 0) continue;
+            glm::dvec3 p = point + reach / n * step;
+            if (piece.inside(p) < 0) {
+                if (piece.inside(point) < 0) continue;
+                p = last_inside(piece, point, p);
+            }
             const double f = piece.f(p);
             below |= f <= 0;
             above |= f >= 0;

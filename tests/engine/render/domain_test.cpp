@@ -58,7 +58,7 @@ void expect_true(const DomainScene& scene, const Ray& ray, const Meeting& met, c
     } else if (pixel.certificate == Certificate::Certified) {
         EXPECT_NEAR(pixel.depth, met.first, margin) << "certified";
     } else if (pixel.depth < infinity) {
-        // The places that is_near tries may all miss the domain beside its end.
+        // The places that is_near tries may all miss the domain where the point is outside of it.
         EXPECT_TRUE(std::abs(pixel.depth - met.first) < margin ||
                     is_near(scene, ray.at(pixel.depth), bracket_cells * cell + rounding))
             << "drawn at " << pixel.depth << ", off the surface";

@@ -57,6 +57,14 @@ TEST(WantedPrecision, IsFloatForOrdinaryViewsAtAnyDStop) {
     EXPECT_EQ(wanted_precision(off_centre, view_from(5, {2, 1, 0}), finest), Precision::Float);
 }
 
+TEST(WantedPrecision, IsDoubleBeyondTheFinestDStop) {
+    const Box box = Box::cube(2);
+    for (const double levels : {23.0, 30.0, 53.0}) {
+        EXPECT_EQ(wanted_precision(box, view_from(8), {StopRule::DStop, levels}),
+                  Precision::Double);
+    }
+}
+
 TEST(WantedPrecision, IsDoubleForABoxFarFromTheOrigin) {
     for (const double half : {1e-3, 1e-9, 1e-15}) {
         const Box box = box_at({0.3, -1.2, 0.7}, half);

@@ -164,6 +164,23 @@ TEST(ReadTraceSettings, RefusesWhatIsWrong) {
     }
 }
 
+TEST(ReadTraceSettings, TakesLevelsOfOctrees) {
+    for (const char* const tracer : {"octree", "octree-unrounded", "gargantini"}) {
+        const auto settings =
+            settings_of({{&TraceText::tracer, tracer}, {&TraceText::levels, "53"}});
+        ASSERT_TRUE(settings);
+        EXPECT_EQ(settings->stop, (StopCriterion{StopRule::DStop, 53.0}));
+        for (const char* const text : {"9", "54", "-1", "30.5", "many", ""}) {
+            expect_refused(settings_of({{&TraceText::tracer, tracer}, {&TraceText::levels, text}}),
+                           "--levels");
+        }
+    }
+    for (const char* const tracer : {"beams", "k-bisection"}) {
+        expect_refused(settings_of({{&TraceText::tracer, tracer}, {&TraceText::levels, "30"}}),
+                       "--tracer octree");
+    }
+}
+
 TEST(TakeLook, SwitchesAllOfATextbooksLinesAtOnce) {
     Document document;
     TraceText text;
