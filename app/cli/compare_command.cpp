@@ -321,7 +321,7 @@ struct MeanKey {
 std::map<MeanKey, double> means_of(const std::vector<Row>& rows) {
     std::map<MeanKey, std::pair<double, int>> sums;
     for (const Row& row : rows) {
-        auto& [sum, count] = sums[{row.d_stop, row.tracer}];
+        auto& [sum, count] = sums[{.d_stop = row.d_stop, .tracer = row.tracer}];
         sum += std::log(row.timing.median_ms);
         ++count;
     }

@@ -72,7 +72,7 @@ std::string ExportNews::text() const {
     const std::uint64_t done = std::min(done_.load(), parts);
     if (parts == 0) return stage_;
     const double seconds = seconds_since(begun_);
-    const std::string text =
+    std::string text =
         unit_.empty() ? std::to_string(100 * done / parts) + " %"
                       : filled(tr("{0} {1} of {2}"),
                                {tr(unit_.c_str()), std::to_string(done), std::to_string(parts)});

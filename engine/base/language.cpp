@@ -4,7 +4,7 @@
 #include "engine/base/text.hpp"
 
 #include <langinfo.h>
-#include <locale.h>
+#include <locale.h>  // NOLINT(modernize-deprecated-headers): newlocale is of POSIX
 
 #include <clocale>
 #include <cstdlib>

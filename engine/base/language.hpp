@@ -22,10 +22,10 @@ const char* own_name(Language language);
 
 /// The environment's variables that say what a desktop speaks; empty where they are not set.
 struct LocaleVariables {
-    std::string language;  ///< LANGUAGE: codes with ':' between them, the most wished first
-    std::string lc_all;
-    std::string lc_messages;
-    std::string lang;
+    std::string language = {};  ///< LANGUAGE: codes with ':' between them, the most wished first
+    std::string lc_all = {};
+    std::string lc_messages = {};
+    std::string lang = {};
 };
 
 /// The variables of this process.

@@ -11,13 +11,6 @@ RUN_TIME = 1
 
 # (wrong options of `render x`, words that the error line must contain)
 WRONG_OPTIONS = [
-    (["bench", "--levels", "30"], ["--levels 30", "beams"]),
-    (["bench", "--first-picture", "--levels", "30"], ["--first-picture", "--levels"]),
-    (["traversal"], ["EQUATION"]),
-    (["traversal", "x", "--levels", "54"], ["--levels 54", "10 to 53"]),
-    (["traversal", "x", "--size", "0"], ["--size"]),
-    (["traversal", "x +"], ["x +"]),
-    (["x", "--tracer", "octree", "--levels", "30"], ["--levels 30", "window", "render"]),
     (["--nope"], ["--nope"]),
     (["--color-by", ""], ["--color-by", "expression"]),
     (["--color-map", "jet"], ["--color-map jet", "aurora"]),
@@ -100,6 +93,13 @@ WRONG_OPTIONS = [
 
 # (other wrong command lines, words that the error line must contain)
 WRONG_COMMANDS = [
+    (["bench", "--levels", "30"], ["--levels 30", "beams"]),
+    (["bench", "--first-picture", "--levels", "30"], ["--first-picture", "--levels"]),
+    (["traversal"], ["EQUATION"]),
+    (["traversal", "x", "--levels", "54"], ["--levels 54", "10 to 53"]),
+    (["traversal", "x", "--size", "0"], ["--size"]),
+    (["traversal", "x +"], ["x +"]),
+    (["x", "--tracer", "octree", "--levels", "30"], ["--levels 30", "window", "render"]),
     (["render", "x"], ["-o"]),
     (["render", "x", "-o"], ["output"]),
     (["render", "x", "-o", "picture.bmp"], ["picture.bmp", ".png", ".exr"]),

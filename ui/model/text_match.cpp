@@ -100,7 +100,7 @@ bool begins_with(std::string_view text, std::string_view typed) {
 }  // namespace
 
 bool contains(std::string_view text, std::string_view part) {
-    return folded(text).find(folded(part)) != std::string::npos;
+    return folded(text).contains(folded(part));
 }
 
 bool contains_words(std::string_view text, std::string_view words) {

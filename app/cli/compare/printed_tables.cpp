@@ -6,6 +6,8 @@
 namespace zeroset {
 namespace {
 
+// Each row: surface, tracer, d_stop, value. NOLINTBEGIN(modernize-use-designated-initializers)
+
 // Epsilon 1e-3 and 2e-7 are d_stop 10 and 22 there.
 constexpr std::array knoll_table_1{
     PrintedValue{"trilerp", "k-bisection", 10, 10.6},
@@ -106,6 +108,7 @@ constexpr std::array tables{
                  .size_px = 300,
                  .values = florez_table_4_1},
 };
+// NOLINTEND(modernize-use-designated-initializers)
 
 }  // namespace
 

@@ -14,41 +14,15 @@
 
 namespace zeroset {
 
-std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
-    const std::string word = in_small_letters(name);
-    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
-        return std::ranges::find(words, word) != words.end();
-    };
-    if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
-                   "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
-        return ParseError{.offset = offset,
-                          .reason = filled(tr("vectors are not read: {0}"), {quoted(name)}),
-                          .hint = tr("write their components as numbers of their own")};
-    }
-    constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
-    const bool is_noise =
-        std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||
-        is_one_of({"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
-                   "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted", "f_waves",
-                   "f_wrinkles"});
-    if (is_noise) {
-        return ParseError{
-            .offset = offset,
-            .reason = filled(tr("there is no noise here: {0} is not known"), {quoted(name)}),
-            .hint = tr("leave it out, or type waves such as sin(5x) sin(5y) sin(5z)")};
-    }
-    if (is_one_of({"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
-        return ParseError{
-            .offset = offset,
-            .reason = filled(tr("iterations are not read: {0} repeats a step"), {quoted(name)}),
-            .hint = tr("type a formula that does without it")};
-    }
-    if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
-        return ParseError{
-            .offset = offset,
-            .reason = filled(tr("{0} of POV-Ray gives a color or a vector"), {quoted(name)}),
-            .hint = tr("type a formula that gives a number")};
-    }
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+/// The error for a word (of small letters) with which programs are written, typed as `name`.
+std::optional<ParseError> error_for_word_of_programs(std::string_view word, std::string_view name,
+                                                     std::size_t offset) {
     if (word == "for") {
         return ParseError{
             .offset = offset,
@@ -61,21 +35,58 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
             .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
             .hint = tr("define the function as f(x, y, z) = x^2 + y^2 - z")};
     }
-    if (is_one_of({"while", "return", "void", "else", "struct", "uniform", "import"})) {
+    if (is_one_of(word, {"while", "return", "void", "else", "struct", "uniform", "import"})) {
         return ParseError{
             .offset = offset,
             .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
             .hint = tr("type its formulas, each on a line of its own")};
     }
-    if (is_one_of({"contourplot3d", "plot3d", "implicitplot3d", "implicitplot", "implicit_plot3d",
-                   "fimplicit3", "fimplicit", "isosurface", "parametricplot3d", "show",
-                   "manipulate"})) {
+    if (is_one_of(word, {"contourplot3d", "plot3d", "implicitplot3d", "implicitplot",
+                         "implicit_plot3d", "fimplicit3", "fimplicit", "isosurface",
+                         "parametricplot3d", "show", "manipulate"})) {
         return ParseError{
             .offset = offset,
             .reason = filled(tr("{0} is a command of another program"), {quoted(name)}),
             .hint = tr("type only the equation in it")};
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
+    const std::string word = in_small_letters(name);
+    if (is_one_of(word, {"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
+                         "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
+        return ParseError{.offset = offset,
+                          .reason = filled(tr("vectors are not read: {0}"), {quoted(name)}),
+                          .hint = tr("write their components as numbers of their own")};
+    }
+    constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
+    const bool is_noise =
+        std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||
+        is_one_of(word, {"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
+                         "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted",
+                         "f_waves", "f_wrinkles"});
+    if (is_noise) {
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("there is no noise here: {0} is not known"), {quoted(name)}),
+            .hint = tr("leave it out, or type waves such as sin(5x) sin(5y) sin(5z)")};
+    }
+    if (is_one_of(word, {"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("iterations are not read: {0} repeats a step"), {quoted(name)}),
+            .hint = tr("type a formula that does without it")};
+    }
+    if (is_one_of(word, {"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
+        return ParseError{
+            .offset = offset,
+            .reason = filled(tr("{0} of POV-Ray gives a color or a vector"), {quoted(name)}),
+            .hint = tr("type a formula that gives a number")};
+    }
+    return error_for_word_of_programs(word, name, offset);
 }
 
 std::optional<std::string> nearest_known_name(std::string_view name) {

@@ -74,8 +74,8 @@ public:
     }
     /// Where f is continuous: its enclosure.
     [[nodiscard]] Interval<double> of(std::size_t i) const {
-        return without_nan(Interval<double>{static_cast<double>(boxes_.f_neg_lo[i]),
-                                            static_cast<double>(boxes_.f_hi[i])});
+        return without_nan(Interval<double>{.neg_lo = static_cast<double>(boxes_.f_neg_lo[i]),
+                                            .hi = static_cast<double>(boxes_.f_hi[i])});
     }
 
 private:
@@ -147,8 +147,8 @@ public:
     /// F' over the stretch; the whole line where it is not known.
     [[nodiscard]] Interval<double> slope(std::size_t i) const {
         if (!continuous(i)) return whole_line(0.0);
-        return without_nan(Interval<double>{static_cast<double>(cells_.slope_neg_lo[i]),
-                                            static_cast<double>(cells_.slope_hi[i])});
+        return without_nan(Interval<double>{.neg_lo = static_cast<double>(cells_.slope_neg_lo[i]),
+                                            .hi = static_cast<double>(cells_.slope_hi[i])});
     }
 
 private:

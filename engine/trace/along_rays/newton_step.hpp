@@ -15,8 +15,16 @@ inline void take_newton_step(const Stretch& t, const Interval<double>& f_middle,
                              const Interval<double>& slope, TaskOutcome& outcome) {
     const Interval<double> n = point(t.middle()) - f_middle / slope;
     Stretch left = t;
-    if (-n.neg_lo > t.from) left = {-n.neg_lo, left.to, EndSign::NotAsked, left.to_sign};
-    if (n.hi < t.to) left = {left.from, n.hi, left.from_sign, EndSign::NotAsked};
+    if (-n.neg_lo > t.from)
+        left = {.from = -n.neg_lo,
+                .to = left.to,
+                .from_sign = EndSign::NotAsked,
+                .to_sign = left.to_sign};
+    if (n.hi < t.to)
+        left = {.from = left.from,
+                .to = n.hi,
+                .from_sign = left.from_sign,
+                .to_sign = EndSign::NotAsked};
     if (!(left.from <= left.to)) return outcome.reject();
     constexpr double much = 0.5;
     if (left.width() <= much * t.width()) return outcome.narrow(left);
@@ -38,8 +46,10 @@ inline void take_alefeld_hansen_step(const Stretch& t, const Interval<double>& f
     const double neg_behind = neg_size / behind_slope - m;
     const bool front = front_end >= t.from;
     const bool behind = -neg_behind <= t.to;
-    const Stretch front_part{t.from, front_end, t.from_sign, EndSign::NotAsked};
-    const Stretch behind_part{-neg_behind, t.to, EndSign::NotAsked, t.to_sign};
+    const Stretch front_part{
+        .from = t.from, .to = front_end, .from_sign = t.from_sign, .to_sign = EndSign::NotAsked};
+    const Stretch behind_part{
+        .from = -neg_behind, .to = t.to, .from_sign = EndSign::NotAsked, .to_sign = t.to_sign};
     if (front && behind) return outcome.divide(front_part, behind_part);
     if (front) return outcome.narrow(front_part);
     if (behind) return outcome.narrow(behind_part);

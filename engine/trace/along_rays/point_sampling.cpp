@@ -83,7 +83,7 @@ private:
     void sample(std::size_t first, std::size_t count);
     void step(std::size_t first, std::size_t count);
     /// Takes the samples of a walker; notes the first change of the sign.
-    void take(std::size_t walker, std::size_t first_sample);
+    void take(std::size_t index, std::size_t first_sample);
     void finish_changes();
 
     RayField<double>& field_;

@@ -64,8 +64,8 @@ struct TaskOutcome {
     /// Divides a stretch in its middle, where f has this sign.
     void bisect(const Stretch& stretch, EndSign middle = EndSign::NotAsked) {
         const double at = stretch.middle();
-        divide({stretch.from, at, stretch.from_sign, middle},
-               {at, stretch.to, middle, stretch.to_sign});
+        divide({.from = stretch.from, .to = at, .from_sign = stretch.from_sign, .to_sign = middle},
+               {.from = at, .to = stretch.to, .from_sign = middle, .to_sign = stretch.to_sign});
     }
     void stop() { kind = Kind::Stop; }
     void take_root(double from, double to, double at) {
