@@ -98,7 +98,6 @@ WRONG_COMMANDS = [
     (["traversal"], ["EQUATION"]),
     (["traversal", "x", "--levels", "54"], ["--levels 54", "10 to 53"]),
     (["traversal", "x", "--size", "0"], ["--size"]),
-    (["traversal", "x +"], ["x +"]),
     (["x", "--tracer", "octree", "--levels", "30"], ["--levels 30", "window", "render"]),
     (["render", "x"], ["-o"]),
     (["render", "x", "-o"], ["output"]),
