@@ -64,7 +64,10 @@ void MarkerSnap::start(const ui::UiState& state, const PictureRequest& picture) 
 
 bool MarkerSnap::follow(ui::UiState& state, const std::optional<PictureRequest>& picture) {
     const bool wished = std::exchange(state.wishes.snap_marker, false);
-    if (wished && picture && !runs()) start(state, *picture);
+    if (wished && picture && !runs()) {
+        start(state, *picture);
+        return false;  // what it finds is told with a later picture, however soon it is found
+    }
     if (!runs() || found_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return false;
     const std::optional<SpecialPoint> found = found_.get();
