@@ -31,8 +31,6 @@ std::uint32_t swatch_color(const float (&side)[3]) {
            channel_of_light(side[0]);
 }
 
-std::uint32_t swatch_color(std::size_t surface) {
-    return swatch_color(colors_of(surface).front);
-}
+std::uint32_t swatch_color(std::size_t surface) { return swatch_color(colors_of(surface).front); }
 
 }  // namespace zeroset
