@@ -40,7 +40,7 @@ DEFINITIONS = {
     "engine/language/vocabulary/library.def": r'ZEROSET_LIBRARY\("\w+", "[^"]*", ',
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'
-KEYWORDS = ["tr:1", "tr_in:1c,2", "tr_count:1,2", "marked:1", "marked_in:1c,2", "choice:1",
+KEYWORDS = ["tr:1", "tr_in:1c,2", "marked:1", "marked_in:1c,2", "choice:1",
             "language_choice:1"]
 
 

@@ -68,11 +68,9 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     const auto size = read_size("--size", command.size.value_or(usual));
     if (!size) return std::unexpected(size.error());
     plan.size = *size;
-    if (command.repeat) {
-        const auto repeats = read_integer("--repeat", *command.repeat, 1, 10'000);
-        if (!repeats) return std::unexpected(repeats.error());
-        plan.repeats = *repeats;
-    }
+    const auto repeats = read_repeats(command.repeat, plan.repeats);
+    if (!repeats) return std::unexpected(repeats.error());
+    plan.repeats = *repeats;
     const auto budget = read_budget(command.budget);
     if (!budget) return std::unexpected(budget.error());
     plan.budget_s = *budget;

@@ -49,7 +49,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     return parts;
 }
 
-/// What the printed values have of one kind, each once, in their order.
+/// A member of the printed values, each value of it once, in their order.
 template <class Of>
 std::vector<std::string> printed(const PrintedTable& table, const Of& of) {
     std::vector<std::string> all;
@@ -144,11 +144,9 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
         read_size("--size", command.size.value_or(std::to_string(plan.table->size_px)));
     if (!size) return std::unexpected(size.error());
     plan.size = *size;
-    if (command.repeat) {
-        const auto repeats = read_integer("--repeat", *command.repeat, 1, 10'000);
-        if (!repeats) return std::unexpected(repeats.error());
-        plan.repeats = *repeats;
-    }
+    const auto repeats = read_repeats(command.repeat, plan.repeats);
+    if (!repeats) return std::unexpected(repeats.error());
+    plan.repeats = *repeats;
     const auto budget = read_budget(command.budget);
     if (!budget) return std::unexpected(budget.error());
     plan.budget_s = *budget;

@@ -29,7 +29,7 @@ PictureFeed::PictureFeed(std::function<void()> on_formula, std::function<void()>
 void PictureFeed::read(const Document& document) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
-    // What is told of the rows is told again in another language.
+    // Rows are read again in another language: their errors and notes are written in it.
     const bool told_otherwise = given_.language != language();
     if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
     if (told_otherwise) answered_ = {};

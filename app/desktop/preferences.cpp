@@ -8,6 +8,7 @@
 #include <array>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -38,21 +39,12 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 14> switches{
      {"clip_box", &ui::Layout::clip_box},
      {"grid", &ui::Layout::grid}}};
 
-std::optional<ui::Theme> theme_in(const json& file, const char* name) {
+/// The enum's value of which the file has the name, as `named` reads it.
+template <class Enum>
+std::optional<Enum> enum_in(const json& file, const char* name,
+                            std::optional<Enum> (*named)(std::string_view)) {
     const json value = file.value(name, json());
-    return value.is_string() ? ui::theme_named(value.get<std::string>()) : std::nullopt;
-}
-
-ui::WheelUse wheel_in(const json& file, const char* name, ui::WheelUse usual) {
-    const json value = file.value(name, json());
-    const auto use =
-        value.is_string() ? ui::wheel_use_named(value.get<std::string>()) : std::nullopt;
-    return use.value_or(usual);
-}
-
-std::optional<Language> language_in(const json& file, const char* name) {
-    const json value = file.value(name, json());
-    return value.is_string() ? language_named(value.get<std::string>()) : std::nullopt;
+    return value.is_string() ? named(value.get<std::string>()) : std::nullopt;
 }
 
 bool flag_in(const json& file, const char* name, bool usual) {
@@ -87,10 +79,10 @@ Preferences load_preferences(const fs::path& folder) {
                                      static_cast<double>(ui::letter_sizes.back()), 1.0));
     for (const auto& [name, flag] : switches)
         layout.*flag = flag_in(file, name, layout.*flag);
-    layout.wheel = wheel_in(file, "wheel", layout.wheel);
-    layout.language = language_in(file, "language");
-    result.theme = theme_in(file, "theme");
-    result.last_theme = theme_in(file, "last_theme").value_or(result.last_theme);
+    layout.wheel = enum_in(file, "wheel", ui::wheel_use_named).value_or(layout.wheel);
+    layout.language = enum_in(file, "language", language_named);
+    result.theme = enum_in(file, "theme", ui::theme_named);
+    result.last_theme = enum_in(file, "last_theme", ui::theme_named).value_or(result.last_theme);
     ui::WindowSize& window = result.window;
     window.width =
         static_cast<int>(number_in(file, "width", ui::min_width, largest_side, window.width));

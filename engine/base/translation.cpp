@@ -15,7 +15,7 @@ namespace {
 
 using Messages = boost::locale::message_format<char>;
 
-/// Holds the catalog of each language from its first use to the end of the program.
+/// Holds the messages of a language, to the end of the program.
 class Catalog {
 public:
     Catalog(std::string_view code, std::string_view bytes) {
@@ -39,26 +39,17 @@ private:
     std::locale holder_;  // owns them
 };
 
+/// nullptr for English, which needs none.
 const Messages* messages_of(Language language) {
-    switch (language) {
-        case Language::English: return nullptr;
-        case Language::German: {
-            static const Catalog german("de", message_catalogs()[0]);
-            return &german.messages();
-        }
-        case Language::French: {
-            static const Catalog french("fr", message_catalogs()[1]);
-            return &french.messages();
-        }
-        case Language::Spanish: {
-            static const Catalog spanish("es", message_catalogs()[2]);
-            return &spanish.messages();
-        }
-    }
-    return nullptr;
+    if (language == Language::English) return nullptr;
+    static const std::array<Catalog, 3> catalogs{
+        {{name_of(Language::German), message_catalogs()[0]},
+         {name_of(Language::French), message_catalogs()[1]},
+         {name_of(Language::Spanish), message_catalogs()[2]}}};
+    return &catalogs.at(static_cast<std::size_t>(language) - 1).messages();
 }
 
-/// What all threads read of the language that was set.
+/// The language that was set, as all threads read it.
 struct Chosen {
     std::atomic<Language> language = Language::English;
     std::atomic<const Messages*> messages = nullptr;  // none: English
@@ -91,15 +82,6 @@ char decimal_mark() { return chosen().decimal_mark; }
 
 const char* tr(const char* english) { return found(nullptr, english); }
 const char* tr_in(const char* context, const char* english) { return found(context, english); }
-
-std::string tr_count(const char* one, const char* many, std::size_t number) {
-    const Messages* const messages = chosen().messages.load(std::memory_order_acquire);
-    // Which form a number takes is told by its last digits: a long one needs not fit an int.
-    const int told = static_cast<int>(number < 1000000 ? number : 1000000 + number % 1000000);
-    const char* form = messages != nullptr ? messages->get(0, nullptr, one, told) : nullptr;
-    if (form == nullptr) form = number == 1 ? one : many;
-    return filled(form, {std::to_string(number)});
-}
 
 std::string filled(std::string_view pattern, std::initializer_list<std::string_view> values) {
     std::string text;

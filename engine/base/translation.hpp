@@ -22,12 +22,9 @@ char decimal_mark();
 
 /// The text in the user's language. The result lives as long as the program.
 const char* tr(const char* english);
-/// The same for a short text that other languages say differently from place to place, which
-/// `context` tells apart for translators.
+/// The text of a place that `context` names for translators: short texts that other languages say
+/// differently from place to place.
 const char* tr_in(const char* context, const char* english);
-/// The text for this number of things, with "{0}" for the number: tr_count("{0} row", "{0} rows",
-/// 2).
-std::string tr_count(const char* one, const char* many, std::size_t number);
 
 /// Marks a text of a table for translators: tr() or tr_in() of it comes where it is shown.
 constexpr const char* marked(const char* english) { return english; }

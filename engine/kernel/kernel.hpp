@@ -73,7 +73,7 @@ struct Kernel {
     bool defined_everywhere = false;  ///< f is surely defined for all values of the variables
     /// Ranges of a function that is continuous only where f is defined; none: not known.
     KernelFunction<RangeBatchOf<double>> domain;
-    /// What tracers keep of this function from frame to frame; not nullptr.
+    /// Things that tracers keep of this function from frame to frame; not nullptr.
     std::shared_ptr<KernelMemory> memory = std::make_shared<KernelMemory>();
 
     /// The functions in one type.

@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-/// What those who ask a kernel have found out of its function and keep for later frames: one thing
-/// of each type, empty when it is first asked for. Copies of a kernel share it, so it goes with the
+/// Things that tracers have found out of a kernel's function and keep for later frames: one of each
+/// type, empty when it is first asked for. Copies of a kernel share it, so it goes with the
 /// last one. Any thread; the things look after their own threads.
 class KernelMemory {
 public:

@@ -115,12 +115,12 @@ bool contains_words(std::string_view text, std::string_view words) {
 std::string_view phrase_found(std::string_view phrases, std::string_view typed) {
     constexpr std::string_view between = ", ";
     if (typed.find_first_not_of(' ') == std::string_view::npos) return {};
+    const std::string wanted = folded(typed);
     while (!phrases.empty()) {
         const std::size_t end = std::min(phrases.find(between), phrases.size());
         const std::string phrase = folded(phrases.substr(0, end));
         for (std::size_t at = 0; at < phrase.size(); ++at) {
-            if (begins_word(phrase, at) &&
-                begins_with(std::string_view(phrase).substr(at), folded(typed)))
+            if (begins_word(phrase, at) && begins_with(std::string_view(phrase).substr(at), wanted))
                 return phrases.substr(0, end);
         }
         phrases.remove_prefix(std::min(end + between.size(), phrases.size()));

@@ -32,8 +32,7 @@ constexpr float line_em = 1.8F;
 /// The other words of an action, by which it is found, too; in another language also its English
 /// name.
 std::string all_other_words(const Action& action) {
-    const std::string_view words = other_words_of(action.name);
-    std::string all = words.empty() ? "" : tr(words.data());
+    std::string all = tr(std::string(other_words_of(action.name)).c_str());
     if (language() == Language::English) return all;
     return all + (all.empty() ? "" : ", ") + action.name;
 }

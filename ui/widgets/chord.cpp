@@ -16,18 +16,23 @@ namespace zeroset::ui {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, int>, 12> named_keys{
-    {{"Home", GLFW_KEY_HOME},
-     {"End", GLFW_KEY_END},
-     {"PageUp", GLFW_KEY_PAGE_UP},
-     {"PageDown", GLFW_KEY_PAGE_DOWN},
-     {"Enter", GLFW_KEY_ENTER},
-     {"Esc", GLFW_KEY_ESCAPE},
-     {"Space", GLFW_KEY_SPACE},
-     {"Delete", GLFW_KEY_DELETE},
-     {"Left", GLFW_KEY_LEFT},
-     {"Right", GLFW_KEY_RIGHT},
-     {"Up", GLFW_KEY_UP},
-     {"Down", GLFW_KEY_DOWN}}};
+    {{marked_in("key", "Home"), GLFW_KEY_HOME},
+     {marked_in("key", "End"), GLFW_KEY_END},
+     {marked_in("key", "PageUp"), GLFW_KEY_PAGE_UP},
+     {marked_in("key", "PageDown"), GLFW_KEY_PAGE_DOWN},
+     {marked_in("key", "Enter"), GLFW_KEY_ENTER},
+     {marked_in("key", "Esc"), GLFW_KEY_ESCAPE},
+     {marked_in("key", "Space"), GLFW_KEY_SPACE},
+     {marked_in("key", "Delete"), GLFW_KEY_DELETE},
+     {marked_in("key", "Left"), GLFW_KEY_LEFT},
+     {marked_in("key", "Right"), GLFW_KEY_RIGHT},
+     {marked_in("key", "Up"), GLFW_KEY_UP},
+     {marked_in("key", "Down"), GLFW_KEY_DOWN}}};
+
+/// The names of keys that make no chord by themselves.
+constexpr std::array<std::string_view, 5> other_names{
+    marked_in("key", "Ctrl"), marked_in("key", "Shift"), marked_in("key", "Alt"),
+    marked_in("key", "Tab"), marked_in("key", "Backspace")};
 
 constexpr int function_keys = 12;
 
@@ -43,6 +48,12 @@ int named_key(std::string_view name) {
     const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
     const bool whole = error == std::errc() && end == name.data() + name.size();
     return whole && number >= 1 && number <= function_keys ? GLFW_KEY_F1 + number - 1 : 0;
+}
+
+bool is_key_name(std::string_view word) {
+    const auto name = &std::pair<std::string_view, int>::first;
+    return std::ranges::find(named_keys, word, name) != named_keys.end() ||
+           std::ranges::find(other_names, word) != other_names.end();
 }
 
 bool take(std::string_view& text, std::string_view prefix) {
@@ -90,13 +101,6 @@ std::vector<Chord> chords_of(std::string_view list) {
 }
 
 std::string keys_in_language(std::string_view chords) {
-    constexpr std::array names{
-        marked_in("key", "Ctrl"),     marked_in("key", "Shift"),    marked_in("key", "Alt"),
-        marked_in("key", "Home"),     marked_in("key", "End"),      marked_in("key", "PageUp"),
-        marked_in("key", "PageDown"), marked_in("key", "Enter"),    marked_in("key", "Esc"),
-        marked_in("key", "Space"),    marked_in("key", "Delete"),   marked_in("key", "Left"),
-        marked_in("key", "Right"),    marked_in("key", "Up"),       marked_in("key", "Down"),
-        marked_in("key", "Tab"),      marked_in("key", "Backspace")};
     std::string text;
     while (!chords.empty()) {
         const auto is_letter = [](char c) {
@@ -105,9 +109,7 @@ std::string keys_in_language(std::string_view chords) {
         const auto end =
             static_cast<std::size_t>(std::ranges::find_if_not(chords, is_letter) - chords.begin());
         const std::string_view word = chords.substr(0, end);
-        const auto* const name =
-            std::ranges::find(names, word, [](const char* n) { return std::string_view(n); });
-        text += name != names.end() ? std::string_view(tr_in("key", *name)) : word;
+        text += is_key_name(word) ? tr_in("key", std::string(word).c_str()) : std::string(word);
         chords.remove_prefix(end);
         if (chords.empty()) break;
         text += chords.front();

@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// What a paper printed of a surface, a tracer and a tolerance.
+/// A figure that a paper printed for a surface, a tracer and a tolerance.
 struct PrintedValue {
     std::string_view surface, tracer;  ///< their names here: of the gallery, of `tracers()`
     int d_stop;

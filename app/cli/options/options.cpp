@@ -215,6 +215,10 @@ OrInputError<double> read_budget(const std::optional<std::string>& text) {
     return seconds;
 }
 
+OrInputError<int> read_repeats(const std::optional<std::string>& text, int usual) {
+    return text ? read_integer("--repeat", *text, 1, 10'000) : usual;
+}
+
 OrInputError<Size> read_size(const std::string& option, const std::string& text,
                              const SizeLimits& limits) {
     const auto [largest_side, most_pixels] = limits;

@@ -80,6 +80,9 @@ inline constexpr double default_budget_s = 30.0;
 /// Reads the seconds of --budget, 0.001 to 1,000,000; default_budget_s if absent.
 OrInputError<double> read_budget(const std::optional<std::string>& text);
 
+/// Reads how often a frame is timed by --repeat, 1 to 10,000; `usual` if absent.
+OrInputError<int> read_repeats(const std::optional<std::string>& text, int usual);
+
 /// The rest of `text` behind a word that begins it and a blank or "=": "2" of "power 2"; nothing
 /// where it does not begin so.
 std::optional<std::string> value_behind(std::string_view text, std::string_view word);

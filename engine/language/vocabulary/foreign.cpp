@@ -120,7 +120,7 @@ std::optional<Mend> mend_for_unknown(const std::string& name) {
 
 namespace {
 
-/// What else than a name of its own an unknown name may be meant as.
+/// A hint that an unknown name may be meant as a known one, or as a product.
 std::optional<std::string> hint_for_meant(std::string_view name) {
     if (const auto meant = nearest_known_name(name))
         return filled(tr("did you mean {0}?"), {*meant});

@@ -18,13 +18,13 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
 /// The known name that an unknown one is near to; nullopt: it is near to none.
 std::optional<std::string> nearest_known_name(std::string_view name);
 
-/// What may be typed for an unknown name: the known one that it is near, or a product.
+/// A likely word in place of an unknown name: the known one that it is near, or a product.
 std::optional<Mend> mend_for_unknown(const std::string& name);
 
 /// A hint for an unknown name: the nearest known name, or the product that was meant.
 std::string hint_for_unknown(std::string_view name);
 
-/// The same for a name that is called as a function.
+/// A hint for an unknown name that is called as a function.
 std::string hint_for_unknown_function(std::string_view name);
 
 /// A hint for a function that the text is to define.

@@ -38,7 +38,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words) {
     assert(!words.empty());
     typed = typed.substr(0, 64);
-    // Of words that are as near, one that begins like what is typed: sin rather than sign for sinn.
+    // Among words as near, one that begins like what is typed: sin rather than sign for sinn.
     return *std::ranges::min_element(words, {}, [&](std::string_view word) {
         const auto after = std::ranges::mismatch(typed, word, alike).in1;
         return std::pair(distance(typed, word), typed.end() - after);

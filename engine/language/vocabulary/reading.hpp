@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// What a reader would put in the place of a word.
+/// A likely word in the place of one that is not known.
 struct Mend {
     std::string word;  ///< as it is typed
     std::string by;

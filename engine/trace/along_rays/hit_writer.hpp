@@ -5,7 +5,6 @@
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/tile_rays.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,13 +20,10 @@ public:
     /// A hit at depth s; nothing is certified behind an unsettled stretch.
     void push(std::uint32_t pixel, double s, bool is_proved) {
         const RayLine& line = lines_.of(pixel);
-        std::array<double, 3> where{};
-        for (std::size_t k = 0; k < 3; ++k)
-            where[k] = line.origin[k] + s * line.direction[k];
         const bool certified = is_proved && !unsettled_[pixel] && lines_.certifies(line);
         const double distance =
             rays_.distance_at(s, rays_.u(pixel % tile_size), rays_.v(pixel / tile_size));
-        hits_.push(at(pixel), where, static_cast<float>(distance),
+        hits_.push(at(pixel), line.at(s), static_cast<float>(distance),
                    certified ? Certificate::Certified : Certificate::Undecided);
     }
     /// What is at depth s could be neither rejected nor drawn.

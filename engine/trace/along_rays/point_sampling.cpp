@@ -1,8 +1,7 @@
 // Point sampling along rays [Florez08, sec. 4.3.1 and fig. 4.4, 4.5]: marching, and bisection where
 // the sign of f changes. The one that misses roots.
 //   h    the length of a step: 2^-8 of the clip box's longest edge along the ray's dominant axis,
-//   or
-//        the finest stretch where that is longer
+//        or the finest stretch where that is longer
 // Two roots in a step are passed, and so is one that f only touches; a pole is told from a root by
 // the size of f at the place that is found, a jump is not.
 //
@@ -102,8 +101,8 @@ void PointSampler::sample(std::size_t first, std::size_t count) {
         const RayLine& line = field_.lines.of(walker.pixel);
         const double s =
             std::min(walker.at + static_cast<double>(i % samples_at_once) * walker.step, line.to);
-        batch_.set(i, line.origin[0] + s * line.direction[0],
-                   line.origin[1] + s * line.direction[1], line.origin[2] + s * line.direction[2]);
+        const auto [x, y, z] = line.at(s);
+        batch_.set(i, x, y, z);
     }
     field_.counters->value += count * samples_at_once;
     field_.frame->kernel.in_double.value(
@@ -142,10 +141,8 @@ void PointSampler::finish_changes() {
     if (changes_.empty()) return;
     batch_.resize(changes_.size());
     for (std::size_t k = 0; k < changes_.size(); ++k) {
-        const RayLine& line = field_.lines.of(refinements_[k].pixel);
-        const double s = refinements_[k].root;
-        batch_.set(k, line.origin[0] + s * line.direction[0],
-                   line.origin[1] + s * line.direction[1], line.origin[2] + s * line.direction[2]);
+        const auto [x, y, z] = field_.lines.of(refinements_[k].pixel).at(refinements_[k].root);
+        batch_.set(k, x, y, z);
     }
     batch_.pad();
     field_.counters->value += changes_.size();

@@ -18,6 +18,13 @@ struct RayLine {
     double from, to;    ///< where roots are looked for: not beyond the tile's limit by much
     double per_size;    ///< change of s for a step of 1 along the ray's dominant axis
     std::uint8_t axis;  ///< the dominant one
+
+    [[nodiscard]] std::array<double, 3> at(double s) const {
+        std::array<double, 3> point{};
+        for (std::size_t k = 0; k < 3; ++k)
+            point[k] = origin[k] + s * direction[k];
+        return point;
+    }
 };
 
 /// The rays of a tile on which something may be seen.

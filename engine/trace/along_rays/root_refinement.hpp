@@ -61,11 +61,8 @@ private:
     void advance(RayField<Real>& field) {
         batch_.resize(open_.size());
         for (std::size_t i = 0; i < open_.size(); ++i) {
-            const RayLine& line = field.lines.of(open_[i]->pixel);
-            const double s = open_[i]->root;
-            batch_.set(i, line.origin[0] + s * line.direction[0],
-                       line.origin[1] + s * line.direction[1],
-                       line.origin[2] + s * line.direction[2]);
+            const auto [x, y, z] = field.lines.of(open_[i]->pixel).at(open_[i]->root);
+            batch_.set(i, x, y, z);
         }
         batch_.pad();
         field.counters->value += open_.size();

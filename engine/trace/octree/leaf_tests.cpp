@@ -19,15 +19,6 @@
 namespace zeroset {
 
 template <class Real>
-void LeafTests<Real>::store(std::size_t i, const RayBox& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<std::size_t>(axis);
-        boxes_.ends[k][i] = static_cast<Real>(box.neg_lo[axis]);  // rounded upward
-        boxes_.ends[k + 3][i] = static_cast<Real>(box.hi[axis]);
-    }
-}
-
-template <class Real>
 void LeafTests<Real>::evaluate(const TraceFrame& frame, std::size_t count, Counters& counters) {
     counters.range += count;
     boxes_.pad(count);
@@ -45,8 +36,9 @@ void LeafTests<Real>::test_on_rays(const TraceFrame& frame, std::span<LeafCase* 
     for (std::size_t i = 0; i < open.size(); ++i) {
         const OctreeRay& ray = *open[i]->ray;
         const Octant& leaf = open[i]->leaf;
-        store(i,
-              both(box_of_octant(ray, leaf, frame.scene.clip), box_on_ray(ray, leaf.in, leaf.out)));
+        store_box(
+            both(box_of_octant(ray, leaf, frame.scene.clip), box_on_ray(ray, leaf.in, leaf.out)),
+            boxes_.ends, i);
     }
     evaluate(frame, open.size(), counters);
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -73,7 +65,7 @@ void LeafTests<Real>::iso_value_test(const TraceFrame& frame, std::span<LeafCase
                 at.neg_lo[axis] = -place + spare;
                 at.hi[axis] = place + spare;
             }
-            store(8 * i + corner, at);
+            store_box(at, boxes_.ends, 8 * i + corner);
         }
     }
     evaluate(frame, 8 * open.size(), counters);
@@ -116,9 +108,9 @@ void LeafTests<Real>::certify(const TraceFrame& frame, std::span<LeafCase* const
         const OctreeRay& ray = *open[i]->ray;
         const double in = open[i]->from;
         const double earlier = std::max(ray.from, in - ray.step(open[i]->leaf.length));
-        store(3 * i, box_on_ray(ray, earlier, earlier));
-        store(3 * i + 1, box_on_ray(ray, earlier, in));
-        store(3 * i + 2, box_on_ray(ray, open[i]->to, open[i]->to));
+        store_box(box_on_ray(ray, earlier, earlier), boxes_.ends, 3 * i);
+        store_box(box_on_ray(ray, earlier, in), boxes_.ends, 3 * i + 1);
+        store_box(box_on_ray(ray, open[i]->to, open[i]->to), boxes_.ends, 3 * i + 2);
     }
     evaluate(frame, 3 * open.size(), counters);
     Open left{};
@@ -142,8 +134,8 @@ void LeafTests<Real>::certify(const TraceFrame& frame, std::span<LeafCase* const
         for (std::size_t i = 0; i < count; ++i) {
             const OctreeRay& ray = *left[i]->ray;
             const double next = left[i]->to + ray.step(left[i]->leaf.length);
-            store(2 * i, box_on_ray(ray, left[i]->to, next));
-            store(2 * i + 1, box_on_ray(ray, next, next));
+            store_box(box_on_ray(ray, left[i]->to, next), boxes_.ends, 2 * i);
+            store_box(box_on_ray(ray, next, next), boxes_.ends, 2 * i + 1);
         }
         evaluate(frame, 2 * count, counters);
         const std::size_t looked = std::exchange(count, 0);

@@ -43,7 +43,6 @@ public:
 private:
     using Open = std::array<LeafCase*, most_leaves>;
 
-    void store(std::size_t i, const RayBox& box);
     void evaluate(const TraceFrame& frame, std::size_t count, Counters& counters);
     /// +1 or -1 where the enclosure of box i proves a sign, else 0.
     [[nodiscard]] int sign(std::size_t i) const;

@@ -155,14 +155,9 @@ void OctreeTile<Real, Method>::end(RayWalk& walk) {
 
 template <class Real, class Method>
 void OctreeTile<Real, Method>::store_asked(const RayWalk& walk, std::size_t first) {
-    for (std::size_t i = 0; i < walk.asked().count; ++i) {
-        const RayBox box = box_of_octant(walk.ray(), walk.asked_octant(i), frame_.scene.clip);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto k = static_cast<std::size_t>(axis);
-            boxes_.ends[k][first + i] = static_cast<Real>(box.neg_lo[axis]);  // rounded upward
-            boxes_.ends[k + 3][first + i] = static_cast<Real>(box.hi[axis]);
-        }
-    }
+    for (std::size_t i = 0; i < walk.asked().count; ++i)
+        store_box(box_of_octant(walk.ray(), walk.asked_octant(i), frame_.scene.clip), boxes_.ends,
+                  first + i);
 }
 
 template <class Real, class Method>

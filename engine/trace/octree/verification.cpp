@@ -84,14 +84,8 @@ template <class Real>
 void answer(const TraceFrame& frame, RayWalk& walk, RangeBoxes<Real, batch_multiple>& boxes) {
     const std::size_t count = walk.asked().count;
     if (count == 0) return;
-    for (std::size_t i = 0; i < count; ++i) {
-        const RayBox box = box_of_octant(walk.ray(), walk.asked_octant(i), frame.scene.clip);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto k = static_cast<std::size_t>(axis);
-            boxes.ends[k][i] = static_cast<Real>(box.neg_lo[axis]);  // rounded upward
-            boxes.ends[k + 3][i] = static_cast<Real>(box.hi[axis]);
-        }
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        store_box(box_of_octant(walk.ray(), walk.asked_octant(i), frame.scene.clip), boxes.ends, i);
     boxes.pad(count);
     frame.kernel.range(boxes.batch(padded(count), frame.scene.uniforms.template boxes<Real>()));
     walk.keep_asked([&](std::size_t i) {

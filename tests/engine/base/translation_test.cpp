@@ -53,12 +53,6 @@ TEST_F(Translations, StayWhereTheyAreWhenTheLanguageChanges) {
     EXPECT_STREQ(german, "Sprache");
 }
 
-TEST_F(Translations, CountThings) {
-    EXPECT_EQ(tr_count("{0} thing", "{0} things", 1), "1 thing");
-    EXPECT_EQ(tr_count("{0} thing", "{0} things", 0), "0 things");
-    EXPECT_EQ(tr_count("{0} thing", "{0} things", 5'000'000'000), "5000000000 things");
-}
-
 TEST(FilledPatterns, HaveTheirValuesInAnyOrder) {
     EXPECT_EQ(filled("{0} of {1}", {"1", "2"}), "1 of 2");
     EXPECT_EQ(filled("{1}: {0}{0}", {"a", "b"}), "b: aa");
