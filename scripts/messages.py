@@ -22,6 +22,7 @@ FOLDER = ROOT / "resources/languages"
 SOURCES = ["engine", "document", "pipeline", "ui", "app"]
 # Tables whose members are texts: file, members.
 TABLES = {
+    "engine/render/tracers.cpp": ["about"],
     "ui/actions/actions.cpp": ["section", "name", "about"],
     "ui/actions/other_words.cpp": ["words"],
     "ui/exports/drawing_part.cpp": ["name", "about", "usual_width"],

@@ -98,6 +98,8 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
     add_value(*render_app, "--certificate", render.certificate,
               "what is proved of each pixel, in colors: a PNG file");
+    add_value(*render_app, "--cost", render.cost,
+              "evaluations of the formula that each pixel took, in colors: a PNG file");
     add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
     add_repeated(*render_app, "--probe", render.probes,
                  "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");

@@ -18,7 +18,7 @@ struct RenderCommand {
     ViewText view;
     TraceText trace;
     std::string size = "1024x1024";
-    std::optional<std::string> output, depth, certificate, stats, repeat, budget;
+    std::optional<std::string> output, depth, certificate, cost, stats, repeat, budget;
     std::optional<std::string> bits, dpi, quality;  ///< of the picture in `output`
     bool no_session = false;                        ///< the picture does not hold the session
     std::vector<std::string> probes;                ///< COL,ROW each

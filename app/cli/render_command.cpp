@@ -91,19 +91,22 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     plan.budget_s = *budget;
     plan.fits = command.view.fit;
     plan.fits_box = !command.view.box;
-    if (!command.output && !command.depth && !command.certificate && !command.stats &&
-        command.probes.empty()) {
+    if (!command.output && !command.depth && !command.certificate && !command.cost &&
+        !command.stats && command.probes.empty()) {
         return wrong_input(
             "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png, "
-            "--probe COL,ROW or --stats -");
+            "--cost FILE.png, --probe COL,ROW or --stats -");
     }
     auto probes = read_probes(command.probes, plan.size);
     if (!probes) return std::unexpected(probes.error());
     plan.probes = std::move(*probes);
-    if (command.certificate && !command.certificate->ends_with(".png")) {
-        return wrong_input("--certificate " + *command.certificate +
+    for (const auto& [option, file] :
+         {std::pair("--certificate ", &command.certificate), std::pair("--cost ", &command.cost)}) {
+        if (!*file || (*file)->ends_with(".png")) continue;
+        return wrong_input(option + **file +
                            ": the picture is a PNG; type a name that ends in .png");
     }
+    plan.settings.costs = command.cost.has_value();
     if (command.depth == "-") {
         return wrong_input("--depth -: the depths need a file; type a name, for example depth.pfm");
     }
@@ -239,8 +242,8 @@ int run_render(const RenderCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     auto plan = plan_of(command);
     if (!plan) return report(plan.error());
-    if (const auto message =
-            first_unwritable({command.output, command.depth, command.certificate, command.stats}))
+    if (const auto message = first_unwritable(
+            {command.output, command.depth, command.certificate, command.cost, command.stats}))
         return report_run_time(*message);
     const auto files = std::make_shared<RenderFiles>(command);
     plan->take_band = [files](const RenderedPicture& picture, const PictureBand& band) {

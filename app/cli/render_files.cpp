@@ -3,6 +3,7 @@
 #include "document/json/document_json.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
+#include "engine/image/cost_picture.hpp"
 #include "pipeline/plans/export_formats.hpp"
 
 #include <algorithm>
@@ -98,6 +99,9 @@ std::expected<void, FileError> RenderFiles::begin(const RenderedPicture& picture
     if (command_.certificate)
         certificate_ = make_png_picture(*command_.certificate,
                                         {.size = {.width = size.width, .height = size.height}});
+    if (command_.cost)
+        cost_ = make_png_picture(*command_.cost,
+                                 {.size = {.width = size.width, .height = size.height}});
     return {};
 }
 
@@ -120,6 +124,11 @@ std::expected<void, FileError> RenderFiles::write(const RenderedPicture& picture
         const Framebuffer colors = certificate_picture(band.frame);
         written = certificate_->add({.frame = colors, .painted = colors, .row = band.row});
     }
+    if (written && cost_ != nullptr) {
+        Framebuffer colors = band.frame;
+        colors.color = cost_colors(band.frame);
+        written = cost_->add({.frame = colors, .painted = colors, .row = band.row});
+    }
     return written;
 }
 
@@ -136,6 +145,7 @@ std::expected<void, FileError> RenderFiles::finish() {
     if (picture_ != nullptr) written = picture_->finish();
     if (written && depth_ != nullptr) written = depth_->finish();
     if (written && certificate_ != nullptr) written = certificate_->finish();
+    if (written && cost_ != nullptr) written = cost_->finish();
     writing_ms_ += ms_since(start);
     return written;
 }

@@ -41,7 +41,7 @@ private:
 
     RenderCommand command_;
     bool begun_ = false;
-    std::unique_ptr<PictureWriter> picture_, certificate_;
+    std::unique_ptr<PictureWriter> picture_, certificate_, cost_;
     std::unique_ptr<PfmWriter> depth_;
     double writing_ms_ = 0.0;
     CertificateCounts certificates_;

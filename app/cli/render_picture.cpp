@@ -62,6 +62,7 @@ Framebuffer undecided_frame(const Size& size) {
     frame.depth.assign(frame.depth.size(), std::numeric_limits<float>::infinity());
     frame.certificate.assign(frame.certificate.size(), Certificate::Undecided);
     frame.surface.assign(frame.surface.size(), no_surface);
+    frame.cost.assign(frame.color.size(), 0.0F);
     return frame;
 }
 

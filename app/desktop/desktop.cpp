@@ -7,8 +7,11 @@
 #include "engine/base/language.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/image/cost_picture.hpp"
+#include "engine/image/rgba_image.hpp"
 #include "engine/language/help.hpp"
 #include "engine/render/render_request.hpp"
+#include "engine/render/tracers.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"
@@ -56,6 +59,14 @@ std::string note_of(CodeState code) {
     return {};
 }
 
+/// Two tracers are compared by what they do themselves.
+void leave_only_tracing(TraceSettings& settings) {
+    settings.shadows = false;
+    settings.antialias = Antialias::None;
+    settings.reflections = 0;
+    settings.soft_light = false;
+}
+
 /// Sets the language of all texts, where it is not set yet.
 void take_language(ui::UiState& state, Language of_desktop) {
     const Language wanted = state.edited.layout.language.value_or(of_desktop);
@@ -82,6 +93,11 @@ ui::UiState first_state(const DesktopOptions& options) {
                                           .caret = ui::RowFocus::Caret::All};
     }
     state.wishes.frame_surfaces = options.fit;
+    state.edited.inspection.tracer = options.settings.tracer;
+    for (const Tracer& tracer : tracers())
+        state.shown.tracers.push_back({.name = std::string(tracer.name),
+                                       .about = std::string(tracer.about),
+                                       .finds_jumps = &tracer == tracers().data()});
     state.shown.language_help = language_help();
     for (const GalleryItem& item : gallery())
         state.shown.gallery.push_back({.title = item.title,
@@ -120,6 +136,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
                 if (latency_ != nullptr) latency_->picture_ready();
                 window_.wake();
             }),
+      comparison_([this] { window_.wake(); }),
       exports_([this] { window_.wake(); }) {
     if (options.on_desktop) portal_.emplace([this] { window_.wake(); }, window_.portal_name());
 }
@@ -148,6 +165,7 @@ void Desktop::draw_frame() {
     take_formula();
     feed_.take_double();
     take_frame();
+    comparison_.show(state_);
     cards_.show(state_);
     look_cards_.show(state_);
     view_cards_.show(state_);
@@ -186,8 +204,8 @@ bool Desktop::settled() const {
     const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
-           !snap_.runs() && cards_.settled() && look_cards_.settled() && view_cards_.settled() &&
-           exports_.settled();
+           !snap_.runs() && comparison_.settled() && cards_.settled() && look_cards_.settled() &&
+           view_cards_.settled() && exports_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
@@ -271,7 +289,8 @@ void Desktop::take_frame() {
 void Desktop::show_legend(const RenderResult& result) {
     std::optional<Legend>& legend = state_.shown.picture.legend;
     legend.reset();
-    if (result.coloring.by == ColorBy::Plain) return;
+    if (!result.frame->cost.empty()) legend = cost_legend();
+    if (legend || result.coloring.by == ColorBy::Plain) return;
     legend = legend_of(result.coloring, feed_.colors().expression);
 }
 
@@ -296,7 +315,13 @@ void Desktop::upload_frame() {
     uploaded_ = wanted_look();
     const auto tint = uploaded_.marks_undecided ? std::optional(ui::undecided_tint(uploaded_.theme))
                                                 : std::nullopt;
-    texture_.upload(*state_.shown.picture.frame, ui::behind_picture(uploaded_.theme), tint);
+    const Framebuffer& frame = *state_.shown.picture.frame;
+    if (!frame.cost.empty()) {
+        texture_.upload(
+            RgbaImage{.width = frame.width, .height = frame.height, .pixels = cost_colors(frame)});
+        return;
+    }
+    texture_.upload(frame, ui::behind_picture(uploaded_.theme), tint);
 }
 
 /// True while the picture of the last step of a playing slider is still to come.
@@ -327,6 +352,7 @@ void Desktop::follow_edits() {
     find_view();
     find_surfaces();
     submit_picture();
+    comparison_.follow(state_, feed_.on_screen());
     follow_exports();
     window_.set_title(session_.title() + " - Zeroset");
 }
@@ -339,7 +365,12 @@ void Desktop::show_gallery_item() {
 }
 
 std::optional<PictureRequest> Desktop::wanted_picture() const {
-    return feed_.wanted(state_.edited.document, settings_, state_.input.viewport_px);
+    TraceSettings settings = settings_;
+    settings.tracer = state_.edited.inspection.tracer;
+    settings.costs = state_.edited.inspection.costs;
+    auto wanted = feed_.wanted(state_.edited.document, settings, state_.input.viewport_px);
+    if (wanted && state_.edited.inspection.other) leave_only_tracing(wanted->settings);
+    return wanted;
 }
 
 void Desktop::submit_picture() {
@@ -356,6 +387,7 @@ std::optional<ExportSubject> Desktop::export_subject() const {
                           .formula = wanted->formula,
                           .colors = wanted->colors,
                           .settings = settings_};
+    subject.settings.tracer = state_.edited.inspection.tracer;
     // The usual background of pictures is dark: not what a light window shows.
     if (state_.edited.theme == ui::Theme::Light && !subject.document.light.background)
         subject.document.light.background = ui::picture_background(ui::Theme::Light);

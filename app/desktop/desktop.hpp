@@ -8,6 +8,7 @@
 #include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
 #include "app/desktop/session.hpp"
+#include "app/desktop/tracer_comparison.hpp"
 #include "app/desktop/wait_notice.hpp"
 #include "app/exports/export_desk.hpp"
 #include "app/gallery/gallery_cards.hpp"
@@ -141,6 +142,7 @@ private:
     LookCards look_cards_;
     ViewCards view_cards_;
     PictureFeed feed_;
+    TracerComparison comparison_;
     ExportDesk exports_;
 };
 

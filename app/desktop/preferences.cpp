@@ -23,7 +23,7 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The layout's switches, with their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 14> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 15> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"camera_open", &ui::Layout::camera_open},
@@ -33,6 +33,7 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 14> switches{
      {"space_open", &ui::Layout::space_open},
      {"clip_open", &ui::Layout::clip_open},
      {"details_open", &ui::Layout::details_open},
+     {"advanced_open", &ui::Layout::advanced_open},
      {"edges_open", &ui::Layout::edges_open},
      {"handles", &ui::Layout::handles},
      {"axes", &ui::Layout::axes},

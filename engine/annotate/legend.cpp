@@ -2,6 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/image/cost_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +56,7 @@ public:
         add(fitting(words, width_, style_), at_.x, Anchor::TopLeft, style_.colors.text);
         at_.y += line * style_.unit;
     }
-    void add_scale(const ValueRange& range, ColorMap map);
+    void add_scale(const ValueRange& range, const Legend& legend);
     void add_directions();
     void add_mark(PixelMark mark, const char* words) {
         const double unit = style_.unit;
@@ -81,14 +82,15 @@ private:
 };
 
 /// Adds the map's colours with the numbers at its ends and, where there is room, in its middle.
-void Card::add_scale(const ValueRange& range, ColorMap map) {
+void Card::add_scale(const ValueRange& range, const Legend& legend) {
     const double unit = style_.unit;
     shapes_.emplace_back(
-        MapBar{.lo = at_, .hi = at_ + glm::dvec2(width_, bar_height * unit), .map = map});
+        MapBar{.lo = at_, .hi = at_ + glm::dvec2(width_, bar_height * unit), .map = legend.map});
     at_.y += (bar_height + below_bar) * unit;
     const std::string lo = end_text(range.lo);
     const std::string hi = end_text(range.hi);
-    const std::string middle = end_text(0.5 * (range.lo + range.hi));
+    const std::string middle =
+        end_text(legend.logarithmic ? std::sqrt(range.lo * range.hi) : 0.5 * (range.lo + range.hi));
     add(lo, at_.x, Anchor::TopLeft, style_.colors.quiet);
     add(hi, at_.x + width_, Anchor::TopRight, style_.colors.quiet);
     const auto width = [&](const std::string& words) { return style_.width(words, style_.em); };
@@ -166,6 +168,13 @@ const char* shown_name(ColorBy by) {
     return "";
 }
 
+Legend cost_legend() {
+    return {.title = tr("evaluations a pixel"),
+            .map = cost_map,
+            .range = ValueRange{.lo = cheapest_pixel, .hi = dearest_pixel},
+            .logarithmic = true};
+}
+
 Legend legend_of(const Coloring& coloring, const std::string& expression) {
     Legend legend{
         .title = shown_name(coloring.by), .by = coloring.by, .map = coloring.map, .range = {}};
@@ -214,7 +223,7 @@ Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const
     if (legend.legend != nullptr) {
         card.add_title(legend.legend->title);
         if (legend.legend->range) {
-            card.add_scale(*legend.legend->range, legend.legend->map);
+            card.add_scale(*legend.legend->range, *legend.legend);
         } else {
             card.add_directions();
         }

@@ -18,7 +18,11 @@ struct Legend {
     ColorBy by = ColorBy::Plain;
     ColorMap map = ColorMap::Aurora;
     std::optional<ValueRange> range;  ///< of what has one
+    bool logarithmic = false;         ///< the map is even in logarithms, between numbers above 0
 };
+
+/// The legend of cost_colors (engine/image/cost_picture.hpp).
+Legend cost_legend();
 
 /// The legend of a picture's colours. `coloring`: the picture's own, with the range if it has one;
 /// `expression`: for ColorBy::Expression.

@@ -46,6 +46,9 @@ struct Framebuffer {
     std::vector<std::array<float, 4>> light;
     /// Of the surface drawn, of length 1, along the gradient of f; 0 for a miss. Empty as `light`.
     std::vector<std::array<float, 3>> normal;
+    /// What each pixel cost the tracer: evaluations of f, of its ranges and forms, of those for
+    /// many pixels a share. Empty unless TraceSettings::costs asks for it.
+    std::vector<float> cost;
     /// Rows that render_frame left blank when it last drew here, so that it need not draw them
     /// again: for each of its tiles, row by row, a bit for each row of pixels, the first one
     /// lowest; set where all its pixels are misses in the background's colour. Empty: nothing is

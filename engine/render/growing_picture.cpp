@@ -20,6 +20,7 @@ void stretch(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
             to.depth[target] = from.depth[source];
             to.certificate[target] = from.certificate[source];
             to.surface[target] = from.surface[source];
+            if (!to.cost.empty()) to.cost[target] = from.cost[source];
         }
     }
 }
@@ -32,6 +33,7 @@ void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
         std::copy_n(&from.depth[first], count, &to.depth[first]);
         std::copy_n(&from.certificate[first], count, &to.certificate[first]);
         std::copy_n(&from.surface[first], count, &to.surface[first]);
+        if (!to.cost.empty()) std::copy_n(&from.cost[first], count, &to.cost[first]);
     }
 }
 
@@ -80,6 +82,7 @@ void GrowingPicture::finish_tile(const PixelRect& rect) {
 std::shared_ptr<const Framebuffer> GrowingPicture::snapshot() const {
     auto picture = pool_.take(frame_->width, frame_->height);
     picture->blank_rows.clear();
+    picture->cost.resize(frame_->cost.size());
     for (std::size_t i = 0; i < grid_.size(); ++i) {
         const Tile tile = grid_.tile(i);
         const PixelRect rect{

@@ -17,6 +17,7 @@
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/open_view.hpp"
+#include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "engine/trace/turns.hpp"
 
@@ -46,6 +47,7 @@ struct Workspace {
     std::vector<MixedPixel> mixed;
     std::vector<CoverSample> samples;
     CoverLight cover_light;
+    TileCosts costs;
 };
 
 /// The state of a tile.
@@ -77,6 +79,14 @@ Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
     const bool by_rays = scene.jumps || has_caps(scene);
     return settings.antialias == Antialias::Beams && by_rays ? Antialias::Rays16
                                                              : settings.antialias;
+}
+
+void keep_costs(const Tile& tile, const TileCosts& costs, const Canvas& out) {
+    for (int row = 0; row < tile.rows; ++row) {
+        float* const to = &out.pixels.cost[out.index(tile.col, tile.row + row)];
+        std::ranges::transform(costs.row(row, tile.cols), to,
+                               [](double cost) { return static_cast<float>(cost); });
+    }
 }
 
 /// A scene at one resolution, tile by tile.
@@ -221,6 +231,11 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
 
 TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& workspace,
                              const Canvas& out, Counters& counters) const {
+    const bool tells_costs = !out.pixels.cost.empty();
+    if (tells_costs) {
+        workspace.costs.begin(tile);
+        counters.costs = &workspace.costs;
+    }
     trace(tile, limit, workspace, counters);
     if (limit.cancelled()) return TileState::Waiting;
     const bool cut = limit.over();  // a tile that was finished just before counts as cut, too
@@ -229,6 +244,8 @@ TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& works
         if (!hits[i].points.empty())
             find_gradients(frame_of(i, tile, limit), tile, hits[i], counters);
     }
+    counters.costs = nullptr;
+    if (tells_costs) keep_costs(tile, workspace.costs, out);
     light_.light(surfaces_, limit, tile, hits, workspace.lit, counters);
     if (limit.cancelled()) return TileState::Waiting;
     encode_tile(tile, hits, workspace.lit, out);
@@ -358,6 +375,7 @@ Counters render_band(const Scene& scene, const Camera& camera, const TraceSettin
     if (!same_rows) frame.blank_rows.clear();
     frame.background = scene.background;
     frame.blank_rows.resize(grid.size());
+    frame.cost.resize(settings.costs ? frame.color.size() : 0);
     const int threads = settings.threads > 0 ? settings.threads : core_count();
     Turns turns(grid.size(), threads, watch.limit, watch.first_turn);
     std::vector<TileState> states(grid.size(), TileState::Waiting);

@@ -36,9 +36,12 @@ struct TraceSettings {
     Antialias antialias = Antialias::None;
     int reflections = 0;     ///< surfaces that a ray is mirrored at, 0 to max_reflections
     bool soft_light = true;  ///< broad lights throw soft shadows, hollows of some looks are dark
+    bool costs = false;      ///< Framebuffer::cost is wanted
 
     bool operator==(const TraceSettings&) const = default;
 };
+
+class TileCosts;
 
 /// Evaluations of each kernel, in points or boxes (not batches), and how wide the widest bracket of
 /// a Coarse hit is, world units along its ray.
@@ -52,6 +55,9 @@ struct Counters {
     std::uint64_t cut_pixels = 0, rough_pixels = 0;
     /// Pixels, once for each light, of which it is not proved whether the light reaches them.
     std::uint64_t unproved_shadows = 0;
+    /// Told by tracers for which pixels they evaluated (engine/trace/tile_costs.hpp); nullptr:
+    /// nobody wants to know. Not added up.
+    TileCosts* costs = nullptr;
 
     [[nodiscard]] bool is_cut() const { return cut_pixels + rough_pixels > 0; }
 

@@ -4,6 +4,7 @@
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -185,10 +186,16 @@ void CapFinder::fill(const TraceFrame& surface, int sign, Counters& counters) {
     open.clear();
     for (Entry& entry : entries_)
         open.push_back(&entry);
-    counters.range += open.size();
+    const auto count = [&] {
+        counters.range += open.size();
+        for (const Entry* const entry : open) {
+            if (counters.costs != nullptr) counters.costs->add(entry->pixel);
+        }
+    };
+    count();
     if (surface.precision == Precision::Float) {
         ask<float>(surface, sign, open);
-        counters.range += open.size();
+        count();
     }
     ask<double>(surface, sign, open);
 }

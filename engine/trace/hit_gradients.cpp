@@ -3,12 +3,15 @@
 #include "engine/kernel/point_batch.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/trace/jump_normals.hpp"
+#include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/view/pixel_ray.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -118,6 +121,17 @@ public:
         }
     }
     void run() {
+        const std::uint64_t before = counters_.value;
+        const std::vector<std::size_t> pixels = searched_pixels();
+        search();
+        if (counters_.costs == nullptr) return;
+        const auto all = static_cast<double>(counters_.value - before);
+        for (const std::size_t pixel : pixels)
+            counters_.costs->add(pixel, all / static_cast<double>(pixels.size()));
+    }
+
+private:
+    void search() {
         take_jumps();
         find_trends();
         polish();
@@ -130,8 +144,16 @@ public:
             take_differences();
         }
     }
-
-private:
+    /// Where gradients are searched, if somebody wants to know what that costs.
+    [[nodiscard]] std::vector<std::size_t> searched_pixels() const {
+        std::vector<std::size_t> pixels;
+        if (counters_.costs == nullptr) return pixels;
+        for (const std::vector<Seeker>* const some : {&jumps_, &seekers_}) {
+            for (const Seeker& seeker : *some)
+                pixels.push_back(seeker.pixel);
+        }
+        return pixels;
+    }
     [[nodiscard]] Seeker seeker(const Tile& tile, const TileHits::Point& point) const;
     std::vector<Sample> ask(const std::vector<glm::dvec3>& points) {
         counters_.value += points.size();

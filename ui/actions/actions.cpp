@@ -156,6 +156,37 @@ void switch_handles(UiState& state) {
     layout.clip_open = layout.clip_open || layout.handles;
 }
 
+/// Shows another tracer beside the picture's.
+void begin_comparison(UiState& state) {
+    Inspection& wanted = state.edited.inspection;
+    state.edited.layout.advanced_open = true;
+    if (wanted.other) return;
+    for (const TracerChoice& tracer : state.shown.tracers) {
+        if (tracer.name == wanted.tracer) continue;
+        wanted.other = tracer.name;
+        return;
+    }
+}
+
+bool compares(const UiState& state) { return state.edited.inspection.other.has_value(); }
+
+void switch_comparison(UiState& state) {
+    if (compares(state)) {
+        state.edited.inspection.other.reset();
+    } else {
+        begin_comparison(state);
+    }
+}
+
+bool shows_difference(const UiState& state) {
+    return compares(state) && state.edited.inspection.difference;
+}
+
+void switch_difference(UiState& state) {
+    state.edited.inspection.difference = !shows_difference(state);
+    begin_comparison(state);
+}
+
 /// Asks for a marker at the pointer or, if that is elsewhere, at the middle of the picture.
 void keep_marker(UiState& state) {
     state.wishes.click =
@@ -237,6 +268,24 @@ constexpr auto table = std::to_array<Action>({
      .keys = "U",
      .run = toggle_document<&Document::mark_undecided>,
      .is_on = is_document<&Document::mark_undecided>},
+    {.section = picture,
+     .name = "Cost of each pixel",
+     .about = "colors tell how often the formula was evaluated for a pixel",
+     .run = [](UiState& state) { flip(state.edited.inspection.costs); },
+     .is_on = [](const UiState& state) { return state.edited.inspection.costs; },
+     .for_readers = true},
+    {.section = picture,
+     .name = "Another tracer beside",
+     .about = "the same view by another method, with a divider to drag",
+     .run = switch_comparison,
+     .is_on = compares,
+     .for_readers = true},
+    {.section = picture,
+     .name = "Difference of two tracers",
+     .about = "marks pixels in which one shows something else than the other has proved",
+     .run = switch_difference,
+     .is_on = shows_difference,
+     .for_readers = true},
     {.section = picture,
      .name = "Draw jumps in sign",
      .about = "draw also where f changes its sign in a jump, without a root",
@@ -579,6 +628,11 @@ constexpr auto table = std::to_array<Action>({
      .about = "the search depth, figures of the picture",
      .run = toggle_layout<&Layout::details_open>,
      .is_on = is_layout<&Layout::details_open>},
+    {.section = window,
+     .name = "Section: Advanced",
+     .about = "the tracer, another one beside it, what pixels cost",
+     .run = toggle_layout<&Layout::advanced_open>,
+     .is_on = is_layout<&Layout::advanced_open>},
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,

@@ -3,6 +3,7 @@
 #include "document/document.hpp"
 #include "document/play.hpp"
 #include "engine/base/language.hpp"
+#include "ui/model/inspection.hpp"
 #include "ui/model/theme.hpp"
 
 #include <array>
@@ -32,6 +33,7 @@ struct Layout {
     bool space_open = false;
     bool clip_open = false;
     bool details_open = false;
+    bool advanced_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
     bool handles = true;      ///< in the picture, while the section of the clip box is open
     float letters =
@@ -77,6 +79,7 @@ struct Edited {
     Document document = empty_document();
     std::map<std::string, PlayState> playing;  ///< the sliders that play, by name
     int selected_marker = 0;                   ///< its number; 0: none
+    Inspection inspection;
     Layout layout;
     Theme theme = Theme::Dark;
     bool follows_desktop = true;      ///< the theme is the desktop's wish, where there is one

@@ -10,6 +10,7 @@
 #include "engine/scene/precision.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/model/export_page.hpp"
+#include "ui/model/inspection.hpp"
 
 #include <cstddef>
 #include <map>
@@ -105,6 +106,8 @@ struct Shown {
     ShownPicture picture;
     PictureFigures figures;
     std::optional<PointedFacts> pointed;
+    std::vector<TracerChoice> tracers;  ///< the usual one first
+    OtherPicture other;
     std::vector<ExportFormat> export_formats;  ///< all, each kind's usual one first
     ExportPreview export_preview;
     ExportProgress export_progress;

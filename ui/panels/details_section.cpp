@@ -73,10 +73,9 @@ std::string undecided_text(const PictureFigures& figures) {
                                                   {undecided, grouped(figures.counts.not_drawn)});
 }
 
-std::string frame_time(const PictureFigures& figures) {
+std::string frame_time(double ms) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), figures.frame_ms < 100.0 ? "%.1f ms" : "%.0f ms",
-                  figures.frame_ms);
+    std::snprintf(text.data(), text.size(), ms < 100.0 ? "%.1f ms" : "%.0f ms", ms);
     return localized(text.data());
 }
 
@@ -91,7 +90,7 @@ void draw_details_section(StopCriterion& stop, const Shown& shown) {
     const PictureFigures& figures = shown.figures;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     draw_line(filled(tr("{0}, {1} \xC3\x97 {2} pixels"),
-                     {frame_time(figures), std::to_string(figures.width_px),
+                     {frame_time(figures.frame_ms), std::to_string(figures.width_px),
                       std::to_string(figures.height_px)}),
               tr("Time that the last full picture took, and its size."));
     draw_line(certified_text(figures),

@@ -19,6 +19,6 @@ bool many_undecided(const PictureFigures& figures);
 /// "1 234 undecided, 7 of them not drawn".
 std::string undecided_text(const PictureFigures& figures);
 /// "12.5 ms".
-std::string frame_time(const PictureFigures& figures);
+std::string frame_time(double ms);
 
 }  // namespace zeroset::ui

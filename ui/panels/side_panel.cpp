@@ -3,6 +3,7 @@
 #include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/advanced_section.hpp"
 #include "ui/panels/camera_section.hpp"
 #include "ui/panels/clip_section.hpp"
 #include "ui/panels/details_section.hpp"
@@ -117,7 +118,7 @@ struct FoldedSection {
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
-constexpr std::array<FoldedSection, 8> sections{
+constexpr std::array<FoldedSection, 9> sections{
     {{.title = "View",
       .id = "##view",
       .open = &Layout::view_open,
@@ -160,7 +161,12 @@ constexpr std::array<FoldedSection, 8> sections{
       .id = "##details",
       .open = &Layout::details_open,
       .draw = [](UiState& state) { draw_details_section(state.edited.document.stop, state.shown); },
-      .height = [](const UiState& state) { return details_section_height(state.shown); }}}};
+      .height = [](const UiState& state) { return details_section_height(state.shown); }},
+     {.title = "Advanced",
+      .id = "##advanced",
+      .open = &Layout::advanced_open,
+      .draw = draw_advanced_section,
+      .height = advanced_section_height}}};
 
 /// Keeps ImGui's marks of where the keyboard is in one order with those of the whole panel.
 constexpr ImGuiWindowFlags part_flags = ImGuiWindowFlags_NavFlattened;

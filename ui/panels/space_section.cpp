@@ -4,6 +4,7 @@
 #include "ui/actions/actions.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/action_switch.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/slider_row.hpp"
@@ -18,13 +19,6 @@
 
 namespace zeroset::ui {
 namespace {
-
-void draw_switch(UiState& state, const char* label, const char* name) {
-    const Action& action = action_named(name);
-    bool on = action.is_on(state);
-    if (ImGui::Checkbox((std::string(label) + "###" + name).c_str(), &on)) action.run(state);
-    draw_tooltip(described(action));
-}
 
 struct Button {
     const char* label;
@@ -81,15 +75,15 @@ void draw_names(Document& document) {
 float space_section_height() { return 6.0F * ImGui::GetFrameHeightWithSpacing(); }
 
 void draw_space_section(UiState& state) {
-    draw_switch(state, tr("Axes, box and grid"), "Axes, box and grid");
-    draw_switch(state, tr("Axes"), "Axes");
+    draw_action_switch(state, tr("Axes, box and grid"), "Axes, box and grid");
+    draw_action_switch(state, tr("Axes"), "Axes");
     ImGui::SameLine(0.0F, em(1.0F));
-    draw_switch(state, tr("Box"), "Clip box");
+    draw_action_switch(state, tr("Box"), "Clip box");
     ImGui::SameLine(0.0F, em(1.0F));
-    draw_switch(state, tr("Grid"), "Grid");
+    draw_action_switch(state, tr("Grid"), "Grid");
     draw_names(state.edited.document);
     draw_up(state);
-    draw_switch(state, tr("Turn freely"), "Turn freely");
+    draw_action_switch(state, tr("Turn freely"), "Turn freely");
     constexpr std::array<Button, 5> views{
         {{.label = marked("Front"), .action = "View from the front"},
          {.label = marked("Right"), .action = "View from the right"},

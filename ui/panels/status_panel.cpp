@@ -46,7 +46,7 @@ void add_text(std::uint32_t color, const std::string& text, const char* between 
 /// The section of details tells more.
 void draw_figures(const PictureFigures& figures, const Palette& colors) {
     if (figures.width_px <= 0) return;
-    add_text(colors.quiet, frame_time(figures));
+    add_text(colors.quiet, frame_time(figures.frame_ms));
     add_text(colors.quiet,
              std::to_string(figures.width_px) + " \xC3\x97 " + std::to_string(figures.height_px));
     if (many_undecided(figures)) add_text(colors.warning, undecided_text(figures));

@@ -11,6 +11,7 @@
 #include "ui/picture/clip_handle_layer.hpp"
 #include "ui/picture/picture_marks.hpp"
 #include "ui/picture/picture_pointer.hpp"
+#include "ui/picture/side_by_side.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/texture.hpp"
@@ -59,6 +60,7 @@ void draw_picture(const PictureArea& area, const UiState& state, const Texture& 
         const std::uint32_t ground = faded(colors.ground, veil);
         canvas.AddRectFilledMultiColor(area.lo, area.hi, sky, sky, ground, ground);
     }
+    draw_other_picture(canvas, area, state);
     draw_axes(canvas, area.lo, area.hi, state.edited, state.shown.picture);
     draw_picture_marks(canvas, area.lo, area.hi, state.edited, state.shown);
 }
@@ -148,6 +150,7 @@ void draw_viewport(UiState& state, const Texture& picture) {
     ImGui::SetNextWindowPos(area.lo);
     ImGui::SetNextWindowSize(ImVec2(area.hi.x - area.lo.x, area.height()));
     if (ImGui::Begin("##viewport", nullptr, flags)) {
+        draw_divider(state, area);
         ImGui::InvisibleButton(
             "##picture", ImGui::GetContentRegionAvail(),
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);

@@ -7,6 +7,7 @@
 #include "engine/trace/along_rays/ray_boxes.hpp"
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/along_rays/stretch.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,6 +41,7 @@ public:
     std::size_t push(std::uint32_t pixel, double from, double to) {
         assert(size_ < room);
         const RayLine& line = lines_->of(pixel);
+        pixels_[size_] = pixel;
         spans_.from[size_] = from;
         spans_.to[size_] = to;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -53,6 +55,8 @@ public:
     void evaluate() {
         if (size_ == 0) return;
         counters_->range += size_;
+        for (std::size_t i = 0; counters_->costs != nullptr && i < size_; ++i)
+            counters_->costs->add(pixels_[i]);
         auto& ends = boxes_.ends;
         make_ray_boxes({.from = spans_.from.data(),
                         .to = spans_.to.data(),
@@ -88,6 +92,7 @@ private:
     const RayLines* lines_ = nullptr;
     Counters* counters_ = nullptr;
     std::size_t size_ = 0;
+    std::array<std::uint32_t, room> pixels_;
     RaySpans<room> spans_;
     RangeBoxes<Real, room> boxes_;
 };
@@ -117,6 +122,7 @@ public:
         const auto s = static_cast<Real>(stretch.middle());
         const auto middle = static_cast<double>(s);
         const double radius = std::max(stretch.to - middle, middle - stretch.from) + margin_;
+        pixels_[size_] = pixel;
         cells_.u[size_] = u_[pixel % tile_size];
         cells_.v[size_] = v_[pixel / tile_size];
         cells_.s[size_] = s;
@@ -126,6 +132,8 @@ public:
     void evaluate() {
         if (size_ == 0) return;
         counters_->form += size_;
+        for (std::size_t i = 0; counters_->costs != nullptr && i < size_; ++i)
+            counters_->costs->add(pixels_[i]);
         const std::size_t whole = padded(size_, frame_->kernel.lane_multiple);
         for (auto* const column : {&cells_.u, &cells_.v, &cells_.s, &cells_.s_radius})
             std::fill(column->begin() + size_, column->begin() + whole, (*column)[0]);
@@ -158,6 +166,7 @@ private:
     double margin_ = 0.0;
     FrustumOf<Real> frustum_{};
     std::array<Real, tile_size> u_{}, v_{};
+    std::array<std::uint32_t, room> pixels_;
     FormCells<Real, room> cells_;
 };
 

@@ -105,6 +105,8 @@ void PointSampler::sample(std::size_t first, std::size_t count) {
         batch_.set(i, x, y, z);
     }
     field_.counters->value += count * samples_at_once;
+    for (const Walker& walker : std::span(walkers_).subspan(first, count))
+        field_.tell_cost(walker.pixel, samples_at_once);
     field_.frame->kernel.in_double.value(
         batch_.batch(field_.frame->scene.uniforms.points<double>()));
 }
@@ -146,6 +148,8 @@ void PointSampler::finish_changes() {
     }
     batch_.pad();
     field_.counters->value += changes_.size();
+    for (const Refinement& refinement : refinements_)
+        field_.tell_cost(refinement.pixel);
     field_.frame->kernel.in_double.value(
         batch_.batch(field_.frame->scene.uniforms.points<double>()));
     for (std::size_t k = 0; k < changes_.size(); ++k) {

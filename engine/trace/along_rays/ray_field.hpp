@@ -4,6 +4,7 @@
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/along_rays/stretch.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -27,6 +28,10 @@ struct RayField {
         forms.begin(of, rays, count);
     }
 
+    /// Tells who asks that f was evaluated so often for a pixel.
+    void tell_cost(std::uint32_t pixel, double evaluations = 1.0) const {
+        if (counters->costs != nullptr) counters->costs->add(pixel, evaluations);
+    }
     [[nodiscard]] bool stops_by_width() const { return frame->stop.rule == StopRule::Delta; }
     /// Whether an enclosure of f as wide as this ends the search [Knoll07, sec. 5.5].
     [[nodiscard]] bool is_narrow(double width) const {

@@ -66,6 +66,8 @@ private:
         }
         batch_.pad();
         field.counters->value += open_.size();
+        for (const Refinement* const one : open_)
+            field.tell_cost(one->pixel);
         field.frame->kernel.in_double.value(
             batch_.batch(field.frame->scene.uniforms.template points<double>()));
         for (std::size_t i = 0; i < open_.size(); ++i) {

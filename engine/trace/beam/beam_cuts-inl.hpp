@@ -49,8 +49,10 @@ void RayMarcher<Real, Cell>::cut(const RaySegment<Real>& segment, std::size_t i)
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const FrustumOf<Real>& frustum,
-                                              std::size_t count, Real finest) {
+void RayMarcher<Real, Cell>::narrow_by_pieces(std::span<const RaySegment<Real>> segments,
+                                              const FrustumOf<Real>& frustum, Real finest) {
+    const Kernel& kernel = *segments.front().kernel;
+    const std::size_t count = segments.size();
     const auto is_open = [&](std::size_t i) {
         return forms_.branches_of(i).outcomes() > 0 &&
                !verdicts_.bit(&Verdicts<Real>::Bits::rejected, i) &&
@@ -71,6 +73,8 @@ void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const Frustu
             of.copy_cell(memory_.cells, list.cell(k), k);
         of.places.pad(list.size());
         counters_.form += list.size();
+        for (std::size_t k = 0; counters_.costs != nullptr && k < list.size(); ++k)
+            counters_.costs->add(segments[list.cell(k)].pixel);
         kernel.ray_form(
             form_batch(frame_, kernel, frustum, 0, list.size(), of.places, of.forms, list.held()));
         judge(of, list.size(), finest);

@@ -12,6 +12,7 @@
 #include "engine/trace/beam/beam_clip-inl.hpp"
 #include "engine/trace/beam/beam_roots-inl.hpp"
 #include "engine/trace/beam/leaf_run.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 #include <optional>
 
@@ -82,6 +83,8 @@ private:
     void find_roots();
     /// Newton's method in the cells' type.
     void take_steps();
+    /// Counts so many evaluations of f for each pixel at work.
+    void count_values(int each);
     /// f in double, after so many more steps.
     void evaluate(int steps);
     /// Certifies roots and leaves out rows in which no more steps would help; brackets of those
@@ -288,13 +291,20 @@ bool LeafSolver<Real, pixels>::compact() {
 }
 
 template <class Real, int pixels>
+void LeafSolver<Real, pixels>::count_values(int each) {
+    counters_.value += static_cast<std::size_t>(each) * used();
+    for (int slot = 0; counters_.costs != nullptr && slot < slots_; ++slot)
+        counters_.costs->add(run_->col, run_->row + rows_[slot], pixels, 1, each * pixels);
+}
+
+template <class Real, int pixels>
 void LeafSolver<Real, pixels>::take_steps() {
     pad(newton_.from);
     pad(newton_.to);
     pad(newton_.guess);
     pad(newton_.col);
     pad(newton_.row);
-    counters_.value += 2 * used();
+    count_values(2);
     newton_.take_steps(frame_, rays_, *run_->kernel, count(), most_steps);
     for (std::size_t i = 0; i < count(); ++i)
         newton_.s[i] = static_cast<double>(newton_.guess[i]);
@@ -302,7 +312,7 @@ void LeafSolver<Real, pixels>::take_steps() {
 
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::evaluate(int steps) {
-    counters_.value += static_cast<std::size_t>(1 + steps) * used();
+    count_values(1 + steps);
     // The slopes hold between lo and hi, and with them what certify() concludes.
     newton_.evaluate(frame_, rays_, *run_->kernel, count(), steps, static_cast<double>(run_->lo),
                      static_cast<double>(run_->hi));

@@ -11,9 +11,16 @@
 
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/trace/beam/beam_pieces-inl.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
+
+/// Pixels of a tile, as many across as down.
+struct SquareOfPixels {
+    std::uint16_t pixel;  ///< the first one, in rows of tile_size
+    std::uint16_t side;
+};
 
 /// Room that a RangeList keeps.
 template <class Real>
@@ -21,7 +28,8 @@ struct RangeMemory {
     RangeBoxList<Real> boxes;
     Pieces<Real> pieces;
     RangeBoxList<Real> piece_boxes;
-    std::vector<bool> left;  ///< whether a piece of a box may hold a root
+    std::vector<bool> left;               ///< whether a piece of a box may hold a root
+    std::vector<SquareOfPixels> squares;  ///< that each box is for
 };
 
 /// Boxes around parts of the view, and enclosures of f over them.
@@ -34,12 +42,17 @@ public:
 
     void clear() { size_ = 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// A box around the points with |u - u_i| <= u_radius, |v - v_i| <= v_radius at depths from s
-    /// to t.
-    void push(double u, double v, double u_radius, double v_radius, double s, double t);
+    /// A box around the rays of a tile of this size at depths from s to t.
+    void push(CellTile tile, int pixels, double s, double t) {
+        const double half = TileRays::middle_of(pixels);
+        const double radius = rays_.radius_of(pixels) * rays_.pixel();
+        push(rays_.u(tile.col() + half), rays_.v(tile.row() + half), radius, s, t,
+             {tile.pixel, static_cast<std::uint16_t>(pixels)});
+    }
     /// A box around a part of a pixel's ray.
     void push(std::uint32_t pixel, double s, double t) {
-        push(rays_.u(pixel % tile_size), rays_.v(pixel / tile_size), 0.0, 0.0, s, t);
+        push(rays_.u(pixel % tile_size), rays_.v(pixel / tile_size), 0.0, s, t,
+             {static_cast<std::uint16_t>(pixel), 1});
     }
     void evaluate(const Kernel& kernel) { evaluate(kernel.template in<Real>().range); }
     void evaluate(const KernelFunction<RangeBatchOf<Real>>& range);
@@ -65,6 +78,14 @@ public:
     }
 
 private:
+    /// A box around the points with |u - u_i| <= radius, |v - v_i| <= radius at depths from s to t.
+    void push(double u, double v, double radius, double s, double t, SquareOfPixels square);
+    /// Tells who asks that a box was evaluated.
+    void tell_cost(std::size_t i) const {
+        const SquareOfPixels square = memory_.squares[i];
+        counters_.costs->add(square.pixel % tile_size, square.pixel / tile_size, square.side,
+                             square.side);
+    }
     /// Whether f is known to be of either sign, and nowhere 0.
     [[nodiscard]] bool in_two_parts(std::size_t i) const {
         constexpr Real nowhere = -std::numeric_limits<Real>::infinity();
@@ -83,14 +104,16 @@ private:
 };
 
 template <class Real>
-void RangeList<Real>::push(double u, double v, double u_radius, double v_radius, double s,
-                           double t) {
+void RangeList<Real>::push(double u, double v, double radius, double s, double t,
+                           SquareOfPixels square) {
     boxes_.make_room(size_ + 1);
+    memory_.squares.resize(std::max(memory_.squares.size(), size_ + 1));
+    memory_.squares[size_] = square;
     const ViewFrame& axes = rays_.axes();
     for (int k = 0; k < 3; ++k) {
         // Linear in u and v, and in the depth: extremes are at the corners.
         const double across = u * axes.right[k] + v * axes.up[k];
-        const double aside = std::abs(axes.right[k]) * u_radius + std::abs(axes.up[k]) * v_radius;
+        const double aside = (std::abs(axes.right[k]) + std::abs(axes.up[k])) * radius;
         const double near =
             rays_.base()[k] + rays_.distance() * across + s * (axes.forward[k] + across);
         const double far =
@@ -109,6 +132,8 @@ template <class Real>
 void RangeList<Real>::evaluate(const KernelFunction<RangeBatchOf<Real>>& range) {
     if (size_ == 0) return;
     counters_.range += size_;
+    for (std::size_t i = 0; counters_.costs != nullptr && i < size_; ++i)
+        tell_cost(i);
     range(boxes_.batch(size_, uniforms()));
 }
 
@@ -132,6 +157,8 @@ void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
                 of.ends[axis][k] = boxes_.ends[axis][list.cell(k)];
         }
         counters_.range += list.size();
+        for (std::size_t k = 0; counters_.costs != nullptr && k < list.size(); ++k)
+            tell_cost(list.cell(k));
         kernel.template in<Real>().range(of.batch(list.size(), uniforms(), list.held()));
     };
     memory_.pieces.visit(

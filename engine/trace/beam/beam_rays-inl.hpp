@@ -88,8 +88,8 @@ private:
     /// The parts of a segment before, at and behind where a switch may change.
     void cut(const RaySegment<Real>& segment, std::size_t i);
     /// Narrows segments in which switches are open to what the pieces of f leave.
-    void narrow_by_pieces(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count,
-                          Real finest);
+    void narrow_by_pieces(std::span<const RaySegment<Real>> segments,
+                          const FrustumOf<Real>& frustum, Real finest);
     /// Rejects segments that forms say little of by the natural interval extension.
     void ask_ranges(std::span<const RaySegment<Real>> segments);
     /// Goes on with a vector's segments, from the first on, after their cells were evaluated.
@@ -159,6 +159,7 @@ void RayMarcher<Real, Cell>::place(std::span<const RaySegment<Real>> segments, R
         places_.v[i] = v_[segment.pixel / tile_size];
         places_.s[i] = middle;
         places_.s_radius[i] = std::max(end - middle, middle - segment.from) + margin;
+        if (counters_.costs != nullptr) counters_.costs->add(segment.pixel);
         verdicts_.begin[i] = segment.from;
         verdicts_.end[i] = end;
         verdicts_.last[i] = segment.to;
@@ -301,10 +302,9 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             evaluate_forms(*segments.front().kernel, frustum, count);
             judge(memory_.cells, count, settings.finest);
             // Say more where forms say little.
-            const Kernel& kernel = *segments.front().kernel;
-            if (kernel.switches > 0) {
+            if (segments.front().kernel->switches > 0) {
                 find_cuts(count, settings.margin);
-                if (!frame_.scene.jumps) narrow_by_pieces(kernel, frustum, count, settings.finest);
+                if (!frame_.scene.jumps) narrow_by_pieces(segments, frustum, settings.finest);
             }
             ask_ranges(segments);
             // Go on, and decide what is not cut any further.

@@ -11,6 +11,7 @@
 #include "engine/trace/beam/beam_cells-inl.hpp"
 #include "engine/trace/beam/beam_nearest-inl.hpp"
 #include "engine/trace/beam/beam_newton-inl.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -71,6 +72,11 @@ private:
     static constexpr int first_steps = 4;  ///< at most
     static constexpr int most_steps = 40;
 
+    /// Tells who asks that f was evaluated so often for each bracket.
+    void tell_costs(double evaluations) const {
+        for (std::size_t i = 0; counters_.costs != nullptr && i < size_; ++i)
+            counters_.costs->add(brackets_[i].pixel, evaluations);
+    }
     /// Closer guesses, and the slopes there: a help only, nothing rests on them.
     void take_first_steps();
     void evaluate();
@@ -106,6 +112,7 @@ void RootFinder<Real>::take_first_steps() {
         newton_.guess[i] = static_cast<Real>(bracket.guess);
     }
     counters_.value += 2 * size_;
+    tell_costs(2.0);
     newton_.take_steps(frame_, rays_, kernel, count, first_steps);
     for (std::size_t i = 0; i < size_; ++i) {
         RootBracket& bracket = brackets_[i];
@@ -120,6 +127,7 @@ void RootFinder<Real>::evaluate() {
     for (std::size_t i = 0; i < count; ++i)
         newton_.s[i] = brackets_[i < size_ ? i : 0].guess;
     counters_.value += size_;
+    tell_costs(1.0);
     newton_.evaluate(frame_, rays_, kernel, count);
 }
 

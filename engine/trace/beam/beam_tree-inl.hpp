@@ -12,6 +12,7 @@
 #include "engine/trace/beam/beam_pieces-inl.hpp"
 #include "engine/trace/beam/beam_ranges-inl.hpp"
 #include "engine/trace/open_view.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -128,6 +129,12 @@ private:
     };
 
     void start();
+    /// Tells who asks that each of some cells, tiles of this size, was evaluated.
+    void tell_costs(std::span<const CellTile> tiles, int pixels) const {
+        if (counters_.costs == nullptr) return;
+        for (const CellTile tile : tiles)
+            counters_.costs->add(tile.col(), tile.row(), pixels, pixels);
+    }
     /// The first cells of one tile: `kernel` between depths, in so many slabs.
     struct First {
         const Kernel* kernel;

@@ -24,6 +24,7 @@ std::span<const CellRun> CellTree<Real>::judge(int pixels) {
     cells_->place(rays_, pixels, margin_of(pixels));
     for (CellRun& run : cells_->runs.all())
         evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
+    tell_costs(std::span(cells_->tile).first(cells_->size), pixels);
     CellJudge<Real>(rays_, pixels).judge(*cells_);
     for (const CellRun& run : cells_->runs.all()) {
         if (run.kernel->switches > 0 && !frame_.scene.jumps) narrow_by_pieces(run, frustum, pixels);
@@ -54,6 +55,7 @@ void CellTree<Real>::narrow_by_pieces(const CellRun& run, const FrustumOf<Real>&
             of.push_copy(*cells_, list.cell(k));
         of.places.pad(of.size);
         counters_.form += of.size;
+        tell_costs(std::span(of.tile).first(of.size), pixels);
         run.kernel->form(
             form_batch(frame_, *run.kernel, frustum, 0, of.size, of.places, of.forms, list.held()));
         judge.judge(of);
@@ -93,15 +95,12 @@ template <class Real>
 void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
     ranges_.clear();
     asked_.clear();
-    const double half = TileRays::middle_of(pixels);
-    const double radius = rays_.radius_of(pixels) * rays_.pixel();
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
         const bool told = cells_->forms.continuous[i] != 0 && cells_->forms.known(i) &&
                           !cells_->bit(&CellBits::flat, i);
         if (told || cells_->bit(&CellBits::rejected, i)) continue;
         asked_.push_back(i);
-        ranges_.push(rays_.u(cells_->tile[i].col() + half), rays_.v(cells_->tile[i].row() + half),
-                     radius, radius, static_cast<double>(cells_->from[i]),
+        ranges_.push(cells_->tile[i], pixels, static_cast<double>(cells_->from[i]),
                      static_cast<double>(cells_->to[i]));
     }
     ranges_.evaluate(*run.kernel);

@@ -245,6 +245,8 @@ void Group<Real>::run() {
         more = more && refill();
         if (marching_.empty() || frame_.stopped()) break;
         batch_.evaluate(frame_, 2 * marching_.size(), counters_);
+        for (const Packet<Real>* const packet : marching_)
+            packet->tell_costs(counters_.costs, 2.0);
         // Packets that have a next slice move to the front, with their boxes; the others are done.
         std::size_t slots = 0;
         for (std::size_t i = 0; i < marching_.size(); ++i) {

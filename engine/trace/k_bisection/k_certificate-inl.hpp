@@ -115,6 +115,8 @@ void certify(const TraceFrame& frame, std::span<Packet<Real>* const> packets,
             }
         }
         batch.evaluate(frame, 2 * packets.size(), counters);
+        for (const Packet<Real>* const packet : packets)
+            packet->tell_costs(counters.costs, 2.0);
         bool any_open = false;
         for (std::size_t p = 0; p < packets.size(); ++p) {
             any_open |= take_look(brackets[p], step == 0, 2 * p, batch);

@@ -10,6 +10,7 @@
 
 #include "engine/kernel/kernel.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
 
@@ -107,6 +108,12 @@ struct Packet {
     std::uint64_t slices;     ///< bits of the top slices still to be looked at
     // Last, and aligned so that each packet begins a cache line.
     alignas(64) Numbers gap_from;  ///< the first slice where f is not continuous
+
+    /// Tells who asks that so many boxes of each ray were evaluated.
+    void tell_costs(TileCosts* costs, double evaluations) const {
+        for (int lane = 0; costs != nullptr && lane < static_cast<int>(lanes<Real>); ++lane)
+            costs->add(pixel(lane).index(), evaluations);
+    }
 
     /// The numbers that divide K: increasing, and equal for equal indices.
     [[nodiscard]] Real grid(std::int64_t index) const {

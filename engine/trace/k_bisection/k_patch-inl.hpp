@@ -177,6 +177,8 @@ PatchSlices<Real>::PatchSlices(const TraceFrame& frame, const Tile& tile,
             const int col = static_cast<int>(i) % patches_a_row * patch_size;
             const int row = static_cast<int>(i) / patches_a_row * patch_size;
             if (col >= tile.cols || row >= tile.rows) continue;
+            if (counters.costs != nullptr)
+                counters.costs->add(col, row, patch_size, patch_size, patch_slices);
             patches_[i] = patch_of(tile, source, col, row);
             if (patches_[i].axes == nullptr) continue;
             store_slices(patches_[i], (i - first) * patch_slices, batch);

@@ -20,11 +20,13 @@
 #include "engine/trace/octree/leaf_tests.hpp"
 #include "engine/trace/octree/octree.hpp"
 #include "engine/trace/octree/ray_walk.hpp"
+#include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -66,6 +68,10 @@ private:
     void take(RayWalk& walk, const LeafCase& judged);
     void end(RayWalk& walk);
     void store_asked(const RayWalk& walk, std::size_t first);
+    /// Tells who asks that f was evaluated so often for a ray.
+    void tell_costs(const RayWalk& walk, double evaluations) const {
+        if (counters_.costs != nullptr) counters_.costs->add(walk.pixel().index(), evaluations);
+    }
 
     const TraceFrame& frame_;
     const Tile& tile_;
@@ -176,6 +182,8 @@ void OctreeTile<Real, Method>::judge_asked() {
     }
     if (count > 0) {
         counters_.range += count;
+        for (const RayWalk* const walk : marching_)
+            tell_costs(*walk, static_cast<double>(walk->asked().count));
         boxes_.pad(count);
         frame_.kernel.range(
             boxes_.batch(padded(count), frame_.scene.uniforms.template boxes<Real>()));
@@ -223,7 +231,11 @@ void OctreeTile<Real, Method>::judge_leaves() {
         cases[i] = {.ray = &walks[i]->ray(), .leaf = walks[i]->leaf()};
     }
     at_leaf_.erase(at_leaf_.begin(), at_leaf_.begin() + static_cast<std::ptrdiff_t>(count));
+    const std::uint64_t before = counters_.range + counters_.form;
     leaf_tests_.judge(frame_, certifies_, std::span(cases).first(count), counters_);
+    const auto asked = static_cast<double>(counters_.range + counters_.form - before);
+    for (const RayWalk* const walk : std::span(walks).first(count))
+        tell_costs(*walk, asked / static_cast<double>(count));
     for (std::size_t i = 0; i < count; ++i)
         take(*walks[i], cases[i]);
 }

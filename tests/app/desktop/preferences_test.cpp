@@ -38,6 +38,7 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
                           .space_open = true,
                           .clip_open = true,
                           .details_open = true,
+                          .advanced_open = true,
                           .edges_open = true,
                           .letters = 1.5F,
                           .axes = false,

@@ -59,6 +59,8 @@ TEST(Actions, OfASwitchTurnItOnAndOff) {
     for (const Action& action : actions()) {
         if (action.is_on == nullptr || action.chooses) continue;
         UiState state;
+        state.shown.tracers = {{.name = "beams", .about = "", .finds_jumps = true},
+                               {.name = "newton", .about = "", .finds_jumps = false}};
         const bool before = action.is_on(state);
         action.run(state);
         EXPECT_NE(action.is_on(state), before) << action.name;

@@ -61,7 +61,8 @@ TEST_P(Keyboard, WalksThroughAllControls) {
     EXPECT_TRUE(has(ImHashStr("##document", 0, panel("##side").ID)));
     EXPECT_TRUE(has(ImHashStr("##add", 0, list().ID)));
     EXPECT_TRUE(has(slider()));
-    for (const char* const title : {"View", "Look", "Light", "Clip", "Space", "Markers", "Details"})
+    for (const char* const title :
+         {"View", "Look", "Light", "Clip", "Space", "Markers", "Details", "Advanced"})
         EXPECT_TRUE(has(ImHashStr(title, 0, list().ID))) << title;
     EXPECT_FALSE(state_.pages.gallery.open) << "walking presses nothing";
     EXPECT_FALSE(state_.edited.layout.folded);

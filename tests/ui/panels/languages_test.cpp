@@ -52,9 +52,9 @@ TEST_P(Languages, FindCommandsByTheirOwnWordsAndByEnglishOnes) {
 TEST_P(Languages, WriteNumbersOfSlidersAndFieldsWithTheirMark) {
     PictureFigures figures;
     figures.frame_ms = 5.25;
-    EXPECT_EQ(frame_time(figures), "5.2 ms");
+    EXPECT_EQ(frame_time(figures.frame_ms), "5.2 ms");
     set_language(Language::German, ',');
-    EXPECT_EQ(frame_time(figures), "5,2 ms");
+    EXPECT_EQ(frame_time(figures.frame_ms), "5,2 ms");
 }
 
 TEST_P(Languages, ChangeWhatTheWindowShows) {

@@ -1,7 +1,8 @@
-#include "app/cli/compare/wrong_pixels.hpp"
+#include "engine/measure/wrong_pixels.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <limits>
 
 // Pixels unlike those that are proved, kind by kind.
@@ -62,6 +63,23 @@ TEST(WrongPixels, AreRefutedWhereTheyClaimToBeProved) {
 TEST(WrongPixels, CountOnlyWhereSomethingIsProved) {
     expect_counts(judged(empty, unknown), 0, 0, 0, 0);
     expect_counts(judged({Certificate::Certified, 9.0F}, unknown), 0, 0, 0, 0);
+}
+
+TEST(WrongPixels, AreMarkedInAPictureInGrey) {
+    Framebuffer frame(5, 5);
+    Framebuffer truth(5, 5);
+    for (Framebuffer* const both : {&frame, &truth})
+        both->color.assign(25, 0xFF306090U);
+    const Camera camera{.eye = {0, -4, 0}, .look_at = {0, 0, 0}, .fov_rad = 0.5};
+    truth.certificate[0] = Certificate::Certified;
+    truth.depth[0] = 3.0F;
+    const auto colors = difference_colors(frame, truth, camera, 0.01);
+    EXPECT_EQ(colors[0], 0xFF3B3BF0U) << "missed: red";
+    EXPECT_EQ(colors[6], colors[0]) << "so are its neighbours";
+    EXPECT_EQ(colors[2], 0xFF303030U) << "half of the mean of the channels";
+    const auto added = difference_colors(truth, frame, camera, 0.01);
+    EXPECT_EQ(added[0], 0xFFE065B0U) << "violet";
+    EXPECT_EQ(difference_colors(truth, truth, camera, 0.01)[0], 0xFF303030U);
 }
 
 }  // namespace
