@@ -1,5 +1,6 @@
 #include "app/desktop/session.hpp"
 
+#include "app/desktop/export_target.hpp"
 #include "app/platform/folders.hpp"
 #include "document/camera_text.hpp"
 #include "document/json/document_file.hpp"
@@ -60,6 +61,10 @@ std::pair<std::string, std::string> names_of(ExportKind kind) {
     return {};
 }
 
+const std::string& chosen_ending(const ui::ExportPage& page) {
+    return page.endings.at(static_cast<std::size_t>(page.wish.kind));
+}
+
 /// The name, cut where it is too long for a question.
 std::string shortened(const std::string& name) {
     constexpr std::size_t longest = 60;
@@ -104,6 +109,7 @@ void Session::follow(double now_s) {
     if (state_.wishes.command || state_.wishes.open_path) follow_command();
     history_.follow(current(), now_s, state_.input.gesture, state_.input.held);
     keep(now_s);
+    propose_export();
     refresh();
 }
 
@@ -296,10 +302,28 @@ void Session::save_as() {
     choose_file_for(std::move(choice), tr_in("name of a file", "untitled"));
 }
 
+std::string Session::export_folder() const {
+    return export_folder_.empty() ? first_folder(path_) : export_folder_;
+}
+
+void Session::propose_export() {
+    const ui::ExportPage& page = state_.pages.exports;
+    const std::string& ending = chosen_ending(page);
+    const std::string name = path_.empty() ? names_of(page.wish.kind).second : bare_name(path_);
+    const bool saving = !state_.shown.export_progress.name.empty();
+    // Numbered pictures are many files: their name is asked for.
+    Proposal now;
+    if (page.open && ending.starts_with('.') && !saving)
+        now = {.folder = export_folder(), .name = name, .ending = ending};
+    if (now == proposed_) return;
+    proposed_ = now;
+    state_.shown.export_target =
+        now.ending.empty() ? "" : unused_file(now.folder, now.name, now.ending);
+}
+
 void Session::choose_export() {
     const ui::ExportPage& page = state_.pages.exports;
-    const auto kind = static_cast<std::size_t>(page.wish.kind);
-    const std::string& ending = page.endings.at(kind);
+    const std::string& ending = chosen_ending(page);
     const std::string ending_of_files = ending.substr(ending.find('.'));
     const auto [title, usual_name] = names_of(page.wish.kind);
     ui::FileChoice choice;
@@ -307,6 +331,7 @@ void Session::choose_export() {
     choice.title = title;
     choice.ending = ending_of_files;
     choose_file_for(std::move(choice), usual_name);
+    state_.pages.dialogs.file->folder = export_folder();
     // Numbered pictures have their number in the name.
     std::string& name = state_.pages.dialogs.file->name;
     name += ending.substr(0, ending.find('.')) + ending_of_files;
@@ -340,7 +365,9 @@ void Session::follow_file_choice() {
     switch (choice.purpose) {
         case Purpose::Open: return load(choice.path);
         case Purpose::Save: return write(choice.path);
-        case Purpose::Export: state_.wishes.export_path = choice.path;
+        case Purpose::Export:
+            export_folder_ = first_folder(choice.path);
+            state_.wishes.export_path = choice.path;
     }
 }
 

@@ -77,6 +77,9 @@ private:
     void save_as();
     /// Asks for the name of the file that the export page wishes.
     void choose_export();
+    /// Keeps up with the file that the export page would save without asking.
+    void propose_export();
+    [[nodiscard]] std::string export_folder() const;
     void write(const std::string& path);
     void undo(bool back);
     /// Copies the selected marker's coordinates, or else the document.
@@ -109,6 +112,14 @@ private:
     Document kept_;  ///< the document as autosave kept it, or as `saved_` where nothing is kept
     double kept_s_ = 0.0;
     bool closed_ = false;
+    std::string export_folder_;  ///< chosen last for what is saved; empty: none yet
+    /// Of what Shown::export_target was made.
+    struct Proposal {
+        std::string folder, name, ending;
+
+        bool operator==(const Proposal&) const = default;
+    };
+    Proposal proposed_;
 };
 
 }  // namespace zeroset

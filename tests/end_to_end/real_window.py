@@ -96,6 +96,7 @@ class RealWindowTest(unittest.TestCase):
         """Starts the program and waits for its window and its first picture."""
         variables = dict(self.display.environment, ZEROSET_SCALE=str(self.SCALE))
         self.started = subprocess.Popen([program(), *arguments], env=variables,
+                                        cwd=self.display.folder.name,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.addCleanup(self.end)
         self.window = self.wait_for(self.find_window, "window")

@@ -178,7 +178,7 @@ class WindowTest(RealWindowTest):
         path = Path(self.display.folder.name) / "ball"
         self.display.xdotool("key", "Escape", "ctrl+e")
         page = self.changed(ball, "the page of what is saved")
-        self.display.xdotool("key", "Return")
+        self.display.xdotool("key", "shift+Return")
         self.changed(page, "the choice of a file")
         self.display.xdotool("type", "--delay", 5, str(path))
         self.display.xdotool("key", "Return")

@@ -15,6 +15,7 @@
 #include <array>
 #include <cfloat>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -113,15 +114,44 @@ void draw_progress(UiState& state) {
     draw_tooltip(tr("Nothing is left behind; numbered pictures that are finished stay."));
 }
 
+/// Saves to the file that is proposed, or asks for another one.
+void save(UiState& state) {
+    if (state.shown.export_target.empty()) {
+        state.wishes.command = Command::Export;
+    } else {
+        state.wishes.export_path = state.shown.export_target;
+    }
+}
+
+/// "picture.png in /home/ann"
+void draw_target(const std::string& target) {
+    if (target.empty()) return;
+    const std::filesystem::path path(target);
+    const std::string text =
+        filled(tr("{0} in {1}"), {path.filename().string(), path.parent_path().string()});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const bool cut = draw_elided(text, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleColor();
+    if (cut) draw_tooltip(text);
+}
+
 void draw_save(UiState& state) {
     const Palette& colors = palette(state.edited.theme);
+    const std::string& target = state.shown.export_target;
+    draw_target(target);
     ImGui::PushStyleColor(ImGuiCol_Button, colors.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.accent);
     ImGui::PushStyleColor(ImGuiCol_Text, colors.bar);
-    if (ImGui::Button(tr("Save..."), ImVec2(em(7.0F), 0.0F)))
-        state.wishes.command = Command::Export;
+    if (ImGui::Button(target.empty() ? tr("Save...") : tr("Save"), ImVec2(em(6.0F), 0.0F)))
+        save(state);
     ImGui::PopStyleColor(3);
-    draw_tooltip(tr("Choose the file's name (Enter)"));
+    draw_tooltip(target.empty() ? tr("Choose the file's name (Enter)")
+                                : filled(tr("Save as {0} (Enter)"), {target}));
+    if (!target.empty()) {
+        ImGui::SameLine();
+        if (ImGui::Button(tr("Save as..."))) state.wishes.command = Command::Export;
+        draw_tooltip(tr("Choose the file's name and folder (Shift+Enter)"));
+    }
     if (state.pages.exports.wish.kind != ExportKind::Picture) return;
     ImGui::SameLine();
     if (ImGui::Button(tr("Copy the picture"))) state.wishes.copy_picture = true;
@@ -143,7 +173,8 @@ void draw_content(UiState& state) {
     }
     ImGui::EndTabBar();
     const bool saves = !state.shown.export_progress.name.empty();
-    const float below = (saves ? 2.0F : 1.0F) * ImGui::GetFrameHeightWithSpacing() + em(0.6F);
+    const bool two_lines = saves || !state.shown.export_target.empty();
+    const float below = (two_lines ? 2.0F : 1.0F) * ImGui::GetFrameHeightWithSpacing() + em(0.6F);
     ImGui::BeginChild("##part", ImVec2(0.0F, -below));
     draw_export_preview(state);
     const ExportFormat& format = chosen_format(state);
@@ -188,8 +219,12 @@ void follow_export_keys(UiState& state) {
         ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
     }
     const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
-    if (enter && !ImGui::GetIO().WantTextInput && state.shown.export_progress.name.empty())
+    if (!enter || ImGui::GetIO().WantTextInput || !state.shown.export_progress.name.empty()) return;
+    if (ImGui::GetIO().KeyShift) {
         state.wishes.command = Command::Export;
+    } else {
+        save(state);
+    }
 }
 
 void draw_export_page(UiState& state) {

@@ -111,6 +111,8 @@ struct Shown {
     std::vector<ExportFormat> export_formats;  ///< all, each kind's usual one first
     ExportPreview export_preview;
     ExportProgress export_progress;
+    /// The file that the export page saves without asking; none has its name. Empty: it asks.
+    std::string export_target;
 };
 
 }  // namespace zeroset::ui

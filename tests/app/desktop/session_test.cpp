@@ -82,6 +82,43 @@ protected:
     double now_s_ = 0.0;
 };
 
+TEST_F(Sessions, ProposeAFileForWhatIsSavedThatIsNotThereYet) {
+    const fs::path path = folder_ / "cone.zeroset.json";
+    start({.path = path.string()});
+    ui::ExportPage& page = state_.pages.exports;
+    page.endings = {".png", ".mp4", ".stl", ".svg"};
+    frame();
+    EXPECT_EQ(state_.shown.export_target, "") << "the page is closed";
+    page.open = true;
+    frame();
+    EXPECT_EQ(state_.shown.export_target, (folder_ / "cone.png").string());
+    state_.shown.export_progress.name = "cone.png";
+    frame();
+    std::ofstream(folder_ / "cone.png") << "a picture";
+    state_.shown.export_progress.name.clear();
+    frame();
+    EXPECT_EQ(state_.shown.export_target, (folder_ / "cone-2.png").string());
+    page.wish.kind = ExportKind::Film;
+    frame();
+    EXPECT_EQ(state_.shown.export_target, (folder_ / "cone.mp4").string());
+    page.endings[1] = "####.png";
+    frame();
+    EXPECT_EQ(state_.shown.export_target, "") << "many files: the name is asked for";
+}
+
+TEST_F(Sessions, ProposeTheFolderThatWasChosenLast) {
+    start();
+    ui::ExportPage& page = state_.pages.exports;
+    page.endings = {".png", ".mp4", ".stl", ".svg"};
+    page.open = true;
+    fs::create_directory(folder_ / "pictures");
+    give(ui::Command::Export);
+    choose(folder_ / "pictures" / "mine.png");
+    EXPECT_EQ(state_.wishes.export_path, (folder_ / "pictures" / "mine.png").string());
+    frame();
+    EXPECT_EQ(state_.shown.export_target, (folder_ / "pictures" / "picture.png").string());
+}
+
 TEST_F(Sessions, UndoAndRedo) {
     start();
     type("+y");

@@ -194,6 +194,17 @@ TEST_P(ExportPages, SaveByEnter) {
     state_.wishes.command.reset();
     press(GLFW_KEY_ENTER);
     EXPECT_EQ(state_.wishes.command, Command::Export);
+    EXPECT_FALSE(state_.wishes.export_path);
+}
+
+TEST_P(ExportPages, SaveByEnterToTheFileThatIsProposed) {
+    open("Save the picture...");
+    state_.wishes.command.reset();
+    state_.shown.export_target = "/home/ann/picture.png";
+    draw();
+    press(GLFW_KEY_ENTER);
+    EXPECT_FALSE(state_.wishes.command);
+    EXPECT_EQ(state_.wishes.export_path, "/home/ann/picture.png");
 }
 
 TEST_P(ExportPages, DoNotSaveWhileSomethingIsSaved) {
