@@ -1,6 +1,7 @@
 #include "ui/actions/actions.hpp"
 
 #include "engine/base/translation.hpp"
+#include "ui/actions/errors.hpp"
 #include "ui/actions/marker_moves.hpp"
 #include "ui/actions/presentation.hpp"
 #include "ui/actions/view_moves.hpp"
@@ -526,6 +527,12 @@ constexpr auto table = std::to_array<Action>({
      .about = "lines for papers, SVG or PDF",
      .run = open_exports<ExportKind::Drawing>,
      .is_on = has_exports<ExportKind::Drawing>},
+    {.section = document,
+     .name = "Go to the error",
+     .keys = "F8",
+     .about = "the caret goes to where a row is wrong; again: the next one",
+     .run = go_to_next_error,
+     .enabled = has_errors},
     {.section = document,
      .name = "Stop saving",
      .about = "give up what is being saved",

@@ -81,6 +81,7 @@ constexpr auto table = std::to_array<OtherWords>({
     {.action = "Save the mesh...",
      .words = "3d print, stl, obj, ply, gltf, triangles, polygons, blender, export"},
     {.action = "Save a drawing...", .words = "svg, pdf, tikz, vector, latex, paper, lines, export"},
+    {.action = "Go to the error", .words = "mistake, wrong, syntax error, next error, jump"},
     {.action = "Stop saving", .words = "cancel, abort, export"},
     {.action = "Copy the picture", .words = "screenshot, image, clipboard"},
     {.action = "Copy as text", .words = "clipboard"},

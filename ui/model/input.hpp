@@ -2,6 +2,7 @@
 
 #include "engine/view/camera.hpp"
 #include "ui/model/clip_handles.hpp"
+#include "ui/model/soft_wrap.hpp"
 
 #include <glm/ext/vector_int2.hpp>
 
@@ -18,6 +19,12 @@ struct ViewMove {
     bool begun = false;
 };
 
+/// What the field of a row showed that had the keyboard last.
+struct TypedField {
+    int row = 0;
+    WrappedText shown;
+};
+
 /// Where pointer and keyboard are and what they are in the middle of. Set by the panels; the owner
 /// reads it.
 struct Input {
@@ -28,6 +35,7 @@ struct Input {
     unsigned gesture = 0;                   ///< grows with each press of a button
     bool held = false;                      ///< a button is down
     int typing_row = 0;                     ///< the row whose field has the keyboard; 0: none
+    TypedField typed;
     std::string camera_error;  ///< what is wrong with the numbers of a camera that were typed last
 };
 

@@ -15,9 +15,10 @@ namespace zeroset::ui {
 
 /// The keyboard goes to a row.
 struct RowFocus {
-    enum class Caret : std::uint8_t { All, Start, End };
+    enum class Caret : std::uint8_t { All, Start, End, At };
     int row = 0;  ///< its id
     Caret caret = Caret::End;
+    std::size_t at = 0;  ///< the byte of the text, for Caret::At
 };
 
 /// Commands about the document as a whole.

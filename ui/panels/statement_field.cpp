@@ -1,5 +1,6 @@
 #include "ui/panels/statement_field.hpp"
 
+#include "ui/model/soft_wrap.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/keys.hpp"
@@ -16,6 +17,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace zeroset::ui {
@@ -27,32 +30,63 @@ std::ptrdiff_t lines_of(const std::string& text) {
     return 1 + std::count(text.begin(), text.end(), '\n');
 }
 
+/// The text as a field of this width shows it, in the current font.
+WrappedText as_shown(const std::string& text, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = width - 2.0F * style.FramePadding.x - style.ScrollbarSize;
+    return wrapped(text, room, [](std::string_view character) {
+        const char* const begin = character.data();
+        return ImGui::CalcTextSize(begin, begin + character.size()).x;
+    });
+}
+
 /// Input and output of the text field's callback.
 struct FieldEdit {
     const std::string* reload = nullptr;  ///< new text of the field, if not null
-    std::optional<RowFocus::Caret> caret;
-    bool in_first_line = true;
-    bool in_last_line = true;
+    std::optional<RowFocus> focus;        ///< where the caret is to be
+    bool ahead = false;                   ///< Delete is pressed
+    float width = 0.0F;                   ///< of the field
+    WrappedText* shown = nullptr;         ///< what the field shows
+    std::string* plain = nullptr;         ///< its text without the breaks that were put in
 };
+
+void put_caret(ImGuiInputTextCallbackData& data, const RowFocus& focus, const WrappedText& shown) {
+    if (focus.caret == RowFocus::Caret::All) return data.SelectAll();
+    if (focus.caret == RowFocus::Caret::At) {
+        data.CursorPos = static_cast<int>(shown_place(shown, focus.at));
+    } else {
+        data.CursorPos = focus.caret == RowFocus::Caret::Start ? 0 : data.BufTextLen;
+    }
+    data.ClearSelection();
+}
 
 int on_edit(ImGuiInputTextCallbackData* data) {
     FieldEdit& edit = *static_cast<FieldEdit*>(data->UserData);
-    if (edit.reload != nullptr && *edit.reload != data->Buf) {
-        data->DeleteChars(0, data->BufTextLen);
-        data->InsertChars(0, edit.reload->c_str());
-        edit.caret = RowFocus::Caret::End;
+    WrappedText& shown = *edit.shown;
+    PlainEdit now{.text = *edit.plain,
+                  .caret = plain_place(shown, static_cast<std::size_t>(data->CursorPos))};
+    if (edit.reload != nullptr && *edit.reload != *edit.plain) {
+        now = {.text = *edit.reload, .caret = edit.reload->size()};
+    } else if (shown.text != data->Buf) {
+        now = plain_edit(shown, data->Buf, static_cast<std::size_t>(data->CursorPos), edit.ahead);
     }
-    if (edit.caret == RowFocus::Caret::All) {
-        data->SelectAll();
-    } else if (edit.caret) {
-        data->CursorPos = edit.caret == RowFocus::Caret::Start ? 0 : data->BufTextLen;
+    shown = as_shown(now.text, edit.width);
+    *edit.plain = std::move(now.text);
+    if (shown.text != data->Buf) {
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, shown.text.c_str());
+        data->CursorPos = static_cast<int>(shown_place(shown, now.caret));
         data->ClearSelection();
     }
-    const char* const caret = data->Buf + data->CursorPos;
-    edit.in_first_line = std::find(static_cast<const char*>(data->Buf), caret, '\n') == caret;
-    const char* const end = data->Buf + data->BufTextLen;
-    edit.in_last_line = std::find(caret, end, '\n') == end;
+    if (edit.focus) put_caret(*data, *edit.focus, shown);
     return 0;
+}
+
+/// Height of a field that shows this, breaks included.
+float height_of(const std::string& shown) {
+    const float line = font(FontRole::Formula)->FontSize * ImGui::GetIO().FontGlobalScale;
+    const auto lines = static_cast<float>(std::min(lines_of(shown), most_lines));
+    return std::ceil(lines * line + 2.0F * ImGui::GetStyle().FramePadding.y);
 }
 
 bool is_active(ImGuiID field) { return ImGui::GetActiveID() == field; }
@@ -117,10 +151,10 @@ void ask_for_keyboard(ImGuiID field) {
 
 /// Returns the wished caret position if the keyboard is to go to this field, and asks for the
 /// keyboard.
-std::optional<RowFocus::Caret> wished_caret(const UiState& state, int row, ImGuiID field) {
+std::optional<RowFocus> wished_focus(const UiState& state, int row, ImGuiID field) {
     if (!state.wishes.focus || state.wishes.focus->row != row) return std::nullopt;
     if (!is_active(field)) ask_for_keyboard(field);
-    return state.wishes.focus->caret;
+    return state.wishes.focus;
 }
 
 /// Makes Shift+Enter insert a line break while it lives, by pretending that it is ImGui's
@@ -146,14 +180,41 @@ private:
     ImGuiKeyModFlags mods_;
 };
 
-/// Draws the text field itself; true if its text changed.
-bool edit_text(const char* id, std::string& text, float width, FieldEdit& edit) {
+/// The text that is selected in the field, without the breaks that were put in.
+std::string selection_in(ImGuiID field, const WrappedText& shown) {
+    const ImGuiInputTextState* typing = ImGui::GetInputTextState(field);
+    if (typing == nullptr || typing->Stb.select_start == typing->Stb.select_end) return {};
+    const auto [first, last] = std::minmax(typing->Stb.select_start, typing->Stb.select_end);
+    // ImGui counts in characters.
+    const ImWchar* const begin = typing->TextW.Data;
+    const auto place = [begin](int count) {
+        return static_cast<std::size_t>(ImTextCountUtf8BytesFromStr(begin, begin + count));
+    };
+    return plain_part(shown, place(std::min(first, typing->CurLenW)),
+                      place(std::min(last, typing->CurLenW)));
+}
+
+bool is_copying() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return (io.KeyCtrl &&
+            (is_letter_pressed('c') || is_letter_pressed('x') || is_pressed(ImGuiKey_Insert))) ||
+           (io.KeyShift && is_pressed(ImGuiKey_Delete));
+}
+
+/// Draws the text field itself; true if its text, `edit.plain`, changed.
+bool edit_text(const char* id, FieldEdit& edit) {
     constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_CtrlEnterForNewLine |
                                           ImGuiInputTextFlags_NoUndoRedo |
                                           ImGuiInputTextFlags_CallbackAlways;
     const ShiftEnter shift_enter;
-    return ImGui::InputTextMultiline(id, &text, ImVec2(width, statement_field_height(text)), flags,
-                                     on_edit, &edit);
+    const ImGuiID field = ImGui::GetID(id);
+    const std::string selected = is_copying() ? selection_in(field, *edit.shown) : std::string();
+    const std::string before = *edit.plain;
+    std::string text = edit.shown->text;
+    ImGui::InputTextMultiline(id, &text, ImVec2(edit.width, height_of(text)), flags, on_edit,
+                              &edit);
+    if (!selected.empty()) ImGui::SetClipboardText(selected.c_str());
+    return *edit.plain != before;
 }
 
 /// True if a Tab goes to another row; from the last and the first one ImGui leads on.
@@ -169,10 +230,11 @@ bool came_at_once(const std::string& before, const std::string& after) {
 
 }  // namespace
 
-float statement_field_height(const std::string& text) {
-    const float line = font(FontRole::Formula)->FontSize * ImGui::GetIO().FontGlobalScale;
-    const auto lines = static_cast<float>(std::min(lines_of(text), most_lines));
-    return std::ceil(lines * line + 2.0F * ImGui::GetStyle().FramePadding.y);
+float statement_field_height(const std::string& text, float width) {
+    ImGui::PushFont(font(FontRole::Formula));
+    const float height = height_of(as_shown(text, width).text);
+    ImGui::PopFont();
+    return height;
 }
 
 FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowError* error,
@@ -181,10 +243,12 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
     const char* const id = "##equation";
     const ImGuiID field = ImGui::GetID(id);
     FieldEvent event = FieldEvent::None;
-    FieldEdit edit;
-    edit.caret = wished_caret(state, statement.id, field);
     const bool typing = is_active(field);
-    const CaretLines caret = caret_lines(field, statement.text);
+    // A field at work shows what it showed in the frame before.
+    WrappedText shown = typing && state.input.typed.row == statement.id
+                            ? state.input.typed.shown
+                            : as_shown(statement.text, width);
+    const CaretLines caret = caret_lines(field, shown.text);
     if (typing) event = list_key(statement.text);
     if (typing && event == FieldEvent::None) event = arrow_key(caret);
     const bool escape = typing && is_pressed(ImGuiKey_Escape);
@@ -193,16 +257,24 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
     if (leads_to_row(state, statement.id, event)) ImGui::NavMoveRequestCancel();
     const std::string typed = statement.text;
     const std::string reloaded = statement.text;
+    FieldEdit edit{.focus = wished_focus(state, statement.id, field),
+                   .ahead = is_pressed(ImGuiKey_Delete),
+                   .width = width,
+                   .shown = &shown,
+                   .plain = &statement.text};
     if (state.wishes.reload == statement.id) {
         edit.reload = &reloaded;
         state.wishes.reload.reset();
     }
-    const bool changed = edit_text(id, statement.text, width, edit);
-    if (edit.caret && is_active(field)) state.wishes.focus.reset();
+    const bool changed = edit_text(id, edit);
+    if (edit.focus && is_active(field)) state.wishes.focus.reset();
     if (changed && came_at_once(typed, statement.text)) event = FieldEvent::Paste;
     // Leave only after the field has taken the characters typed before the key.
     if (is_active(field) && event != FieldEvent::None) leave_field();
-    if (typing || is_active(field)) state.input.typing_row = statement.id;
+    if (typing || is_active(field)) {
+        state.input.typing_row = statement.id;
+        state.input.typed = {.row = statement.id, .shown = shown};
+    }
 
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) {
@@ -210,7 +282,8 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
         if (statement.text.empty() && hint != nullptr) {
             draw_hint(view, hint, palette(state.edited.theme).quiet);
         } else if (error != nullptr && !error->unfinished) {
-            draw_error_mark(view, statement.text, error->at, palette(state.edited.theme).error);
+            const std::size_t at = shown_place(shown, std::min(error->at, statement.text.size()));
+            draw_error_mark(view, shown.text, at, palette(state.edited.theme).error);
         }
     }
     ImGui::PopFont();

@@ -24,8 +24,9 @@ enum class FieldEvent : std::uint8_t {
     Paste,      ///< text of several lines was inserted at once
 };
 
-/// Height of a field that shows `text`, in window coordinates.
-float statement_field_height(const std::string& text);
+/// Height of a field of this width that shows `text`, whose long lines go on in the next line; in
+/// window coordinates.
+float statement_field_height(const std::string& text, float width);
 
 /// Draws the text field of a row, with a mark at its error. Shift+Enter inserts a line break;
 /// Escape leaves the field. Edits the statement's text, fulfils `state.wishes.focus` and

@@ -3,6 +3,8 @@
 #include "document/sheet.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/base/translation.hpp"
+#include "ui/actions/errors.hpp"
+#include "ui/actions/errors.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"
@@ -241,6 +243,8 @@ void draw_error(const Row& row, const RowError& error, float width) {
     const ImVec2 at = ImGui::GetCursorPos();
     ImGui::TextUnformatted(error.reason.c_str());
     const float height = ImGui::GetItemRectSize().y;
+    draw_tooltip(tr("Click: go to the place"));
+    if (ImGui::IsItemClicked()) go_to_error(row.state, row.statement.id);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::PopStyleColor();
@@ -289,7 +293,7 @@ void draw_back(const Row& row, ImDrawList& canvas, const ImRect& place) {
 ImRect last_place(ImGuiID id) {
     const ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float height = storage.GetFloat(id, statement_field_height(""));
+    const float height = storage.GetFloat(id, ImGui::GetFrameHeight());
     return {origin.x, origin.y, origin.x + ImGui::GetContentRegionAvail().x, origin.y + height};
 }
 
@@ -298,7 +302,7 @@ RowEvent either(RowEvent a, RowEvent b) { return a != RowEvent::None ? a : b; }
 /// Draws all parts of the row, starting at ImGui's cursor.
 RowEvent draw_parts(Row& row, const char* hint) {
     const float spacing = em(0.3F);
-    const float height = statement_field_height("");
+    const float height = statement_field_height("", 0.0F);
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     const float top = ImGui::GetCursorPosY();
@@ -317,7 +321,7 @@ RowEvent draw_parts(Row& row, const char* hint) {
     ImGui::SameLine(0.0F, spacing);
     event = either(event, draw_buttons(row, height));
     const float indent = ImGui::GetStyle().FramePadding.x;
-    const float below = top + statement_field_height(row.statement.text) + em(0.15F);
+    const float below = top + statement_field_height(row.statement.text, width) + em(0.15F);
     ImGui::SetCursorPos(ImVec2(field + indent, below));
     draw_answer(row, right - field - indent - spacing);
     ImGui::PopStyleVar();

@@ -32,10 +32,11 @@ protected:
     }
 
     static const ImGuiWindow& list() { return *child("##side/##list_"); }
-    /// Vertical middle of a slider row, counted from 0, below a statement of one line with its
-    /// reading and the button that adds a row.
+    static constexpr int below_field = 72;
+    /// Vertical middle of a slider row, counted from 0, below a statement with its reading and the
+    /// button that adds a row.
     [[nodiscard]] float middle(int row) const {
-        return list().Pos.y - list().Scroll.y + static_cast<float>(px(99 + 30 * row));
+        return field(1).Rect().Max.y + static_cast<float>(px(below_field + 30 * row));
     }
     [[nodiscard]] glm::vec2 play_button(int row) const {
         return {list().Pos.x + static_cast<float>(px(13)), middle(row)};

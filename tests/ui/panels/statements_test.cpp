@@ -356,13 +356,72 @@ TEST_P(Statements, PutALikelyWordInThePlaceOfAnUnknownOne) {
 
 TEST_P(Statements, PointToAMarkOutOfSight) {
     begin({""}, 1);
-    OffscreenWindow::type("x + " + std::string(200, ' ') + "@     ");
+    OffscreenWindow::type("x + " + std::string(1000, ' ') + "@     ");
     draw();
     set_error(1, texts()[0], 0);
     const Framebuffer frame = draw();
     const Rectangle arrow = mark(frame, 1);
     EXPECT_LT(arrow.left, arrow.right);
-    EXPECT_LT(static_cast<float>(arrow.right), field(1).Pos.x + static_cast<float>(px(14)));
+    EXPECT_LT(static_cast<float>(arrow.top), field(1).Pos.y + static_cast<float>(px(14)))
+        << "the field shows its last lines";
+}
+
+TEST_P(Statements, GrowWithWhatDoesNotFitInALine) {
+    begin({"x = 1", "y = 2"}, 1);
+    draw();
+    const float before = field(1).Size.y;
+    const float below = field(2).Pos.y;
+    std::string added;
+    for (int i = 0; i < 12; ++i)
+        added += " + x^2*y^2";
+    OffscreenWindow::type(added);
+    draw();
+    EXPECT_EQ(texts()[0], "x = 1" + added) << "no break in it";
+    EXPECT_GT(field(1).Size.y, before + static_cast<float>(px(14)));
+    EXPECT_GT(field(2).Pos.y, below + static_cast<float>(px(14)));
+    const float grown = field(1).Size.y;
+    for (std::size_t i = 0; i < added.size(); ++i)
+        press(GLFW_KEY_BACKSPACE);
+    EXPECT_EQ(texts()[0], "x = 1");
+    EXPECT_FLOAT_EQ(field(1).Size.y, before);
+    EXPECT_LT(before, grown);
+}
+
+TEST_P(Statements, TypeAndCopyAcrossTheBreaksThatAreShown) {
+    std::string text = "z = 0";
+    for (int i = 0; i < 15; ++i)
+        text += " + x*y";
+    begin({text, "y"}, 1, RowFocus::Caret::All);
+    draw();
+    press_with_ctrl(GLFW_KEY_C);
+    EXPECT_STREQ(ImGui::GetClipboardText(), text.c_str());
+    press(GLFW_KEY_HOME);
+    press(GLFW_KEY_DOWN);
+    EXPECT_TRUE(is_typing(1)) << "to the next line of the same field";
+    OffscreenWindow::type("q");
+    draw();
+    std::string shown = texts()[0];
+    EXPECT_EQ(std::ranges::count(shown, 'q'), 1);
+    EXPECT_NE(shown.find('q'), 0U);
+    EXPECT_NE(shown.back(), 'q');
+    std::erase(shown, 'q');
+    EXPECT_EQ(shown, text);
+}
+
+TEST_P(Statements, GoToTheErrorOfARow) {
+    set_rows(state_, {"x = 1", "x + @ = 1", "y = $"});
+    set_error(2, "x + @ = 1", 4);
+    set_error(3, "y = $", 4);
+    draw();
+    press(GLFW_KEY_F8);
+    draw();
+    ASSERT_TRUE(is_typing(2));
+    OffscreenWindow::type("7");
+    draw();
+    EXPECT_EQ(texts()[1], "x + 7@ = 1");
+    press(GLFW_KEY_F8);
+    draw();
+    EXPECT_TRUE(is_typing(3)) << "row 2 is another text than the one with the error";
 }
 
 TEST_P(Statements, SayWhatIsMissingQuietly) {

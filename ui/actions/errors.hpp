@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/model/ui_state.hpp"
+
+namespace zeroset::ui {
+
+/// Whether a row has an error at a place of its text.
+bool has_errors(const UiState& state);
+/// Puts the caret where the row is wrong.
+void go_to_error(UiState& state, int row);
+/// The same in the next row that has an error, behind the one that is typed into.
+void go_to_next_error(UiState& state);
+
+}  // namespace zeroset::ui
