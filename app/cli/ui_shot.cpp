@@ -47,19 +47,22 @@ OrInputError<Language> read_language(const std::string& text) {
 }
 
 OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
-    constexpr int largest_scale = 4;
-    constexpr int largest_side = 16384;
+    constexpr double largest_scale = 4.0;
+    constexpr double largest_side = 16384.0;
     const auto size = read_size("--size", command.size);
     if (!size) return std::unexpected(size.error());
-    const auto scale = read_integer("--scale", command.scale, 1, largest_scale);
+    const auto scale = read_number("--scale", command.scale);
     if (!scale) return std::unexpected(scale.error());
+    if (!(*scale >= 1.0 && *scale <= largest_scale))
+        return wrong_input("--scale " + command.scale + ": type a number from 1 to 4");
     if (size->width < ui::min_width || size->height < ui::min_height) {
         return wrong_input("--size " + command.size + ": the window is at least " +
                            std::to_string(ui::min_width) + "x" + std::to_string(ui::min_height));
     }
-    if (size->width > largest_side / *scale || size->height > largest_side / *scale) {
+    const int largest = static_cast<int>(largest_side / *scale);
+    if (size->width > largest || size->height > largest) {
         return wrong_input("--size " + command.size + ": at --scale " + command.scale +
-                           " each side must be at most " + std::to_string(largest_side / *scale));
+                           " each side must be at most " + std::to_string(largest));
     }
     return ui::OffscreenOptions{
         .width = size->width, .height = size->height, .scale = static_cast<float>(*scale)};

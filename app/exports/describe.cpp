@@ -10,6 +10,10 @@
 namespace zeroset {
 namespace {
 
+std::string shown_number(double value, int digits) {
+    return localized(short_number(value, digits));
+}
+
 constexpr const char* times = " × ";
 constexpr double cm2_per_mm2 = 1e-2;
 constexpr double cm3_per_mm3 = 1e-3;
@@ -23,8 +27,8 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 
 std::string size_text(const Box& bounds, double mm) {
     const glm::dvec3 size = mm * (bounds.hi - bounds.lo);
-    return short_number(size.x, 4) + times + short_number(size.y, 4) + times +
-           short_number(size.z, 4) + " mm";
+    return shown_number(size.x, 4) + times + shown_number(size.y, 4) + times +
+           shown_number(size.z, 4) + " mm";
 }
 
 std::string shape_text(const MeshFacts& facts) {
@@ -34,9 +38,9 @@ std::string shape_text(const MeshFacts& facts) {
 }
 
 std::string measures(const MeshFacts& facts, double mm) {
-    const std::string area = short_number(facts.area * mm * mm * cm2_per_mm2, 4);
+    const std::string area = shown_number(facts.area * mm * mm * cm2_per_mm2, 4);
     if (facts.open_edges > 0) return filled(tr("area {0} cm²"), {area});
-    const std::string volume = short_number(facts.volume * mm * mm * mm * cm3_per_mm3, 4);
+    const std::string volume = shown_number(facts.volume * mm * mm * mm * cm3_per_mm3, 4);
     return filled(tr("area {0} cm², volume {1} cm³"), {area, volume});
 }
 
@@ -72,10 +76,10 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
         shown.facts.push_back(size_text(facts.bounds, mm) + ", " + measures(facts, mm));
         if (surface.wall) {
             shown.facts.push_back(filled(tr("smallest wall {0} mm, as measured"),
-                                         {short_number(surface.wall->thickness * mm, 3)}));
+                                         {shown_number(surface.wall->thickness * mm, 3)}));
         }
         shown.facts.push_back(filled(tr("at most {0} mm from the surface, as measured"),
-                                     {short_number(surface.report.deviation * mm, 2)}));
+                                     {shown_number(surface.report.deviation * mm, 2)}));
         (surface.report.isotopic ? shown.facts : shown.warnings)
             .push_back(of_surface(proof_line(surface.report)));
         for (const std::string& line : limit_lines(surface.report, tr("more time")))

@@ -80,7 +80,8 @@ std::string ExportNews::text() const {
     const double rate = static_cast<double>(done) / seconds;
     const std::string left = clock_text(static_cast<double>(parts - done) / rate);
     if (unit_.empty()) return filled(tr("{0}, {1} left"), {text, left});
-    return filled(tr("{0}, {1} a second, {2} left"), {text, short_number(rate, 3), left});
+    return filled(tr("{0}, {1} a second, {2} left"),
+                  {text, localized(short_number(rate, 3)), left});
 }
 
 std::optional<RgbaImage> ExportNews::take_picture() {

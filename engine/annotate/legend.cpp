@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -22,15 +23,19 @@ constexpr double line = 1.35;
 constexpr double between_numbers = 0.4;
 constexpr double corner_radius = 0.5;
 constexpr double stripe = 0.5;
+constexpr double before_mark = 1.4;  ///< words of a pixel's mark begin there
 
 /// The parts of a picture that a card may take, so that most of a small one stays free.
 constexpr double most_of_width = 0.62;
+constexpr double most_for_marks = 0.95;  ///< of the width, where the words of marks need it
 constexpr double most_of_height = 0.45;
 
 const char* const ellipsis = "\xE2\x80\xA6";
 
 /// The number in few digits; never "-0".
-std::string end_text(double value) { return short_number(value == 0.0 ? 0.0 : value, 4); }
+std::string end_text(double value) {
+    return localized(short_number(value == 0.0 ? 0.0 : value, 4));
+}
 
 /// The text cut with an ellipsis to `room`.
 std::string fitting(std::string text, double room, const CardStyle& style) {
@@ -62,7 +67,8 @@ public:
         const double unit = style_.unit;
         append(shapes_,
                swatch_shapes(at_ + glm::dvec2(0.0, 0.05 * unit), 0.9 * unit, mark, style_));
-        add(words, at_.x + 1.4 * unit, Anchor::TopLeft, style_.colors.quiet);
+        add(fitting(words, width_ - before_mark * unit, style_), at_.x + before_mark * unit,
+            Anchor::TopLeft, style_.colors.quiet);
         at_.y += line * unit;
     }
 
@@ -117,6 +123,16 @@ void Card::add_directions() {
     at_.y += line * unit;
 }
 
+/// What is told of marked pixels.
+std::vector<std::pair<PixelMark, const char*>> marks_of(const CornerLegend& legend) {
+    if (!legend.undecided) return {};
+    std::vector<std::pair<PixelMark, const char*>> marks{
+        {PixelMark::UndecidedDrawn, tr("undecided, drawn")},
+        {PixelMark::UndecidedNotDrawn, tr("undecided, not drawn")}};
+    if (legend.coarse) marks.emplace_back(PixelMark::Coarse, tr("certified, coarse"));
+    return marks;
+}
+
 /// The height of the card, in units.
 double height_of(const CornerLegend& legend) {
     double height = 2.0 * padding - below_bar;
@@ -124,8 +140,15 @@ double height_of(const CornerLegend& legend) {
         height += 2.0 * line;
         if (legend.legend->range) height += bar_height + below_bar;
     }
-    if (legend.undecided) height += (legend.coarse ? 3.0 : 2.0) * line;
-    return height;
+    return height + static_cast<double>(marks_of(legend).size()) * line;
+}
+
+/// The width that the words of the marks need.
+double width_of_marks(const CornerLegend& legend, const CardStyle& style) {
+    double widest = 0.0;
+    for (const auto& [mark, words] : marks_of(legend))
+        widest = std::max(widest, style.width(words, style.em));
+    return widest + (before_mark + 2.0 * padding) * style.unit;
 }
 
 std::string height_title(const glm::dvec3& up) {
@@ -210,7 +233,9 @@ Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const
                      const CardStyle& style) {
     if (legend.legend == nullptr && !legend.undecided) return {};
     const double unit = style.unit;
-    const double width = std::min((card_width + 2.0 * padding) * unit, most_of_width * room.x);
+    const double usual = std::min((card_width + 2.0 * padding) * unit, most_of_width * room.x);
+    const double width =
+        std::max(usual, std::min(width_of_marks(legend, style), most_for_marks * room.x));
     const double height = height_of(legend) * unit;
     if (width < narrowest * unit || height > most_of_height * room.y) return {};
     const glm::dvec2 lo = corner - glm::dvec2(width, height);
@@ -228,11 +253,8 @@ Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const
             card.add_directions();
         }
     }
-    if (legend.undecided) {
-        card.add_mark(PixelMark::UndecidedDrawn, tr("undecided, drawn"));
-        card.add_mark(PixelMark::UndecidedNotDrawn, tr("undecided, not drawn"));
-        if (legend.coarse) card.add_mark(PixelMark::Coarse, tr("certified, coarse"));
-    }
+    for (const auto& [mark, words] : marks_of(legend))
+        card.add_mark(mark, words);
     return shapes;
 }
 

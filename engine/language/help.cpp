@@ -24,12 +24,11 @@ constexpr Line statements[] = {
     {"a = 2", marked("a constant, for all statements; a := 2 is never anything else")},
     {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},
     {"a = 2; a = a + 1", marked("defined again: for what follows and for all surfaces")},
-    {"; or a new line",
+    {"a = 2; z = a x",
      marked("between statements; a line goes on in brackets, behind an operator and before one")},
     {"-x + y",
      marked("at the start of a line another statement, but + goes on where no = was before")},
-    {"# a remark  // a remark",
-     marked("up to the end of the line, as % at its start; also /* a remark */")},
+    {"# ...   // ...", marked("up to the end of the line, as % at its start; also /* a remark */")},
 };
 
 constexpr Line names[] = {
