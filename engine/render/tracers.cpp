@@ -2,6 +2,8 @@
 
 #include "engine/trace/along_rays/tracers_along_rays.hpp"
 #include "engine/trace/beam/beam_tracer.hpp"
+#include "engine/trace/florez/cell_grid.hpp"
+#include "engine/trace/florez/florez_tracers.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
 #include "engine/trace/octree/octree_memory.hpp"
 #include "engine/trace/octree/octree_tracer.hpp"
@@ -55,6 +57,17 @@ constexpr std::array table{
     Tracer{.name = "sphere-tracing",
            .about = "steps as long as bounds of the slope allow (Hart 1996)",
            .trace_tile = trace_tile_sphere_tracing},
+    Tracer{.name = "florez-boxes",
+           .about = "boxes of the image that beams reject or include, then single rays "
+                    "(Florez 2008, section 5.4)",
+           .trace_tile = trace_tile_florez_boxes},
+    Tracer{.name = "florez-trimming",
+           .about = "the same with the rejection test alone (Florez 2008, section 5.4.2)",
+           .trace_tile = trace_tile_florez_trimming},
+    Tracer{.name = "regular-grid",
+           .about = "a grid of cells walked by beams, then single rays (Florez 2008, section 6.2)",
+           .trace_tile = trace_tile_regular_grid,
+           .prepare = prepare_cell_grid},
     Tracer{.name = "point-sampling",
            .about = "marching with sign changes; proves nothing and misses roots",
            .trace_tile = trace_tile_point_sampling,
