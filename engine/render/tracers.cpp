@@ -5,7 +5,6 @@
 #include "engine/trace/florez/cell_grid.hpp"
 #include "engine/trace/florez/florez_tracers.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
-#include "engine/trace/octree/octree_memory.hpp"
 #include "engine/trace/octree/octree_tracer.hpp"
 
 #include <algorithm>
@@ -75,18 +74,18 @@ constexpr std::array table{
     Tracer{.name = "octree",
            .about = "an octree, in which surface and ray are voxelised together (Stolte 2005)",
            .trace_tile = trace_tile_octree,
-           .prepare = prepare_octree,
+           .prepare = prepare_octree_tracer,
            .takes_levels = true},
     Tracer{.name = "octree-unrounded",
            .about = "the same without outward rounding of the ray",
            .trace_tile = trace_tile_octree_unrounded,
-           .prepare = prepare_octree,
+           .prepare = prepare_octree_unrounded,
            .takes_levels = true,
            .proves = false},
     Tracer{.name = "gargantini",
            .about = "the same with the ray's intersections with mid-planes (Gargantini 1993)",
            .trace_tile = trace_tile_gargantini,
-           .prepare = prepare_octree,
+           .prepare = prepare_gargantini,
            .takes_levels = true,
            .proves = false},
 };

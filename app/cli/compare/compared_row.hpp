@@ -27,6 +27,7 @@ struct ComparedRow {
     int reflections = 0;
     double median_ms = 0.0, min_ms = 0.0, max_ms = 0.0;
     Counters counters;            ///< of one frame
+    ImageBoxCounters boxes;       ///< of one frame, where the tracer makes boxes of the image
     double cells_per_ray = 0.0;   ///< boxes and cells that were evaluated
     double values_per_ray = 0.0;  ///< points
     double prepared_ms = 0.0;     ///< what was made once of the surface, before the frames
