@@ -76,7 +76,7 @@ double sphere_root(const SingleRay& ray) {
 
 TEST(SingleRays, FindTheFirstRootsOfASphere) {
     const UpwardRounding upward;
-    for (const double d_stop : {20.0, 30.0}) {
+    for (const double d_stop : {14.0, 19.0}) {
         const std::vector<SingleRay> rays = rays_in_box();
         for (const auto& [prepare, proves] :
              {std::pair{&prepare_octree_tracer, true}, std::pair{&prepare_octree_unrounded, false},
