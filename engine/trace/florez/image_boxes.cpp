@@ -1,6 +1,7 @@
 #include "engine/trace/florez/image_boxes.hpp"
 
 #include "engine/real/scalar.hpp"
+#include "engine/trace/tile_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +39,14 @@ const std::vector<ImageBox>& ImageBoxes<Real>::find(const TraceFrame& frame, con
         taken_.assign(beams_.end() - static_cast<std::ptrdiff_t>(count), beams_.end());
         beams_.resize(beams_.size() - count);
         ranges_size_ = 0;
-        for (Beam& beam : taken_)
+        for (Beam& beam : taken_) {
+            const std::size_t before = ranges_size_;
             ask(beam);
+            const ImageBox& box = beam.box;
+            if (counters.costs != nullptr)
+                counters.costs->add(box.col, box.row, box.cols, box.rows,
+                                    static_cast<double>(ranges_size_ - before));
+        }
         counters.range += ranges_size_;
         ranges_.pad(ranges_size_);
         frame.kernel.template range<Real>(
