@@ -137,6 +137,13 @@ class CompareTest(ProgramTest):
         answer = json.loads((self.folder / "compare.json").read_text(encoding="utf-8"))
         self.assertEqual(len(answer["rows"]), 6)
 
+    def test_grids_refute_nothing(self):
+        answer = json.loads(self.run_ok("compare", "--size", 200, "--repeat", 1, "--json", "-",
+                                        "--surface", "sphere,blobby", "--tracer",
+                                        "regular-grid,florez-boxes", "--dstop", "22").out)
+        for row in answer["rows"]:
+            self.assertEqual((row["missed"], row["added"], row["refuted"]), (0, 0, 0), row)
+
     def test_boxes_of_the_image(self):
         answer = self.compare("florez-table-5.1", "--surface", "sphere", "--tracer",
                               "mrfro,florez-boxes,florez-trimming")

@@ -13,7 +13,7 @@
 // Differs from the thesis:
 // - A beam is that of 8 x 8 pixels, and its rays are searched one by one, by MRFro: the thesis goes
 //   on by beams.
-// - The TV of a row's cells are put together, and those of rows that follow each other: they touch.
+// - The TV of a row's cells are put together, and those of rows that overlap.
 // - A surface has a grid of its own; rays of the next one end at what was found before.
 // - The beam's numbers are rounded outward; one that no axis leads is searched whole.
 
@@ -140,12 +140,17 @@ private:
                 if (!is_empty(in_cell)) found = hull(found, in_cell);
             }
         }
-        if (is_empty(found)) return;
-        if (!stretches_.empty() && -found.neg_lo <= stretches_.back().to) {
-            stretches_.back().to = std::max(stretches_.back().to, found.hi);
-        } else {
-            stretches_.push_back({.from = -found.neg_lo, .to = found.hi});
+        if (!is_empty(found)) add({.from = -found.neg_lo, .to = found.hi});
+    }
+    /// Puts a row's stretch together with those of the rows before that are not surely in front of
+    /// it: a wide beam may be in a row's crossed cells later than in those of the next row.
+    void add(Stretch found) {
+        while (!stretches_.empty() && found.from <= stretches_.back().to) {
+            found.from = std::min(found.from, stretches_.back().from);
+            found.to = std::max(found.to, stretches_.back().to);
+            stretches_.pop_back();
         }
+        stretches_.push_back(found);
     }
 
     const CellGrid& grid_;
