@@ -77,8 +77,8 @@ void ImageBoxes<Real>::add(const ImageBox& box) {
     beams_.push_back(beam);
 }
 
-/// Adds the box about the part of a beam between two depths; its number. At a depth the beam is the
-/// hull of its four corners.
+/// Adds the box about the part of a beam between two depths, as far as it is in the clip box; its
+/// number. At a depth the beam is the hull of its four corners.
 template <class Real>
 std::size_t ImageBoxes<Real>::push(const Beam& beam, double from, double to) {
     const std::size_t i = ranges_size_++;
@@ -96,8 +96,12 @@ std::size_t ImageBoxes<Real>::push(const Beam& beam, double from, double to) {
             lo = std::min(lo, middle - radius);
             hi = std::max(hi, middle + radius);
         }
-        ranges_.ends[axis][i] = upper_end(Real{}, margin_ - lo);
-        ranges_.ends[axis + 3][i] = upper_end(Real{}, margin_ + hi);
+        const auto shown = [&](double place) {
+            return std::clamp(place, rays_->clip().lo[axis] - margin_,
+                              rays_->clip().hi[axis] + margin_);
+        };
+        ranges_.ends[axis][i] = upper_end(Real{}, -shown(lo - margin_));
+        ranges_.ends[axis + 3][i] = upper_end(Real{}, shown(hi + margin_));
     }
     return i;
 }
