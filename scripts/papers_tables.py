@@ -15,14 +15,20 @@ def cell(row):
     return f'{text} ({row["times"]:.2g}{printed})'
 
 
+def case(row):
+    """Returns what a column of the table is of."""
+    return row["surface"], row["wanted_d_stop"], row["reflections"]
+
+
 def table(answer):
     """Returns the lines of a table."""
     rows = answer["rows"]
-    columns = list(dict.fromkeys((row["surface"], row["d_stop"]) for row in rows))
+    columns = list(dict.fromkeys(case(row) for row in rows))
     tracers = list(dict.fromkeys(row["tracer"] for row in rows))
-    several = len({d_stop for _, d_stop in columns}) > 1
-    heads = [f"{name} 2^-{d_stop}" if several else name for name, d_stop in columns]
-    by_key = {(row["tracer"], row["surface"], row["d_stop"]): row for row in rows}
+    several = len({d_stop for _, d_stop, _ in columns}) > 1
+    heads = [name + (f" 2^-{d_stop}" if several else "") + (", mirrors" if mirrors else "")
+             for name, d_stop, mirrors in columns]
+    by_key = {(row["tracer"], *case(row)): row for row in rows}
     lines = ["| | " + " | ".join(heads) + " |", "|---|" + "--:|" * len(heads)]
     for tracer in tracers:
         cells = [cell(by_key[(tracer, *column)]) for column in columns]

@@ -91,7 +91,7 @@ int run_bench(const BenchCommand& command);
 /// Times tracers on a paper's surfaces, beside what it printed.
 struct CompareCommand {
     std::optional<std::string> table, surfaces, tracers, d_stop, threads, size, repeat, budget,
-        json;
+        json, plot;
 };
 int run_compare(const CompareCommand& command);
 

@@ -1,6 +1,10 @@
 #include "app/cli/bench_suite.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/compare/animations.hpp"
+#include "app/cli/compare/compared_row.hpp"
+#include "app/cli/compare/plot.hpp"
 #include "app/cli/compare/printed_tables.hpp"
+#include "app/cli/compare_animation.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/timing.hpp"
 #include "engine/base/clock.hpp"
@@ -9,16 +13,17 @@
 #include "engine/measure/wrong_pixels.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/scene/tolerance.hpp"
+#include "engine/trace/florez/box_tally.hpp"
+#include "engine/trace/trace_frame.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/prepare.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,15 +32,20 @@
 namespace zeroset {
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// A way to draw each surface.
+struct Measurement {
+    int wanted_d_stop;
+    TraceSettings settings;
+};
 
 struct ComparePlan {
     const PrintedTable* table = nullptr;
     std::vector<BenchItem> items;
-    std::vector<TraceSettings> settings;  ///< one for each tracer and tolerance
+    std::vector<Measurement> measurements;
     Size size{};
     int repeats = 3;
     double budget_s = default_budget_s;  ///< for each frame
+    std::optional<PlotFormat> plot;
 };
 
 /// The texts between commas.
@@ -74,13 +84,26 @@ OrInputError<const PrintedTable*> table_of(const CompareCommand& command) {
     std::string names;
     for (const PrintedTable& table : printed_tables())
         names += " " + std::string(table.name);
-    return wrong_input("--table " + *command.table +
-                       ": there is no such table; type one of:" + names);
+    for (const PrintedAnimation& animation : printed_animations())
+        names += " " + std::string(animation.name);
+    return wrong_input(*command.table + ": there is no such table; type one of:" + names);
+}
+
+/// The gallery's surfaces from papers, and those of the table alone.
+std::vector<BenchItem> suite_of(const PrintedTable& table) {
+    std::vector<BenchItem> suite = gallery_suite();
+    for (const PrintedSurface& surface : table.surfaces) {
+        BenchItem& added = suite.emplace_back(std::string(surface.name),
+                                              read_document_text(std::string(surface.formula)));
+        added.read.document.clip = Box::cube(surface.domain);
+        added.read.document.camera = suite_camera(surface.domain);
+    }
+    return suite;
 }
 
 OrInputError<std::vector<BenchItem>> items_of(const CompareCommand& command,
                                               const PrintedTable& table) {
-    std::vector<BenchItem> suite = gallery_suite();
+    std::vector<BenchItem> suite = suite_of(table);
     if (command.surfaces == "all") return suite;
     const std::vector<std::string> names =
         command.surfaces ? split_at_commas(*command.surfaces)
@@ -100,30 +123,49 @@ OrInputError<std::vector<BenchItem>> items_of(const CompareCommand& command,
     return items;
 }
 
-OrInputError<std::vector<TraceSettings>> settings_of(const CompareCommand& command,
-                                                     const PrintedTable& table) {
-    std::vector<std::string> names = usual_tracers(table);
-    if (command.tracers == "all") {
-        names.clear();
-        for (const Tracer& tracer : tracers())
-            names.emplace_back(tracer.name);
-    } else if (command.tracers) {
-        names = split_at_commas(*command.tracers);
+std::vector<std::string> tracers_of(const CompareCommand& command, const PrintedTable& table) {
+    if (!command.tracers) return usual_tracers(table);
+    if (*command.tracers != "all") return split_at_commas(*command.tracers);
+    std::vector<std::string> names;
+    for (const Tracer& tracer : tracers())
+        names.emplace_back(tracer.name);
+    return names;
+}
+
+/// The tracer at a tolerance of the table or of the command.
+OrInputError<Measurement> measurement(const std::string& tracer, const std::string& d_stop,
+                                      const CompareCommand& command) {
+    TraceText text;
+    text.tracer = tracer;
+    text.threads = command.threads.value_or("1");
+    const int wanted = std::atoi(d_stop.c_str());
+    if (command.d_stop || wanted <= max_d_stop) {
+        text.d_stop = d_stop;
+    } else if (const Tracer* const found = find_tracer(tracer); found && found->takes_levels) {
+        text.levels = d_stop;
     }
+    auto settings = read_trace_settings(text);
+    if (!settings) return std::unexpected(settings.error());
+    return Measurement{.wanted_d_stop = wanted, .settings = std::move(*settings)};
+}
+
+OrInputError<std::vector<Measurement>> measurements_of(const CompareCommand& command,
+                                                       const PrintedTable& table) {
     const std::vector<std::string> depths =
         command.d_stop
             ? split_at_commas(*command.d_stop)
             : printed(table, [](const auto& value) { return std::to_string(value.d_stop); });
-    std::vector<TraceSettings> all;
+    const std::vector<std::string> reflections =
+        printed(table, [](const auto& value) { return std::to_string(value.reflections); });
+    std::vector<Measurement> all;
     for (const std::string& depth : depths) {
-        for (const std::string& name : names) {
-            TraceText text;
-            text.tracer = name;
-            text.d_stop = depth;
-            text.threads = command.threads.value_or("1");
-            auto settings = read_trace_settings(text);
-            if (!settings) return std::unexpected(settings.error());
-            all.push_back(std::move(*settings));
+        for (const std::string& mirrors : reflections) {
+            for (const std::string& name : tracers_of(command, table)) {
+                auto made = measurement(name, depth, command);
+                if (!made) return std::unexpected(made.error());
+                made->settings.reflections = std::atoi(mirrors.c_str());
+                all.push_back(std::move(*made));
+            }
         }
     }
     return all;
@@ -137,9 +179,9 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     auto items = items_of(command, *plan.table);
     if (!items) return std::unexpected(items.error());
     plan.items = std::move(*items);
-    auto settings = settings_of(command, *plan.table);
-    if (!settings) return std::unexpected(settings.error());
-    plan.settings = std::move(*settings);
+    auto measurements = measurements_of(command, *plan.table);
+    if (!measurements) return std::unexpected(measurements.error());
+    plan.measurements = std::move(*measurements);
     const auto size =
         read_size("--size", command.size.value_or(std::to_string(plan.table->size_px)));
     if (!size) return std::unexpected(size.error());
@@ -150,23 +192,21 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     const auto budget = read_budget(command.budget);
     if (!budget) return std::unexpected(budget.error());
     plan.budget_s = *budget;
+    if (command.plot) {
+        plan.plot = plot_format(*command.plot);
+        if (!plan.plot)
+            return wrong_input("--plot " + *command.plot + ": type a name ending in .svg or .png");
+    }
     return plan;
 }
 
-/// A row of the table: a surface by a tracer at a tolerance.
-struct Row {
-    std::string surface, tracer;
-    int d_stop = 0;
-    FrameTiming timing;
-    double cells_per_ray = 0.0;   ///< boxes and cells that were evaluated
-    double values_per_ray = 0.0;  ///< points
-    CertificateCounts counts;
-    WrongPixels wrong;
-    std::size_t certified_there = 0;  ///< pixels that are certified in the finest picture by beams
-    std::optional<double> printed_ms;
-    /// Times over those of the surface's first tracer of the paper at this tolerance.
-    std::optional<double> times, printed_times;
-};
+/// What mirrored rays are drawn with: metal under two lights [Stolte05, fig. 5].
+Lighting mirror_lighting() {
+    Lighting lighting;
+    lighting.look = Look::Metal;
+    lighting.lights = {Light(), Light{.towards = {0.8, 0.2, 0.6}, .power = 0.4}};
+    return lighting;
+}
 
 /// A surface, ready to be drawn.
 class Subject {
@@ -181,7 +221,8 @@ public:
                                                  {plan.size.width, plan.size.height});
         add_needed_code(request);
         Subject subject(item.name, request);
-        const FrameTiming timing = subject.draw(finest(), 1, false, 100.0, subject.proved_);
+        const FrameTiming timing =
+            subject.draw(subject.scene_, finest(), {}, 100.0, subject.proved_);
         if (timing.counters.is_cut())
             return wrong_input("--surface " + item.name +
                                ": it takes too long to prove; leave it "
@@ -189,24 +230,36 @@ public:
         return subject;
     }
 
-    Row measured(const TraceSettings& settings, const ComparePlan& plan) {
-        Row row;
+    ComparedRow measured(const Measurement& how, const ComparePlan& plan) {
+        const TraceSettings& settings = how.settings;
+        ComparedRow row;
         row.surface = name_;
         row.tracer = settings.tracer;
+        row.wanted_d_stop = how.wanted_d_stop;
         row.d_stop = static_cast<int>(settings.stop.value);
+        row.reflections = settings.reflections;
         Framebuffer frame(plan.size.width, plan.size.height);
-        row.timing = draw(settings, plan.repeats, true, plan.budget_s, frame);
+        Scene scene = scene_;
+        if (settings.reflections > 0) scene.lighting = mirror_lighting();
+        row.prepared_ms = prepared_ms(scene, settings, frame);
+        const FrameTiming timing =
+            draw(scene, settings, {.count = plan.repeats, .warm_up = true}, plan.budget_s, frame);
+        row.median_ms = timing.median_ms;
+        row.min_ms = timing.min_ms;
+        row.max_ms = timing.max_ms;
+        row.counters = timing.counters;
+        row.boxes = boxes(scene, settings, plan.budget_s, frame);
         const auto rays = static_cast<double>(frame.color.size());
-        const Counters& counters = row.timing.counters;
-        row.cells_per_ray = static_cast<double>(counters.range + counters.form) / rays;
-        row.values_per_ray = static_cast<double>(counters.value) / rays;
+        row.cells_per_ray = static_cast<double>(row.counters.range + row.counters.form) / rays;
+        row.values_per_ray = static_cast<double>(row.counters.value) / rays;
         row.counts = count_certificates(frame);
         const double cell = std::ldexp(scene_.clip.size(), -row.d_stop);
         const auto precision = wanted_precision(scene_, ViewFrame(camera_), settings.stop);
         const auto width = certified_width(scene_.clip, settings.stop, precision);
         row.wrong = wrong_pixels(frame, proved_, camera_, width.value_or(4.0 * cell));
         row.certified_there = count_certificates(proved_).certified;
-        row.printed_ms = plan.table->printed_ms(row.surface, row.tracer, row.d_stop);
+        row.printed_ms =
+            plan.table->printed_ms(row.surface, row.tracer, row.wanted_d_stop, row.reflections);
         return row;
     }
 
@@ -222,13 +275,41 @@ private:
         settings.threads = 0;
         return settings;
     }
-    FrameTiming draw(const TraceSettings& settings, int repeats, bool warm_up, double budget_s,
-                     Framebuffer& frame) const {
-        return time_frames(
-            scene_, camera_, settings, frame, {.count = repeats, .warm_up = warm_up}, [&] {
-                const auto now = std::chrono::steady_clock::now();
-                return RenderWatch{.limit = {.until = until_after(now, budget_s)}, .on_tile = {}};
-            });
+    /// Makes what the tracer keeps of the surfaces from frame to frame; the time that it took.
+    [[nodiscard]] double prepared_ms(const Scene& scene, const TraceSettings& settings,
+                                     const Framebuffer& frame) const {
+        const Tracer& tracer = *find_tracer(settings.tracer);
+        if (tracer.prepare == nullptr) return 0.0;
+        const auto start = std::chrono::steady_clock::now();
+        const ViewFrame view(camera_);
+        for (const Kernel& surface : scene.surfaces) {
+            const ImageSize image{.width = frame.width, .height = frame.height};
+            tracer.prepare(trace_frame(scene, surface, view, image, settings.stop),
+                           settings.threads);
+        }
+        return ms_since(start);
+    }
+    /// What a tracer with boxes counts in one frame.
+    [[nodiscard]] ImageBoxCounters boxes(const Scene& scene, const TraceSettings& settings,
+                                         double budget_s, Framebuffer& frame) const {
+        ImageBoxCounters sum;
+        const auto take = [&] {
+            sum = {};
+            for (const Kernel& surface : scene.surfaces)
+                sum += surface.memory->of<BoxTally>()->take();
+        };
+        take();
+        if (sum.rejected.boxes + sum.included.boxes + sum.undefined.boxes == 0) return sum;
+        draw(scene, settings, {.count = 1, .warm_up = false}, budget_s, frame);
+        take();
+        return sum;
+    }
+    FrameTiming draw(const Scene& scene, const TraceSettings& settings, const Repeats& repeats,
+                     double budget_s, Framebuffer& frame) const {
+        return time_frames(scene, camera_, settings, frame, repeats, [&] {
+            const auto now = std::chrono::steady_clock::now();
+            return RenderWatch{.limit = {.until = until_after(now, budget_s)}, .on_tile = {}};
+        });
     }
 
     std::string name_;
@@ -237,147 +318,67 @@ private:
     Framebuffer proved_;  ///< by beams, as fine as there is
 };
 
-/// Fills in the times over those of the first tracer with a printed value.
-void set_times(std::vector<Row>& rows) {
-    for (Row& row : rows) {
-        const auto base = std::ranges::find_if(rows, [&](const Row& other) {
-            return other.surface == row.surface && other.d_stop == row.d_stop && other.printed_ms;
-        });
-        if (base == rows.end()) continue;
-        row.times = row.timing.median_ms / base->timing.median_ms;
-        if (row.printed_ms) row.printed_times = *row.printed_ms / *base->printed_ms;
-    }
-}
-
-void print_heading(const ComparePlan& plan) {
-    const PrintedTable& table = *plan.table;
-    const int threads = plan.settings.front().threads;
-    std::printf("%s (%s): %s.\n", std::string(table.source).c_str(),
-                std::string(table.machine).c_str(), std::string(table.note).c_str());
-    std::printf(
-        "Here %dx%d, %d thread(s), medians of %d; cells, values: boxes and beams, points "
-        "a ray; missed, added, moved:\npixels unlike those proved by beams at d_stop %d; x: "
-        "times the paper's first tracer, here and as printed.\n\n",
-        plan.size.width, plan.size.height, threads, plan.repeats, max_d_stop);
-    std::printf("%-19s %6s %-15s %10s %8s %8s %7s %7s %7s %9s %7s %11s %9s\n", "surface", "d_stop",
-                "tracer", "ms", "cells", "values", "missed", "added", "moved", "undecided", "x",
-                "printed ms", "printed x");
-}
-
-std::string optional_text(const char* format, const std::optional<double>& value) {
-    if (!value) return "-";
-    char text[40];
-    std::snprintf(text, sizeof text, format, *value);
-    return text;
-}
-
-void print_row(const Row& row) {
-    std::printf("%-19s %6d %-15s %10.2f %8.2f %8.2f %7zu %7zu %7zu %9zu %7s %11s %9s%s\n",
-                row.surface.c_str(), row.d_stop, row.tracer.c_str(), row.timing.median_ms,
-                row.cells_per_ray, row.values_per_ray, row.wrong.missed, row.wrong.added,
-                row.wrong.moved, row.counts.undecided, optional_text("%.2f", row.times).c_str(),
-                optional_text("%.0f", row.printed_ms).c_str(),
-                optional_text("%.2f", row.printed_times).c_str(),
-                row.timing.counters.is_cut() ? "  (cut by --budget)" : "");
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
     std::fflush(stdout);
 }
 
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-Json json_of(const Row& row) {
-    return {{"surface", row.surface},
-            {"d_stop", row.d_stop},
-            {"tracer", row.tracer},
-            {"frame_ms",
-             {{"median", row.timing.median_ms},
-              {"min", row.timing.min_ms},
-              {"max", row.timing.max_ms},
-              {"repeats", row.timing.repeats}}},
-            {"cut", row.timing.counters.is_cut()},
-            {"cells_per_ray", row.cells_per_ray},
-            {"values_per_ray", row.values_per_ray},
-            {"certified", row.counts.certified},
-            {"undecided", row.counts.undecided},
-            {"miss", row.counts.miss},
-            {"certified_by_beams", row.certified_there},
-            {"missed", row.wrong.missed},
-            {"added", row.wrong.added},
-            {"moved", row.wrong.moved},
-            {"refuted", row.wrong.refuted},
-            {"times", json_of(row.times)},
-            {"printed_ms", json_of(row.printed_ms)},
-            {"printed_times", json_of(row.printed_times)}};
-}
-
-struct MeanKey {
-    int d_stop;
-    std::string tracer;
-    auto operator<=>(const MeanKey&) const = default;
-};
-
-/// Geometric means of the frames' times over all surfaces.
-std::map<MeanKey, double> means_of(const std::vector<Row>& rows) {
-    std::map<MeanKey, std::pair<double, int>> sums;
-    for (const Row& row : rows) {
-        auto& [sum, count] = sums[{.d_stop = row.d_stop, .tracer = row.tracer}];
-        sum += std::log(row.timing.median_ms);
-        ++count;
+OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan, bool prints) {
+    std::vector<ComparedRow> rows;
+    for (const BenchItem& item : plan.items) {
+        auto subject = Subject::make(item, plan);
+        if (!subject) return std::unexpected(subject.error());
+        std::vector<ComparedRow> of_surface;
+        for (const Measurement& how : plan.measurements)
+            of_surface.push_back(subject->measured(how, plan));
+        set_times(of_surface);
+        for (const ComparedRow& row : of_surface) {
+            if (prints) print(row_text(row));
+        }
+        std::ranges::move(of_surface, std::back_inserter(rows));
     }
-    std::map<MeanKey, double> means;
-    for (const auto& [key, sum] : sums)
-        means[key] = std::exp(sum.first / sum.second);
-    return means;
+    return rows;
 }
 
-Json json_of(const ComparePlan& plan, const std::vector<Row>& rows) {
-    Json json_rows = Json::array();
-    for (const Row& row : rows)
-        json_rows.push_back(json_of(row));
-    Json means = Json::array();
-    for (const auto& [key, ms] : means_of(rows))
-        means.push_back({{"d_stop", key.d_stop}, {"tracer", key.tracer}, {"ms", ms}});
-    return {{"table", plan.table->name},
-            {"source", plan.table->source},
-            {"machine_printed", plan.table->machine},
-            {"note", plan.table->note},
-            {"width", plan.size.width},
-            {"height", plan.size.height},
-            {"threads", plan.settings.front().threads},
-            {"geometric_means", means},
-            {"rows", json_rows}};
+/// The first file that cannot be written, as a message.
+std::optional<std::string> unwritable(const CompareCommand& command) {
+    for (const auto* const file : {&command.json, &command.plot}) {
+        if (!*file || **file == "-") continue;
+        if (auto writable = check_writable(**file); !writable) return writable.error().message;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
 int run_compare(const CompareCommand& command) {
+    if (command.table) {
+        if (const PrintedAnimation* const animation = find_printed_animation(*command.table))
+            return run_compare_animation(command, *animation);
+    }
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
-    const bool has_file = command.json && command.json != "-";
-    if (has_file) {
-        if (auto writable = check_writable(*command.json); !writable)
-            return report_run_time(writable.error().message);
-    }
+    if (const auto message = unwritable(command)) return report_run_time(*message);
     const bool prints = command.json != "-";
-    if (prints) print_heading(*plan);
-    std::vector<Row> rows;
-    for (const BenchItem& item : plan->items) {
-        auto subject = Subject::make(item, *plan);
-        if (!subject) return report(subject.error());
-        std::vector<Row> of_surface;
-        for (const TraceSettings& settings : plan->settings)
-            of_surface.push_back(subject->measured(settings, *plan));
-        set_times(of_surface);
-        if (prints) std::ranges::for_each(of_surface, print_row);
-        std::ranges::move(of_surface, std::back_inserter(rows));
+    const Comparison comparison{.table = plan->table,
+                                .width = plan->size.width,
+                                .height = plan->size.height,
+                                .threads = plan->measurements.front().settings.threads,
+                                .repeats = plan->repeats};
+    if (prints) print(heading_text(comparison));
+    const auto rows = measure_all(*plan, prints);
+    if (!rows) return report(rows.error());
+    if (prints) {
+        if (plan->items.size() > 1) print(means_text(*rows));
+        print(boxes_text(comparison, *rows));
     }
-    if (prints && plan->items.size() > 1) {
-        for (const auto& [key, ms] : means_of(rows))
-            std::printf("%-19s %6d %-15s %10.2f\n", "geometric mean", key.d_stop,
-                        key.tracer.c_str(), ms);
+    if (command.json) {
+        const auto written = write_text(*command.json, comparison_json(comparison, *rows));
+        if (!written) return report_run_time(written.error().message);
     }
-    if (!command.json) return exit_ok;
-    const auto written = write_text(*command.json, json_of(*plan, rows).dump(2) + "\n");
-    return written ? exit_ok : report_run_time(written.error().message);
+    if (!command.plot) return exit_ok;
+    const auto drawn = write_plot(*command.plot, *plan->plot, comparison, *rows);
+    return drawn ? exit_ok : report_run_time(drawn.error());
 }
 
 }  // namespace zeroset

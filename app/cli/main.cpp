@@ -135,8 +135,9 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
 CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
     CLI::App* const compare_app =
         app.add_subcommand("compare", "time the papers' algorithms beside what the papers printed");
-    add_value(*compare_app, "--table", compare.table,
-              "knoll-table-1 (default), knoll-figure-9 or florez-table-4.1");
+    add_value(*compare_app, "TABLE", compare.table,
+              "knoll-table-1 (default), knoll-figure-9, florez-table-4.1, -5.1, -5.4 or -7.16, "
+              "florez-figure-6.8, -6.10 or -6.12 (animations), stolte-table-1");
     add_value(*compare_app, "--surface", compare.surfaces,
               "surfaces of bench's suite: A,B,... or all (default: the table's)");
     add_value(*compare_app, "--tracer", compare.tracers,
@@ -150,6 +151,7 @@ CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
     add_value(*compare_app, "--budget", compare.budget,
               "seconds after which a frame ends undecided (default 30)");
     add_value(*compare_app, "--json", compare.json, "also as a JSON file; - for JSON alone");
+    add_value(*compare_app, "--plot", compare.plot, "also as a plot: FILE.svg or FILE.png");
     return compare_app;
 }
 

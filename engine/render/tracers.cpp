@@ -2,8 +2,9 @@
 
 #include "engine/trace/along_rays/tracers_along_rays.hpp"
 #include "engine/trace/beam/beam_tracer.hpp"
+#include "engine/trace/florez/cell_grid.hpp"
+#include "engine/trace/florez/florez_tracers.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
-#include "engine/trace/octree/octree_memory.hpp"
 #include "engine/trace/octree/octree_tracer.hpp"
 
 #include <algorithm>
@@ -55,6 +56,17 @@ constexpr std::array table{
     Tracer{.name = "sphere-tracing",
            .about = "steps as long as bounds of the slope allow (Hart 1996)",
            .trace_tile = trace_tile_sphere_tracing},
+    Tracer{.name = "florez-boxes",
+           .about = "boxes of the image that beams reject or include, then single rays "
+                    "(Florez 2008, section 5.4)",
+           .trace_tile = trace_tile_florez_boxes},
+    Tracer{.name = "florez-trimming",
+           .about = "the same with the rejection test alone (Florez 2008, section 5.4.2)",
+           .trace_tile = trace_tile_florez_trimming},
+    Tracer{.name = "regular-grid",
+           .about = "a grid of cells walked by beams, then single rays (Florez 2008, section 6.2)",
+           .trace_tile = trace_tile_regular_grid,
+           .prepare = prepare_cell_grid},
     Tracer{.name = "point-sampling",
            .about = "marching with sign changes; proves nothing and misses roots",
            .trace_tile = trace_tile_point_sampling,
@@ -62,18 +74,18 @@ constexpr std::array table{
     Tracer{.name = "octree",
            .about = "an octree, in which surface and ray are voxelised together (Stolte 2005)",
            .trace_tile = trace_tile_octree,
-           .prepare = prepare_octree,
+           .prepare = prepare_octree_tracer,
            .takes_levels = true},
     Tracer{.name = "octree-unrounded",
            .about = "the same without outward rounding of the ray",
            .trace_tile = trace_tile_octree_unrounded,
-           .prepare = prepare_octree,
+           .prepare = prepare_octree_unrounded,
            .takes_levels = true,
            .proves = false},
     Tracer{.name = "gargantini",
            .about = "the same with the ray's intersections with mid-planes (Gargantini 1993)",
            .trace_tile = trace_tile_gargantini,
-           .prepare = prepare_octree,
+           .prepare = prepare_gargantini,
            .takes_levels = true,
            .proves = false},
 };

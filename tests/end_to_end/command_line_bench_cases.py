@@ -1,6 +1,7 @@
 """Tests of `zeroset bench` and `zeroset compare`: suites, tables and figures."""
 
 import json
+from xml.etree import ElementTree
 
 from zeroset_program import ProgramTest, run
 
@@ -126,7 +127,7 @@ class CompareTest(ProgramTest):
             self.assertEqual(row["certified"], 0)
 
     def test_text_and_file(self):
-        table = self.run_ok("compare", "--table", "florez-table-4.1", "--surface", "sphere",
+        table = self.run_ok("compare", "florez-table-4.1", "--surface", "sphere",
                             "--size", 24, "--repeat", 1, "--json", "compare.json").out
         for word in ("Florez 2008", "mrfro-newton", "printed", "missed", "Horned Cube"):
             self.assertIn(word, table)
@@ -135,3 +136,60 @@ class CompareTest(ProgramTest):
         self.assertEqual(len({len(line.rstrip()) for line in lines}), 1)  # aligned
         answer = json.loads((self.folder / "compare.json").read_text(encoding="utf-8"))
         self.assertEqual(len(answer["rows"]), 6)
+
+    def test_grids_refute_nothing(self):
+        answer = json.loads(self.run_ok("compare", "--size", 200, "--repeat", 1, "--json", "-",
+                                        "--surface", "sphere,blobby", "--tracer",
+                                        "regular-grid,florez-boxes", "--dstop", "22").out)
+        for row in answer["rows"]:
+            self.assertEqual((row["missed"], row["added"], row["refuted"]), (0, 0, 0), row)
+
+    def test_boxes_of_the_image(self):
+        answer = self.compare("florez-table-5.1", "--surface", "sphere", "--tracer",
+                              "mrfro,florez-boxes,florez-trimming")
+        rows = {row["tracer"]: row for row in answer["rows"]}
+        self.assertNotIn("boxes", rows["mrfro"])
+        for tracer in ("florez-boxes", "florez-trimming"):
+            boxes = rows[tracer]["boxes"]
+            kinds = [boxes[kind] for kind in ("rejected", "included", "undefined")]
+            self.assertEqual(sum(kind["pixels"] for kind in kinds), 40 * 40)
+            self.assertGreater(boxes["rejected"]["boxes"], 0)
+            self.assertEqual(boxes["included"]["boxes"] > 0, tracer == "florez-boxes")
+            self.assertEqual((rows[tracer]["missed"], rows[tracer]["refuted"]), (0, 0))
+        self.assertEqual({saving["tracer"] for saving in answer["boxes"]},
+                         {"florez-boxes", "florez-trimming"})
+
+    def test_mirrors_of_stoltes_table(self):
+        answer = self.compare("stolte-table-1", "--surface", "spheres")
+        rows = {(row["tracer"], row["reflections"]): row for row in answer["rows"]}
+        self.assertEqual(set(rows), {(tracer, mirrors) for mirrors in (0, 5) for tracer in
+                                     ("beams", "gargantini", "octree-unrounded", "octree")})
+        self.assertEqual(rows["octree", 5]["printed_ms"], 27062)
+        self.assertEqual(rows["octree", 0]["printed_ms"], 19860)
+        self.assertEqual(rows["octree", 0]["d_stop"], 30)
+        self.assertEqual(rows["beams", 0]["d_stop"], 22)
+        for row in rows.values():
+            self.assertEqual((row["missed"], row["refuted"]), (0, 0), row)
+
+    def test_plots(self):
+        self.run_ok("compare", "--surface", "mitchell", "--size", 24, "--repeat", 1, "--plot",
+                    "plot.svg")
+        root = ElementTree.parse(self.folder / "plot.svg").getroot()
+        space = "{http://www.w3.org/2000/svg}"
+        words = [text.text for text in root.iter(space + "text")]
+        self.assertIn("mitchell, d_stop 10", words)
+        self.assertEqual(words.count("t-bisection"), 2)
+        rings = [circle for circle in root.iter(space + "circle") if circle.get("fill") == "none"]
+        self.assertEqual(len(rings), 2 * 3 + 1)  # and one of the legend
+        self.run_ok("compare", "knoll-figure-9", "--surface", "sphere", "--size", 24, "--repeat", 1,
+                    "--plot", "plot.png")
+        self.assertTrue((self.folder / "plot.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_animations_by_one_grid(self):
+        for figure in ("florez-figure-6.8", "florez-figure-6.10", "florez-figure-6.12"):
+            answer = json.loads(self.run_ok("compare", figure, "--size", 24, "--json", "-").out)
+            self.assertEqual([row["frame"] for row in answer["rows"]], [0, 5, 10, 15])
+            for row in answer["rows"]:
+                self.assertGreaterEqual(row["one_grid"]["cells"], row["grid_each"]["cells"])
+                self.assertGreater(row["grid_each"]["cells"], 100)
+                self.assertLess(row["one_grid"]["cells"], 32**3)

@@ -132,7 +132,10 @@ WRONG_COMMANDS = [
     (["bench", "--reflections", "6"], ["--reflections 6", "5"]),
     (["bench", "--first-picture", "--antialias"], ["--first-picture", "--antialias"]),
     (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
-    (["compare", "--table", "knoll"], ["--table knoll", "knoll-table-1", "florez-table-4.1"]),
+    (["compare", "--plot", "plot.gif"], ["--plot plot.gif", ".svg or .png"]),
+    (["compare", "florez-figure-6.8", "--tracer", "beams"], ["--tracer", "animation"]),
+    (["compare", "florez-figure-6.8", "--size", "20x10"], ["--size 20x10", "type N"]),
+    (["compare", "knoll"], ["knoll: there is no such table", "knoll-table-1", "florez-table-4.1"]),
     (["compare", "--tracer", "beams,magic"], ["--tracer magic", "sphere-tracing"]),
     (["compare", "--surface", "sphere,cube"], ["--surface cube", "tangle"]),
     (["compare", "--dstop", "10,99"], ["--dstop", "99"]),
@@ -285,8 +288,10 @@ class UnwritableTest(ProgramTest):
                 self.assertEqual(self.files(), [])
 
     def test_no_such_folder_for_figures(self):
-        result = run("compare", "--size", "8", "--json", "no/out.json", cwd=self.folder)
-        self.check_failed(result, ["no/out.json"])
+        for option, name in (("--json", "no/out.json"), ("--plot", "no/out.svg")):
+            with self.subTest(option):
+                result = run("compare", "--size", "8", option, name, cwd=self.folder)
+                self.check_failed(result, [name])
 
     def test_one_unwritable_file_leaves_the_others_unwritten(self):
         result = run("render", "x", "--size", "8", "-o", "out.png", "--depth", "no/out.pfm",

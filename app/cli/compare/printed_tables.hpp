@@ -10,8 +10,24 @@ namespace zeroset {
 /// A figure that a paper printed for a surface, a tracer and a tolerance.
 struct PrintedValue {
     std::string_view surface, tracer;  ///< their names here: of the gallery, of `tracers()`
-    int d_stop;
+    int d_stop;  ///< beyond max_d_stop: levels of an octree; other tracers go to max_d_stop
     double value;
+    int reflections = 0;  ///< how often rays are mirrored
+};
+
+/// A surface of a table that is not in the gallery, in the box [-domain, domain]^3.
+struct PrintedSurface {
+    std::string_view name, formula;
+    double domain;
+};
+
+/// What Florez printed of the boxes of an image; 0: not printed.
+struct PrintedBoxes {
+    std::string_view surface;
+    double trimming_s;  ///< of finding the boxes
+    int rejected, rejected_pixels, kept, kept_pixels;
+    double rejected_s, kept_s;  ///< single rays through them, without boxes
+    int rays, all_rays;         ///< with boxes, and nine a pixel everywhere
 };
 
 enum class PrintedUnit : std::uint8_t { FramesPerSecond, Seconds };
@@ -25,10 +41,15 @@ struct PrintedTable {
     PrintedUnit unit;
     int size_px;  ///< width and height of the pictures
     std::span<const PrintedValue> values;
+    std::span<const PrintedSurface> surfaces = {};
+    std::span<const PrintedBoxes> boxes = {};
 
     /// The time that a frame took, if that is printed.
     [[nodiscard]] std::optional<double> printed_ms(std::string_view surface,
-                                                   std::string_view tracer, int d_stop) const;
+                                                   std::string_view tracer, int d_stop,
+                                                   int reflections = 0) const;
+    /// nullptr where nothing is printed.
+    [[nodiscard]] const PrintedBoxes* boxes_of(std::string_view surface) const;
 };
 
 /// All of them, the usual one first.

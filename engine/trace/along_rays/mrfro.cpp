@@ -8,35 +8,12 @@
 // - As F is not known where the signs differ, a pole is not told from a root before the end: behind
 //   a stretch with opposite signs the ray is searched on, if no root is found.
 
-#include "engine/trace/along_rays/end_signs.hpp"
+#include "engine/trace/along_rays/mrfro.hpp"
+
 #include "engine/trace/along_rays/ray_search.hpp"
 #include "engine/trace/along_rays/tracers_along_rays.hpp"
 
 namespace zeroset {
-namespace {
-
-template <class Real>
-class MrfRo {
-public:
-    explicit MrfRo(RayField<Real>& field) : field_(field), signs_(field), middles_(field) {}
-
-    void examine(std::span<const RayTask> tasks, std::span<TaskOutcome> outcomes) {
-        signs_.reject_by_ends(tasks, outcomes, open_);
-        middles_.clear();
-        for (const std::size_t i : open_)
-            middles_.ask(tasks, i, EndSigns<Real>::Where::Middle);
-        middles_.evaluate(tasks);
-        for (const std::size_t i : open_)
-            outcomes[i].bisect(signs_.of(i), middles_.middle(i));
-    }
-
-private:
-    RayField<Real>& field_;
-    EndSigns<Real> signs_, middles_;
-    std::vector<std::size_t> open_;
-};
-
-}  // namespace
 
 void trace_tile_mrfro(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                       Counters& counters) {

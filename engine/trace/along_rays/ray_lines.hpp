@@ -36,6 +36,12 @@ public:
     /// The pixels whose rays are inside the clip box and the region somewhere.
     [[nodiscard]] const std::vector<std::uint32_t>& pixels() const { return pixels_; }
     [[nodiscard]] const RayLine& of(std::uint32_t pixel) const { return lines_[pixel]; }
+    /// Keeps the rays for which `keep(pixel, line)` is true; it may narrow where roots are looked
+    /// for.
+    template <class Keep>
+    void keep_if(const Keep& keep) {
+        std::erase_if(pixels_, [&](std::uint32_t pixel) { return !keep(pixel, lines_[pixel]); });
+    }
     /// The width of the finest stretches at depth s on a ray: cells as in SearchDepth, or the
     /// value of the rule epsilon, but not below a few ulp of the type.
     [[nodiscard]] double finest(const RayLine& line, double s) const;

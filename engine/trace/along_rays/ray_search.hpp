@@ -41,8 +41,17 @@ public:
           decision_(memory.field),
           writer_(rays, memory.field.lines, hits) {}
 
+    /// Searches each ray from where roots are looked for on it to the end of that.
     void run() {
-        begin();
+        run_from([](std::uint32_t, const RayLine& line, const auto& push) {
+            push(Stretch{.from = line.from, .to = line.to});
+        });
+    }
+    /// `starts(pixel, line, push)` pushes the stretches in which a ray may have roots, the nearest
+    /// last.
+    template <class Starts>
+    void run_from(const Starts& starts) {
+        begin(starts);
         std::vector<std::uint32_t>& active = memory_.active;
         while (!active.empty()) {
             for (std::size_t first = 0; first < active.size(); first += most_tasks) {
@@ -55,13 +64,14 @@ public:
     }
 
 private:
-    void begin() {
+    template <class Starts>
+    void begin(const Starts& starts) {
         stacks_.begin();
         memory_.active = field_.lines.pixels();
-        for (const std::uint32_t pixel : memory_.active) {
-            const RayLine& line = field_.lines.of(pixel);
-            stacks_.push(pixel, {.from = line.from, .to = line.to});
-        }
+        for (const std::uint32_t pixel : memory_.active)
+            starts(pixel, field_.lines.of(pixel),
+                   [&](const Stretch& stretch) { stacks_.push(pixel, stretch); });
+        std::erase_if(memory_.active, [&](std::uint32_t pixel) { return stacks_.empty(pixel); });
     }
     /// Leaves the rays undecided that are not searched to their ends.
     void leave() {

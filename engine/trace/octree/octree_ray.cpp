@@ -44,6 +44,45 @@ std::optional<glm::dvec3> start_before(const ViewRay& ray, bool has_eye, double 
     return unit * glm::floor(ray.at(t) / unit + 0.5);
 }
 
+/// Where a ray is searched, as t: `inside` what is shown, and not behind `limit`; and whether it
+/// has a beginning at t = 0.
+struct RayReach {
+    DepthRange inside;
+    double limit = infinity;
+    bool has_beginning = true;
+};
+
+/// The implicit form of a ray from where it begins, or from before the cube.
+std::optional<OctreeRay> implicit_form(const ViewRay& seen, const RayReach& reach,
+                                       const TraceFrame& frame, const OctreeSpace& space) {
+    const DepthRange& inside = reach.inside;
+    const glm::dvec3 size = glm::abs(seen.direction);
+    const double longest = std::max({size.x, size.y, size.z});
+    const glm::dvec3 d = glm::max(size, glm::dvec3(0x1p-60 * longest));
+    OctreeRay ray{};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (seen.direction[axis] < 0) ray.sign_dir |= 1U << axis;
+        if (d[axis] > d[ray.k]) ray.k = axis;
+    }
+    const auto before = start_before(seen, reach.has_beginning, inside.enter_lo, space);
+    ray.on_grid = before.has_value();
+    ray.start = turned(before.value_or(seen.origin), ray.sign_dir);
+    ray.c = {d.y * d.z, d.z * d.x, d.x * d.y};
+    // T by the dominant axis, where the region begins and ends.
+    const double spare = 4.0 * place_error(frame);
+    const auto parameter = [&](double t, double shift) {
+        const double place = turned(seen.at(t), ray.sign_dir)[ray.k];
+        return ray.c[ray.k] * (place - ray.start[ray.k] + shift);
+    };
+    ray.from = std::max(0.0, parameter(inside.enter_lo, -spare));
+    ray.to = parameter(inside.exit_hi, spare);
+    ray.sure_from = std::isfinite(inside.enter_hi) ? parameter(inside.enter_hi, spare) : infinity;
+    ray.sure_to = std::isfinite(inside.exit_lo) ? parameter(inside.exit_lo, -spare) : -infinity;
+    ray.limit = std::isfinite(reach.limit) ? parameter(reach.limit, spare) : reach.limit;
+    if (!(ray.from < ray.to)) return std::nullopt;
+    return ray;
+}
+
 }  // namespace
 
 Octant OctreeRay::root(const OctreeSpace& space) const {
@@ -94,36 +133,27 @@ std::optional<OctreeRay> octree_ray(const TraceFrame& frame, const Tile& tile, c
     const DepthRange depths =
         rays.depths(rays.u(at.col - first.col), rays.v(at.row - first.row), 0.0, 0.0);
     if (depths.empty()) return std::nullopt;
-    // The implicit form of the ray from the eye, or from before the cube.
-    const ViewRay seen{.origin = view.origin(at, frame.image),
-                       .direction = view.direction(at, frame.image)};
-    const glm::dvec3 size = glm::abs(seen.direction);
-    const double longest = std::max({size.x, size.y, size.z});
-    const glm::dvec3 d = glm::max(size, glm::dvec3(0x1p-60 * longest));
-    OctreeRay ray{};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (seen.direction[axis] < 0) ray.sign_dir |= 1U << axis;
-        if (d[axis] > d[ray.k]) ray.k = axis;
-    }
-    const auto t_of = [&](double depth) { return view.look_distance + depth; };
-    const auto before = start_before(seen, !view.parallel(), t_of(depths.enter_lo), space);
-    ray.on_grid = before.has_value();
-    ray.start = turned(before.value_or(seen.origin), ray.sign_dir);
-    ray.c = {d.y * d.z, d.z * d.x, d.x * d.y};
-    // T by the dominant axis, where the region begins and ends.
-    const double spare = 4.0 * place_error(frame);
-    const auto parameter = [&](double depth, double shift) {
-        const double place = turned(seen.at(t_of(depth)), ray.sign_dir)[ray.k];
-        return ray.c[ray.k] * (place - ray.start[ray.k] + shift);
-    };
-    ray.from = std::max(0.0, parameter(depths.enter_lo, -spare));
-    ray.to = parameter(depths.exit_hi, spare);
-    ray.sure_from = std::isfinite(depths.enter_hi) ? parameter(depths.enter_hi, spare) : infinity;
-    ray.sure_to = std::isfinite(depths.exit_lo) ? parameter(depths.exit_lo, -spare) : -infinity;
-    const double limit = rays.limit(static_cast<std::size_t>(row * tile_size + col));
-    ray.limit = std::isfinite(limit) ? parameter(limit, spare) : limit;
+    const double away = view.look_distance;
+    return implicit_form(
+        {.origin = view.origin(at, frame.image), .direction = view.direction(at, frame.image)},
+        {.inside = {.enter_lo = away + depths.enter_lo,
+                    .enter_hi = away + depths.enter_hi,
+                    .exit_lo = away + depths.exit_lo,
+                    .exit_hi = away + depths.exit_hi},
+         .limit = away + rays.limit(static_cast<std::size_t>(row * tile_size + col)),
+         .has_beginning = !view.parallel()},
+        frame, space);
+}
+
+std::optional<OctreeRay> octree_ray(const TraceFrame& frame, const SingleRay& ray,
+                                    const OctreeSpace& space) {
     if (!(ray.from < ray.to)) return std::nullopt;
-    return ray;
+    return implicit_form({.origin = ray.at(ray.from), .direction = ray.direction},
+                         {.inside = {.enter_lo = 0.0,
+                                     .enter_hi = 0.0,
+                                     .exit_lo = ray.to - ray.from,
+                                     .exit_hi = ray.to - ray.from}},
+                         frame, space);
 }
 
 }  // namespace zeroset

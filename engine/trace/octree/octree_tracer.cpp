@@ -19,6 +19,7 @@
 #include "engine/trace/in_precision.hpp"
 #include "engine/trace/octree/leaf_tests.hpp"
 #include "engine/trace/octree/octree.hpp"
+#include "engine/trace/octree/octree_memory.hpp"
 #include "engine/trace/octree/ray_walk.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_rays.hpp"
@@ -29,6 +30,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -38,6 +41,11 @@ namespace {
 constexpr std::size_t most_marching = 32;
 constexpr int most_refused_leaves = 1 << 13;
 
+/// What these tracers prepare.
+struct PreparedOctree : PreparedSurface {
+    std::shared_ptr<const Octree> octree;
+};
+
 /// A bound of distances from the eye, surely no farther than the point at T on a ray.
 float distance_before(const TraceFrame& frame, const OctreeRay& ray, double parameter) {
     const double distance = frame.view.distance_of(ray.point(parameter));
@@ -45,11 +53,96 @@ float distance_before(const TraceFrame& frame, const OctreeRay& ray, double para
     return -float_above(-(frame.view.parallel() ? before : std::max(before, 0.0)));
 }
 
-/// The rays of a tile on their ways. Method: how a ray passes an octant.
-template <class Real, class Method>
-class OctreeTile {
+/// The rays of a tile's pixels, and what is found on them.
+class TileSource {
 public:
-    OctreeTile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters);
+    TileSource(const TraceFrame& frame, const Tile& tile, TileHits& hits)
+        : frame_(frame), tile_(tile), hits_(hits), rays_(frame, tile) {}
+
+    static constexpr bool has_pixels = true;
+
+    /// The next ray, with a name; nothing when there are no more.
+    [[nodiscard]] std::optional<std::pair<OctreeRay, TileHits::Pixel>> next(
+        const OctreeSpace& space) {
+        while (next_pixel_ < tile_.cols * tile_.rows) {
+            const TileHits::Pixel pixel{.col = static_cast<std::int16_t>(next_pixel_ % tile_.cols),
+                                        .row = static_cast<std::int16_t>(next_pixel_ / tile_.cols)};
+            ++next_pixel_;
+            if (const auto ray = octree_ray(frame_, tile_, rays_, space, pixel.col, pixel.row))
+                return std::pair{*ray, pixel};
+        }
+        return std::nullopt;
+    }
+    /// From T on the ray is not settled.
+    void leave(TileHits::Pixel pixel, const OctreeRay& ray, double parameter) {
+        hits_.mark_unsettled(pixel, distance_before(frame_, ray, parameter));
+    }
+    void hit(TileHits::Pixel pixel, const OctreeRay& ray, const LeafCase& judged, bool certified) {
+        const glm::dvec3 at = ray.point(judged.from + 0.5 * (judged.to - judged.from));
+        hits_.push(pixel, {at.x, at.y, at.z}, static_cast<float>(frame_.view.distance_of(at)),
+                   certified ? Certificate::Certified : Certificate::Undecided);
+    }
+    void stop() { hits_.leave_undecided(tile_); }
+
+private:
+    const TraceFrame& frame_;
+    const Tile& tile_;
+    TileHits& hits_;
+    TileRays rays_;
+    int next_pixel_ = 0;
+};
+
+/// Rays from anywhere, at most most_single_rays.
+constexpr std::size_t most_single_rays = 1 << 14;
+class SingleSource {
+public:
+    SingleSource(std::span<const SingleRay> rays, std::span<SingleRoot> roots,
+                 const TraceFrame& frame)
+        : frame_(frame), rays_(rays), roots_(roots) {}
+
+    static constexpr bool has_pixels = false;  ///< names of rays are places in a tile
+
+    [[nodiscard]] std::optional<std::pair<OctreeRay, TileHits::Pixel>> next(
+        const OctreeSpace& space) {
+        while (next_ < rays_.size()) {
+            const std::size_t i = next_++;
+            if (const auto ray = octree_ray(frame_, rays_[i], space))
+                return std::pair{*ray,
+                                 TileHits::Pixel{.col = static_cast<std::int16_t>(i), .row = 0}};
+        }
+        return std::nullopt;
+    }
+    void leave(TileHits::Pixel pixel, const OctreeRay&, double) { root(pixel).unsettled = true; }
+    void hit(TileHits::Pixel pixel, const OctreeRay& ray, const LeafCase& judged, bool certified) {
+        SingleRoot& found = root(pixel);
+        found.is_found = true;
+        found.is_proved = certified;
+        const SingleRay& single = rays_[static_cast<std::size_t>(pixel.col)];
+        const auto t_of = [&](double parameter) {
+            return (ray.point(parameter)[ray.k] - single.origin[ray.k]) / single.direction[ray.k];
+        };
+        found.from = t_of(judged.from);
+        found.to = t_of(judged.to);
+    }
+    void stop() {
+        for (SingleRoot& found : roots_)
+            found.unsettled = found.unsettled || !found.is_found;
+    }
+
+private:
+    SingleRoot& root(TileHits::Pixel pixel) { return roots_[static_cast<std::size_t>(pixel.col)]; }
+
+    const TraceFrame& frame_;
+    std::span<const SingleRay> rays_;
+    std::span<SingleRoot> roots_;
+    std::size_t next_ = 0;
+};
+
+/// Rays on their ways. Method: how a ray passes an octant; Source: which rays.
+template <class Real, class Method, class Source>
+class OctreeWalks {
+public:
+    OctreeWalks(const TraceFrame& frame, Source& source, Counters& counters);
     void trace();
 
 private:
@@ -70,18 +163,16 @@ private:
     void store_asked(const RayWalk& walk, std::size_t first);
     /// Tells who asks that f was evaluated so often for a ray.
     void tell_costs(const RayWalk& walk, double evaluations) const {
-        if (counters_.costs != nullptr) counters_.costs->add(walk.pixel().index(), evaluations);
+        if (Source::has_pixels && counters_.costs != nullptr)
+            counters_.costs->add(walk.pixel().index(), evaluations);
     }
 
     const TraceFrame& frame_;
-    const Tile& tile_;
-    TileHits& hits_;
+    Source& source_;
     Counters& counters_;
-    TileRays rays_;
     WalkPlan plan_;
     bool certifies_;
     Real delta_;  ///< F narrower than that makes a leaf; 0: never
-    int next_pixel_ = 0;
     std::vector<RayWalk> walks_;
     std::vector<RayWalk*> idle_, marching_, at_leaf_;
     RangeBoxes<Real, 8 * most_walks> boxes_;
@@ -89,8 +180,8 @@ private:
 };
 
 WalkPlan plan_of(const TraceFrame& frame) {
-    const auto* const octree = static_cast<const Octree*>(frame.prepared);
-    WalkPlan plan{.octree = octree,
+    const auto* const prepared = static_cast<const PreparedOctree*>(frame.prepared);
+    WalkPlan plan{.octree = prepared == nullptr ? nullptr : prepared->octree.get(),
                   .space = octree_space(frame.scene.clip),
                   .leaf_level = 0,
                   .eye = frame.view.eye};
@@ -101,14 +192,12 @@ WalkPlan plan_of(const TraceFrame& frame) {
     return plan;
 }
 
-template <class Real, class Method>
-OctreeTile<Real, Method>::OctreeTile(const TraceFrame& frame, const Tile& tile, TileHits& hits,
-                                     Counters& counters)
+template <class Real, class Method, class Source>
+OctreeWalks<Real, Method, Source>::OctreeWalks(const TraceFrame& frame, Source& source,
+                                               Counters& counters)
     : frame_(frame),
-      tile_(tile),
-      hits_(hits),
+      source_(source),
       counters_(counters),
-      rays_(frame, tile),
       plan_(plan_of(frame)),
       certifies_(Method::proves && leaf_level(frame, plan_.space).certifies()),
       delta_(frame.stop.rule == StopRule::Delta ? static_cast<Real>(frame.stop.value) : Real{0}),
@@ -117,22 +206,16 @@ OctreeTile<Real, Method>::OctreeTile(const TraceFrame& frame, const Tile& tile, 
         idle_.push_back(&walk);
 }
 
-template <class Real, class Method>
-bool OctreeTile<Real, Method>::next_ray(RayWalk& walk, State& state) {
-    while (next_pixel_ < tile_.cols * tile_.rows) {
-        const TileHits::Pixel pixel{.col = static_cast<std::int16_t>(next_pixel_ % tile_.cols),
-                                    .row = static_cast<std::int16_t>(next_pixel_ / tile_.cols)};
-        ++next_pixel_;
-        const auto ray = octree_ray(frame_, tile_, rays_, plan_.space, pixel.col, pixel.row);
-        if (!ray) continue;
-        state = walk.begin<Method>(plan_, *ray, pixel);
-        return true;
-    }
-    return false;
+template <class Real, class Method, class Source>
+bool OctreeWalks<Real, Method, Source>::next_ray(RayWalk& walk, State& state) {
+    const auto next = source_.next(plan_.space);
+    if (!next) return false;
+    state = walk.begin<Method>(plan_, next->first, next->second);
+    return true;
 }
 
-template <class Real, class Method>
-bool OctreeTile<Real, Method>::refill() {
+template <class Real, class Method, class Source>
+bool OctreeWalks<Real, Method, Source>::refill() {
     while (marching_.size() < most_marching && at_leaf_.size() < most_leaves) {
         RayWalk& walk = *idle_.back();
         State state{};
@@ -143,8 +226,8 @@ bool OctreeTile<Real, Method>::refill() {
     return true;
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::sort_in(RayWalk& walk, State state) {
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::sort_in(RayWalk& walk, State state) {
     switch (state) {
         case State::Asks: marching_.push_back(&walk); return;
         case State::AtLeaf: at_leaf_.push_back(&walk); return;
@@ -152,29 +235,28 @@ void OctreeTile<Real, Method>::sort_in(RayWalk& walk, State state) {
     }
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::end(RayWalk& walk) {
-    if (!Method::proves)
-        hits_.mark_unsettled(walk.pixel(), distance_before(frame_, walk.ray(), walk.ray().from));
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::end(RayWalk& walk) {
+    if (!Method::proves) source_.leave(walk.pixel(), walk.ray(), walk.ray().from);
     idle_.push_back(&walk);
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::store_asked(const RayWalk& walk, std::size_t first) {
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::store_asked(const RayWalk& walk, std::size_t first) {
     for (std::size_t i = 0; i < walk.asked().count; ++i)
         store_box(box_of_octant(walk.ray(), walk.asked_octant(i), frame_.scene.clip), boxes_.ends,
                   first + i);
 }
 
-template <class Real, class Method>
-RayWalk::Keep OctreeTile<Real, Method>::judged(std::size_t slot) const {
+template <class Real, class Method, class Source>
+RayWalk::Keep OctreeWalks<Real, Method, Source>::judged(std::size_t slot) const {
     if (boxes_.excludes_zero(slot)) return RayWalk::Keep::Drop;
     const bool narrow = boxes_.f_neg_lo[slot] + boxes_.f_hi[slot] < delta_;
     return narrow && boxes_.continuous[slot] != 0 ? RayWalk::Keep::Stop : RayWalk::Keep::Divide;
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::judge_asked() {
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::judge_asked() {
     std::size_t count = 0;
     for (const RayWalk* const walk : marching_) {
         store_asked(*walk, count);
@@ -203,26 +285,24 @@ void OctreeTile<Real, Method>::judge_asked() {
     }
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::take(RayWalk& walk, const LeafCase& judged) {
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::take(RayWalk& walk, const LeafCase& judged) {
     const OctreeRay& ray = walk.ray();
     if (judged.verdict == LeafVerdict::Refused || judged.verdict == LeafVerdict::Passed) {
         const bool too_many = ++walk.refused_leaves > most_refused_leaves;
         if (judged.verdict == LeafVerdict::Passed || too_many) {
-            hits_.mark_unsettled(walk.pixel(), distance_before(frame_, ray, judged.leaf.in));
+            source_.leave(walk.pixel(), ray, judged.leaf.in);
             walk.unsettled = true;
         }
         return too_many ? end(walk) : sort_in(walk, walk.go_on<Method>(plan_));
     }
-    const glm::dvec3 at = ray.point(judged.from + 0.5 * (judged.to - judged.from));
     const bool certified = judged.verdict == LeafVerdict::Certified && !walk.unsettled;
-    hits_.push(walk.pixel(), {at.x, at.y, at.z}, static_cast<float>(frame_.view.distance_of(at)),
-               certified ? Certificate::Certified : Certificate::Undecided);
+    source_.hit(walk.pixel(), ray, judged, certified);
     end(walk);
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::judge_leaves() {
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::judge_leaves() {
     std::array<LeafCase, most_leaves> cases;
     std::array<RayWalk*, most_leaves> walks{};
     const std::size_t count = std::min(at_leaf_.size(), most_leaves);
@@ -240,8 +320,8 @@ void OctreeTile<Real, Method>::judge_leaves() {
         take(*walks[i], cases[i]);
 }
 
-template <class Real, class Method>
-void OctreeTile<Real, Method>::trace() {
+template <class Real, class Method, class Source>
+void OctreeWalks<Real, Method, Source>::trace() {
     bool more = true;
     while (!frame_.stopped()) {
         more = more && refill();
@@ -256,16 +336,44 @@ void OctreeTile<Real, Method>::trace() {
             judge_asked();
         }
     }
-    hits_.leave_undecided(tile_);
+    source_.stop();
+}
+
+template <class Method, class Source>
+void trace(const TraceFrame& frame, Source& source, Counters& counters) {
+    in_precision(frame, [&](auto real) {
+        const auto work =
+            std::make_unique<OctreeWalks<decltype(real), Method, Source>>(frame, source, counters);
+        work->trace();
+    });
 }
 
 template <class Method>
 void trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {
-    in_precision(frame, [&](auto real) {
-        const auto work =
-            std::make_unique<OctreeTile<decltype(real), Method>>(frame, tile, hits, counters);
-        work->trace();
-    });
+    TileSource source(frame, tile, hits);
+    trace<Method>(frame, source, counters);
+}
+
+/// A surface's octree, with a way for single rays. Method: how they pass an octant.
+template <class Method>
+struct OctreeByMethod final : PreparedOctree, SingleRootFinder {
+    void find(const TraceFrame& frame, std::span<const SingleRay> rays, std::span<SingleRoot> roots,
+              Counters& counters) const override {
+        for (std::size_t first = 0; first < rays.size(); first += most_single_rays) {
+            const std::size_t count = std::min(most_single_rays, rays.size() - first);
+            SingleSource source(rays.subspan(first, count), roots.subspan(first, count), frame);
+            trace<Method>(frame, source, counters);
+        }
+    }
+};
+
+template <class Method>
+std::shared_ptr<const PreparedSurface> prepare_by(const TraceFrame& surface, int threads) {
+    auto octree = std::static_pointer_cast<const Octree>(prepare_octree(surface, threads));
+    if (octree == nullptr) return nullptr;
+    auto prepared = std::make_shared<OctreeByMethod<Method>>();
+    prepared->octree = std::move(octree);
+    return prepared;
 }
 
 }  // namespace
@@ -283,6 +391,20 @@ void trace_tile_octree_unrounded(const TraceFrame& frame, const Tile& tile, Tile
 void trace_tile_gargantini(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                            Counters& counters) {
     trace_tile<GargantiniTraversal>(frame, tile, hits, counters);
+}
+
+std::shared_ptr<const PreparedSurface> prepare_octree_tracer(const TraceFrame& surface,
+                                                             int threads) {
+    return prepare_by<RoundedVoxelisation>(surface, threads);
+}
+
+std::shared_ptr<const PreparedSurface> prepare_octree_unrounded(const TraceFrame& surface,
+                                                                int threads) {
+    return prepare_by<UnroundedVoxelisation>(surface, threads);
+}
+
+std::shared_ptr<const PreparedSurface> prepare_gargantini(const TraceFrame& surface, int threads) {
+    return prepare_by<GargantiniTraversal>(surface, threads);
 }
 
 }  // namespace zeroset

@@ -3,6 +3,8 @@
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
 
+#include <memory>
+
 namespace zeroset {
 
 /// Stolte's octree [Stolte05]; see octree_tracer.cpp.
@@ -14,5 +16,13 @@ void trace_tile_octree_unrounded(const TraceFrame& frame, const Tile& tile, Tile
 /// The same with Gargantini's traversal: nothing is proved.
 void trace_tile_gargantini(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                            Counters& counters);
+
+// Tracer::prepare of the three: the surface's octree, with a way through it for rays that mirrors
+// send on (a SingleRootFinder). nullptr where the frame is stopped.
+std::shared_ptr<const PreparedSurface> prepare_octree_tracer(const TraceFrame& surface,
+                                                             int threads);
+std::shared_ptr<const PreparedSurface> prepare_octree_unrounded(const TraceFrame& surface,
+                                                                int threads);
+std::shared_ptr<const PreparedSurface> prepare_gargantini(const TraceFrame& surface, int threads);
 
 }  // namespace zeroset
