@@ -134,7 +134,12 @@ void PlotMaker::add_row(const ComparedRow& row, double y) {
     std::string words = time_text(row.median_ms);
     if (row.times) words += "  " + ratio_text(*row.times);
     const double gap = dot + 5.0;
+    const std::size_t lost = row.wrong.missed + row.wrong.added;
+    const std::string lost_words =
+        lost == 0 ? "" : std::to_string(lost) + (lost == 1 ? " pixel wrong" : " pixels wrong");
+    constexpr double lost_gap = 8.0;
     double end = at + gap + width_(words, small_em);
+    if (lost > 0) end += lost_gap + width_(lost_words, small_em);
     if (row.printed_ms) {
         const double ring = place(*row.printed_ms);
         shapes_.emplace_back(Line{.from = {std::min(at, ring) + dot, y},
@@ -153,8 +158,7 @@ void PlotMaker::add_row(const ComparedRow& row, double y) {
                                           .hi = {end + 2.0, y + 0.5 * row_height - 1.0},
                                           .color = ground});
     end = write_at(words, at + gap, y, color);
-    const std::size_t lost = row.wrong.missed + row.wrong.added;
-    if (lost > 0) write_at(std::to_string(lost) + " pixels wrong", end + 8.0, y, wrong);
+    if (lost > 0) write_at(lost_words, end + lost_gap, y, wrong);
 }
 
 void PlotMaker::add_axis(double bottom) {
