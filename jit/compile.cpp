@@ -83,16 +83,30 @@ struct Piece {
 
 using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
 
+/// The code with the fields that it asks, which it only points to; the cache keeps no field.
+std::shared_ptr<const MachineCode> with_fields(std::shared_ptr<const MachineCode> code,
+                                               const Expr& expr) {
+    struct Owner {
+        std::shared_ptr<const MachineCode> code;
+        std::vector<std::shared_ptr<const Field>> fields;
+    };
+    std::vector<std::shared_ptr<const Field>> fields = fields_of(expr);
+    if (fields.empty()) return code;
+    const auto owner = std::make_shared<const Owner>(std::move(code), std::move(fields));
+    return {owner, owner->code.get()};
+}
+
 /// Code of a function, from the cache or made now; in any rounding mode of the caller.
 Code cached_code(const Expr& expr, const Piece& piece) {
     std::string key = piece.key(expr);
-    if (auto known = cache().find(key)) return known;
+    if (auto known = cache().find(key)) return with_fields(std::move(known), expr);
     auto code = on_large_stack([&] {
         const NearestRounding guard;
         return make_code(piece.lowering(expr), symbol_of(piece.kind), piece.hasty);
     });
-    if (code) cache().insert(std::move(key), *code);
-    return code;
+    if (!code) return code;
+    cache().insert(std::move(key), *code);
+    return with_fields(std::move(*code), expr);
 }
 
 template <class Batch>
@@ -173,7 +187,7 @@ void make_on_call(KernelFunction<Batch>& function, const Expr& expr, const Piece
     auto code = later_functions().find(key);
     if (!code) {
         code = std::make_shared<const OnCall<Batch>>(expr, piece, otherwise, patience);
-        later_functions().insert(std::move(key), code);
+        if (fields_of(expr).empty()) later_functions().insert(std::move(key), code);
     }
     function = {OnCall<Batch>::call, std::move(code), OnCall<Batch>::call_meanwhile};
 }

@@ -200,6 +200,40 @@ Lanes elementary(Elementary function, const Lanes& a, const Lanes& b) {
     return call(a, function, {a.value, b.value});
 }
 
+void emit_question(std::uintptr_t code, const Field& field, int derivative,
+                   std::span<const Lanes> in, std::span<Lanes> out) {
+    Emitter* const emitter = in.front().emitter;
+    llvm::IRBuilder<>& builder = emitter->builder;
+    llvm::Type* const vector = emitter->real_vector();
+    // Room for the vectors at the function's entry, once for all turns of its loop.
+    const auto room_for = [&](std::size_t vectors) {
+        llvm::BasicBlock& entry = builder.GetInsertBlock()->getParent()->getEntryBlock();
+        llvm::IRBuilder<> at_entry(&entry, entry.begin());
+        return at_entry.CreateAlloca(vector, at_entry.getInt32(static_cast<unsigned>(vectors)));
+    };
+    llvm::Value* const questions = room_for(in.size());
+    llvm::Value* const room = room_for(out.size());
+    for (std::size_t i = 0; i < in.size(); ++i)
+        builder.CreateStore(in[i].value, builder.CreateConstGEP1_64(vector, questions, i));
+    const auto pointer = [&](std::uintptr_t address) {
+        return builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
+    };
+    llvm::Type* const whole = builder.getInt32Ty();
+    llvm::Type* const any = builder.getPtrTy();
+    auto* const type =
+        llvm::FunctionType::get(builder.getVoidTy(), {any, whole, any, any, whole}, false);
+    builder
+        .CreateCall(type, pointer(code),
+                    {pointer(reinterpret_cast<std::uintptr_t>(&field)),
+                     builder.getInt32(static_cast<std::uint32_t>(derivative)), questions, room,
+                     builder.getInt32(static_cast<std::uint32_t>(emitter->kind.lanes))})
+        ->setDoesNotThrow();
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        out[i] = {.emitter = emitter,
+                  .value = builder.CreateLoad(vector, builder.CreateConstGEP1_64(vector, room, i))};
+    }
+}
+
 const Format& format_of(const Lanes& kind) {
     return kind.emitter->is_float() ? float_format : double_format;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/real/field.hpp"
 #include "engine/real/format.hpp"
 #include "engine/real/sleef.hpp"
 #include "jit/lower.hpp"
@@ -8,6 +9,8 @@
 #include <llvm/IR/IRBuilder.h>
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <tuple>
 
 // The carrier that builds IR: the operations of engine/real/scalar.hpp, each on a vector of floats
@@ -96,6 +99,26 @@ Lanes magnitude(const Lanes& a);
 Lanes round_down(const Lanes& a);
 Lanes elementary(Elementary function, const Lanes& a);
 Lanes elementary(Elementary function, const Lanes& a, const Lanes& b);
+
+/// The address of the function that asks a field in vectors of this type.
+template <class Question>
+std::uintptr_t asking_code(bool in_float) {
+    return in_float ? reinterpret_cast<std::uintptr_t>(&ask<Question, float>)
+                    : reinterpret_cast<std::uintptr_t>(&ask<Question, double>);
+}
+/// Emits the call of such a function; makes as many vectors as `out` holds.
+void emit_question(std::uintptr_t code, const Field& field, int derivative,
+                   std::span<const Lanes> in, std::span<Lanes> out);
+
+/// The answers of a field (engine/real/field.hpp), which must outlive the code.
+template <class Question>
+std::array<Lanes, Question::answers> answers(Question /*question*/, const Field& field,
+                                             int derivative,
+                                             const std::array<Lanes, Question::questions>& in) {
+    std::array<Lanes, Question::answers> out;
+    emit_question(asking_code<Question>(in[0].emitter->is_float()), field, derivative, in, out);
+    return out;
+}
 
 const Format& format_of(const Lanes& kind);
 

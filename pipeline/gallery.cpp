@@ -4,6 +4,7 @@
 #include "engine/language/vocabulary/nearest_word.hpp"
 #include "pipeline/gallery_files.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/volume_source.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -62,6 +63,8 @@ GalleryItem item_of(const json& item, const std::string& group) {
 }
 
 std::vector<GalleryItem> load() {
+    // Some items name volumes, which the program makes.
+    if (!field_source()) use_volume_folder({});
     std::vector<GalleryItem> items;
     for (const std::string_view text : gallery_files()) {
         const json file = json::parse(text);

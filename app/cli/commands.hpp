@@ -52,6 +52,15 @@ struct ShareCommand {
 };
 int run_share(const ShareCommand& command);
 
+/// Writes a function's values on a grid.
+struct SampleCommand {
+    std::string equation, output;
+    std::string size = "128";
+    std::optional<std::string> box, w, surface;
+    std::vector<std::string> set;
+};
+int run_sample(const SampleCommand& command);
+
 struct MeshCommand {
     std::string equation;
     ViewText view;

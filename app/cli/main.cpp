@@ -173,11 +173,27 @@ CLI::App* add_traversal(CLI::App& app, TraversalCommand& traversal) {
     return traversal_app;
 }
 
+CLI::App* add_sample(CLI::App& app, SampleCommand& sample) {
+    CLI::App* const sample_app =
+        app.add_subcommand("sample", "write the values of f on a grid as a volume (NRRD)");
+    sample_app->footer("Draw it again with \"scan = volume(\\\"FILE.nrrd\\\"); scan(x,y,z) = 0\".");
+    add_equation(*sample_app, sample.equation);
+    add_value(*sample_app, "-o,--output", sample.output, "FILE.nrrd to write")->required();
+    add_value(*sample_app, "--size", sample.size,
+              "samples: NXxNYxNZ, or N along the box's longest edge (default 128)");
+    add_value(*sample_app, "--box", sample.box, "L or x0,x1,y0,y1,z0,z1, as for render");
+    add_value(*sample_app, "--w", sample.w, "the value of w");
+    add_value(*sample_app, "--surface", sample.surface, "of several surfaces the N-th");
+    add_parameters(*sample_app, sample.set);
+    return sample_app;
+}
+
 /// The values of all subcommands' options.
 struct Commands {
     RenderCommand render;
     FilmCommand turntable, animate;
     MeshCommand mesh;
+    SampleCommand sample;
     DrawCommand draw;
     ShareCommand share;
     UiShotCommand shot;
@@ -201,6 +217,7 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
         {add_turntable(app, c.turntable), [&c] { return run_film(c.turntable); }},
         {add_animate(app, c.animate), [&c] { return run_film(c.animate); }},
         {add_mesh(app, c.mesh), [&c] { return run_mesh(c.mesh); }},
+        {add_sample(app, c.sample), [&c] { return run_sample(c.sample); }},
         {add_draw(app, c.draw), [&c] { return run_draw(c.draw); }},
         {add_share(app, c.share), [&c] { return run_share(c.share); }},
         {add_ui_shot(app, c.shot), [&c] { return run_ui_shot(c.shot); }},

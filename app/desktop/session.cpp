@@ -7,6 +7,9 @@
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/volume/files/volume_file.hpp"
+#include "pipeline/volume_document.hpp"
+#include "pipeline/volume_source.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/panels/statement_list.hpp"
 #include "ui/style/label.hpp"
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -241,6 +245,7 @@ void Session::paste() {
     }
     auto read = document_from(text);
     if (!read) return say(filled(tr("Nothing pasted: {0}."), {read.error()}));
+    use_volume_folder({.folder = {}, .closed = true});
     show(std::move(read->document));
 }
 
@@ -254,7 +259,9 @@ void Session::attempt(Action action) {
 
 void Session::perform(const Action& action) {
     switch (action.intent) {
-        case Intent::New: return begin(ui::new_document(state_.edited.layout), {});
+        case Intent::New:
+            use_volume_folder({});
+            return begin(ui::new_document(state_.edited.layout), {});
         case Intent::ChooseFile:
             state_.pages.dialogs.file = ui::FileChoice{};
             state_.pages.dialogs.file->folder = first_folder(path_);
@@ -277,11 +284,20 @@ void Session::begin(Document document, const std::string& path) {
 }
 
 void Session::load(const std::string& path) {
+    if (is_volume_file(path)) return load_volume(path);
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
+    use_volume_folder({.folder = std::filesystem::path(path).parent_path(), .closed = true});
     begin(std::move(loaded->document), loaded->from_picture ? "" : path);
     if (!loaded->from_picture) recent_.add(path);
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
+}
+
+void Session::load_volume(const std::string& path) {
+    use_volume_folder({});
+    auto document = document_of_volume(path);
+    if (!document) return say_failure(document.error().reason);
+    begin(std::move(*document), {});
 }
 
 void Session::save() {

@@ -71,6 +71,8 @@ private:
     void perform(const Action& action);
     void begin(Document document, const std::string& path);
     void load(const std::string& path);
+    /// Begins a document that shows the volume.
+    void load_volume(const std::string& path);
     void save();
     /// Opens the dialog that asks for the name of a new file.
     void choose_file_for(ui::FileChoice choice, const std::string& usual_name);

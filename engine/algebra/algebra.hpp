@@ -26,6 +26,7 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
         case Op::OddRoot: return algebra.odd_root(a, node.number);
         case Op::AngleSin: return algebra.angle_sin(a, b, node.number);
         case Op::AngleCos: return algebra.angle_cos(a, b, node.number);
+        case Op::Field: return algebra.field(a, b, c, *node.field, node.number);
 #define ZEROSET_APPLY_1(id, method) \
     case Op::id: return algebra.method(a);
 #define ZEROSET_APPLY_2(id, method) \
@@ -37,6 +38,7 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
 #define ZEROSET_OP_Power(id, method, arity)
 #define ZEROSET_OP_Root(id, method, arity)
 #define ZEROSET_OP_Wave(id, method, arity)
+#define ZEROSET_OP_Lookup(id, method, arity)
 #define ZEROSET_OP_Call(id, method, arity) ZEROSET_APPLY_##arity(id, method)
 #define ZEROSET_OP_Compare(id, method, arity) ZEROSET_APPLY_##arity(id, method)
 #define ZEROSET_OP_Logic(id, method, arity) ZEROSET_APPLY_##arity(id, method)
@@ -50,6 +52,7 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
 #undef ZEROSET_OP_Power
 #undef ZEROSET_OP_Root
 #undef ZEROSET_OP_Wave
+#undef ZEROSET_OP_Lookup
 #undef ZEROSET_OP_Call
 #undef ZEROSET_OP_Compare
 #undef ZEROSET_OP_Logic

@@ -2,13 +2,14 @@
 
 #include "engine/algebra/beam_branches.hpp"
 #include "engine/algebra/beam_elementary.hpp"
+#include "engine/algebra/beam_field.hpp"
 #include "engine/num/beam_log_sum.hpp"
 
 namespace zeroset {
 
 /// Beam forms of value and derivative, over any carrier, in upward rounding.
 template <class Real>
-class BeamAlgebra : public BeamElementary<Real>, public BeamBranches<Real> {
+class BeamAlgebra : public BeamElementary<Real>, public BeamBranches<Real>, public BeamField<Real> {
     using Rules = BeamRules<Real>;
     using Rules::box;
     using Rules::format;

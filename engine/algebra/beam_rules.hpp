@@ -71,6 +71,12 @@ protected:
                                               const std::optional<Mask>& b) {
         return conjunction(a, b);
     }
+    template <class Mask>
+    static std::optional<Mask> conjunction_of(const std::optional<Mask>& a,
+                                              const std::optional<Mask>& b,
+                                              const std::optional<Mask>& c) {
+        return conjunction(a, b, c);
+    }
     /// A function of one operand with its derivative and its own domain.
     static Value of(const Form& f, const Form& slope, const Enclosure<Real>& domain, In a) {
         return with_domain(of(f, times(slope, a.value.slope), a), domain);

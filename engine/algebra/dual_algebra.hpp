@@ -5,6 +5,9 @@
 #include "engine/num/fold.hpp"
 #include "engine/num/log_sum.hpp"
 #include "engine/num/smooth_min.hpp"
+#include "engine/real/field.hpp"
+
+#include <array>
 
 namespace zeroset {
 
@@ -75,6 +78,14 @@ public:
     }
     Value logic_not(In a) { return step(like(a.value.value, 1.0) - a.value.value); }
     Value choose(In c, In a, In b) { return zeroset::choose(c.value.value, a.value, b.value); }
+    Value field(In x, In y, In z, const Field& field, int derivative) {
+        const auto out = answers(FieldValue(), field, derivative,
+                                 std::array<Real, 3>{x.value.value, y.value.value, z.value.value});
+        constexpr std::size_t slope = FieldValue::slope;
+        return chain(out[FieldValue::value],
+                     std::array<Real, 3>{out[slope], out[slope + 1], out[slope + 2]},
+                     std::array<const Value*, 3>{&x.value, &y.value, &z.value});
+    }
     Value where(In a, In c) { return zeroset::where(a.value, c.value.value); }
 
 private:

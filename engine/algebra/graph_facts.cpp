@@ -63,7 +63,8 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::SmoothMin:
         case Op::Log:
         case Op::Log10:
-        case Op::Log2: return false;
+        case Op::Log2:
+        case Op::Field: return false;
     }
     return false;
 }

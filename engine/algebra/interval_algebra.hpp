@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/algebra/field_enclosure.hpp"
 #include "engine/algebra/operand.hpp"
 #include "engine/algebra/switches.hpp"
 #include "engine/num/cardinal.hpp"
@@ -136,6 +137,14 @@ public:
         return decided(switches_.outcomes(point(like(range(a).hi, 1.0)) - range(a)), a);
     }
     Value choose(In c, In a, In b) { return zeroset::choose(c.value, a.value, b.value); }
+    Value field(In x, In y, In z, const Field& field, int derivative) {
+        const auto out =
+            answers(FieldRange(), field, derivative,
+                    std::array<Real, 6>{range(x).neg_lo, range(y).neg_lo, range(z).neg_lo,
+                                        range(x).hi, range(y).hi, range(z).hi});
+        const Value g = field_enclosure<FieldRange>(field, derivative, out);
+        return composed(composed(g, x.value), y.value, z.value);
+    }
     Value where(In a, In c) { return zeroset::where(a.value, c.value); }
 
 private:

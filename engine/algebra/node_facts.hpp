@@ -43,6 +43,7 @@ private:
             const auto& divisor = facts_[node.b].constant;
             return !divisor || (divisor->hi >= 0 && divisor->neg_lo >= 0);
         }
+        if (node.op == Op::Field) return !node.field->is_total() || node.number != 0;
         return is_any_of(node.op, {Op::Log, Op::Log10, Op::Log2, Op::Tan, Op::Cot, Op::Asin,
                                    Op::Acos, Op::Acosh, Op::Atanh, Op::Atan2, Op::Angle,
                                    Op::AngleSin, Op::AngleCos, Op::Oriented, Op::Where});

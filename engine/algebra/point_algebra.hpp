@@ -28,6 +28,12 @@ public:
     Value method(In a, In b, int n) {                                          \
         return duals_.method(Plain(a).operand(), Plain(b).operand(), n).value; \
     }
+#define ZEROSET_OP_Lookup(method, arity)                                                           \
+    Value method(In a, In b, In c, const Field& field, int derivative) {                           \
+        return duals_                                                                              \
+            .method(Plain(a).operand(), Plain(b).operand(), Plain(c).operand(), field, derivative) \
+            .value;                                                                                \
+    }
 #define ZEROSET_OP_Call(method, arity) ZEROSET_POINT_##arity(method)
 #define ZEROSET_OP_Compare(method, arity) ZEROSET_POINT_##arity(method)
 #define ZEROSET_OP_Logic(method, arity) ZEROSET_POINT_##arity(method)
@@ -41,6 +47,7 @@ public:
 #undef ZEROSET_OP_Power
 #undef ZEROSET_OP_Root
 #undef ZEROSET_OP_Wave
+#undef ZEROSET_OP_Lookup
 #undef ZEROSET_OP_Call
 #undef ZEROSET_OP_Compare
 #undef ZEROSET_OP_Logic

@@ -5,6 +5,7 @@ namespace zeroset {
 NodeId copy_node(ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
     if (node.op == Op::Constant) return builder.constant(node.lo, node.hi);
     if (node.op == Op::Variable) return builder.variable(node.number);
+    if (node.op == Op::Field) return builder.look_up(node.field, a, b, c, node.number);
     return builder.apply(node.op, a, b, c, node.number);
 }
 

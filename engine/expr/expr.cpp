@@ -20,6 +20,15 @@ bool Expr::uses_variable(int variable) const {
     });
 }
 
+std::vector<std::shared_ptr<const Field>> fields_of(const Expr& expr) {
+    std::vector<std::shared_ptr<const Field>> fields;
+    for (const Node& node : expr.nodes()) {
+        if (node.field && std::ranges::find(fields, node.field) == fields.end())
+            fields.push_back(node.field);
+    }
+    return fields;
+}
+
 std::string key_of(std::span<const Node> nodes) {
     std::string key;
     key.reserve(nodes.size() * sizeof(Node));
@@ -34,6 +43,7 @@ std::string key_of(std::span<const Node> nodes) {
         append(node.c);
         append(node.lo);
         append(node.hi);
+        append(node.field ? node.field->id() : 0);
     }
     return key;
 }
@@ -56,6 +66,7 @@ std::size_t ExprBuilder::NodeHash::operator()(const Node& node) const {
     mix(node.c);
     mix(std::bit_cast<std::uint64_t>(node.lo + 0.0));  // -0 and 0 compare equal
     mix(std::bit_cast<std::uint64_t>(node.hi + 0.0));
+    if (node.field) mix(node.field->id());
     return hash;
 }
 
@@ -80,6 +91,13 @@ NodeId ExprBuilder::apply(Op op, NodeId a, NodeId b, NodeId c, int number) {
                    .a = a,
                    .b = operands >= 2 ? b : 0,
                    .c = operands >= 3 ? c : 0});
+}
+
+NodeId ExprBuilder::look_up(std::shared_ptr<const Field> field, NodeId a, NodeId b, NodeId c,
+                            int derivative) {
+    assert(field && a < nodes_.size() && b < nodes_.size() && c < nodes_.size());
+    return intern(
+        {.op = Op::Field, .number = derivative, .a = a, .b = b, .c = c, .field = std::move(field)});
 }
 
 Expr ExprBuilder::finish(NodeId root, std::vector<std::string> parameters) const {

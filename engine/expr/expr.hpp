@@ -1,8 +1,10 @@
 #pragma once
 
 #include "engine/expr/op.hpp"
+#include "engine/real/field.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,12 +24,13 @@ inline constexpr std::size_t longest_text = 100'000;
 
 struct Node {
     Op op = Op::Constant;
-    std::int32_t number = 0;  ///< the variable, exponent, degree, factor of the angle
+    std::int32_t number = 0;  ///< the variable, exponent, degree, factor of the angle, derivative
     NodeId a = 0;             ///< operands; always smaller than the node's own id
     NodeId b = 0;
     NodeId c = 0;
     double lo = 0.0;  ///< the doubles that enclose a constant
     double hi = 0.0;
+    std::shared_ptr<const Field> field{};
 
     bool operator==(const Node&) const = default;
 };
@@ -60,6 +63,9 @@ private:
     std::vector<std::string> parameters_;
 };
 
+/// The fields that the graph asks, each once.
+std::vector<std::shared_ptr<const Field>> fields_of(const Expr& expr);
+
 /// Makes the nodes of one Expr, each only once.
 class ExprBuilder {
 public:
@@ -68,6 +74,9 @@ public:
     NodeId variable(int index);
     /// The operator on as many operands as it has; the others are ignored.
     NodeId apply(Op op, NodeId a, NodeId b = 0, NodeId c = 0, int number = 0);
+    /// The field, or a derivative of it, at (a, b, c).
+    NodeId look_up(std::shared_ptr<const Field> field, NodeId a, NodeId b, NodeId c,
+                   int derivative = 0);
 
     [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }

@@ -25,7 +25,8 @@ enum class Notation : std::uint8_t {
     Compare,
     Logic,
     Internal,
-    Wave
+    Wave,
+    Lookup
 };
 
 /// A row of op.def.

@@ -6,6 +6,7 @@
 #include "engine/expr/spelling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <ranges>
 #include <span>
 #include <string>
@@ -122,6 +123,7 @@ private:
                 if (node.op != Op::Angle) return cardinal(node, info, pieces);
                 break;
             case Notation::Wave: return wave(node, info, pieces);
+            case Notation::Lookup: return lookup(node, pieces);
             case Notation::Call: break;
         }
         return call(node, info, pieces);
@@ -204,6 +206,18 @@ private:
                   {.text = ", "},
                   operand(node.b, Or),
                   {.text = "))"}};
+        return Atom;
+    }
+
+    /// A derivative, which is never read, with the axes that it is by.
+    static int lookup(const Node& node, std::vector<Piece>& pieces) {
+        std::string text = node.field->text();
+        if (node.number != 0) text += "_";
+        const std::array<int, 3> times = times_of(node.number);
+        for (std::size_t axis = 0; axis < times.size(); ++axis)
+            text.append(static_cast<std::size_t>(times[axis]), "xyz"[axis]);
+        pieces = {{.text = text + "("}, operand(node.a, Or), {.text = ", "}, operand(node.b, Or),
+                  {.text = ", "},       operand(node.c, Or), {.text = ")"}};
         return Atom;
     }
 

@@ -115,6 +115,8 @@ private:
     Built defined_call(const Syntax& syntax, const Binding* scope);
     Built function_value(Definition& definition, const std::vector<NodeId>& arguments);
     Built library_call(const Syntax& syntax, const Binding* scope);
+    Built volume(const Syntax& syntax, const Binding* scope);
+    std::shared_ptr<const Field> field_of(const Syntax& syntax);
     Built kept_value(const Syntax& syntax, const Binding* scope);
     struct Complaint {
         std::string reason;
@@ -138,10 +140,11 @@ private:
     std::unordered_map<std::string, std::size_t> parameter_index_;
     std::vector<std::string> parameters_;
     std::unordered_map<Call, Value, CallHash> calls_;
-    std::unordered_map<SyntaxId, Value> earlier_;  ///< values of lists
-    std::map<double, NodeId> kept_;                ///< values kept by psh, by index
-    std::optional<std::size_t> library_offset_;    ///< offset of the library call whose body is
-                                                   ///< being built
+    std::unordered_map<SyntaxId, Value> earlier_;                 ///< values of lists
+    std::map<std::string, std::shared_ptr<const Field>> fields_;  ///< by their text
+    std::map<double, NodeId> kept_;                               ///< values kept by psh, by index
+    std::optional<std::size_t> library_offset_;  ///< offset of the library call whose body is
+                                                 ///< being built
     std::vector<Surface> surfaces_;
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 whose names are not
                                                 ///< used

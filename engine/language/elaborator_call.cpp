@@ -5,6 +5,7 @@
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/elaborator.hpp"
+#include "engine/language/vocabulary/field_source.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
 #include "engine/language/words/words.hpp"
 
@@ -85,6 +86,37 @@ Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* 
     const Built value = build(function.body, &names.back());
     library_offset_ = outer;
     return value;
+}
+
+Elaborator::Built Elaborator::volume(const Syntax& syntax, const Binding* scope) {
+    const auto point = numbers(syntax.operands, scope);
+    if (!point) return std::nullopt;
+    const auto field = field_of(syntax);
+    if (!field) return std::nullopt;
+    return done(builder_.look_up(field, (*point)[0], (*point)[1], (*point)[2]), syntax.offset);
+}
+
+/// The field of a file; nullptr is an error.
+std::shared_ptr<const Field> Elaborator::field_of(const Syntax& syntax) {
+    const auto known = fields_.find(syntax.text);
+    if (known != fields_.end()) return known->second;
+    const auto source = field_source();
+    if (!source) {
+        fail(syntax.offset, tr("no files are read here"));
+        return nullptr;
+    }
+    const FieldCall call = read_field_call(syntax.text).call;
+    const auto field = source->open(call);
+    if (!field) {
+        const FieldError& error = field.error();
+        const bool has_place = !error.at.empty();
+        const std::size_t inside =
+            has_place ? static_cast<std::size_t>(error.at.data() - call.text.data()) : 0;
+        fail(syntax.offset + inside, error.reason, error.hint);
+        return nullptr;
+    }
+    fields_.emplace(syntax.text, *field);
+    return *field;
 }
 
 /// Builds psh(i, a), which is 1 and keeps a, or csd(i), the value last kept for i.

@@ -78,6 +78,7 @@ Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
         case SyntaxKind::Sum: return sum(syntax, scope);
         case SyntaxKind::Product: return product(syntax, scope);
         case SyntaxKind::Power: return power(syntax, scope);
+        case SyntaxKind::Volume: return volume(syntax, scope);
         case SyntaxKind::Call: return call(syntax, scope);
         case SyntaxKind::Compare: return compare(syntax, scope);
         case SyntaxKind::And: return connected(syntax, Op::And, scope);

@@ -23,6 +23,8 @@ constexpr Line statements[] = {
      marked("a surface, only where the inequalities hold; also {z < 1}")},
     {"a = 2", marked("a constant, for all statements; a := 2 is never anything else")},
     {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},
+    {R"(scan = volume("ct.nrrd"))",
+     marked("samples from a file, as a function of the point: scan(x, y, z) = 400")},
     {"a = 2; a = a + 1", marked("defined again: for what follows and for all surfaces")},
     {"a = 2; z = a x",
      marked("between statements; a line goes on in brackets, behind an operator and before one")},

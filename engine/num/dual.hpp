@@ -81,6 +81,23 @@ Dual<Real> chain(const Real& value, const Real& by_a, const Dual<Real>& a, const
     return result;
 }
 
+/// g(operands...) from its value and its partial derivatives.
+template <class Real>
+Dual<Real> chain(const Real& value, const std::array<Real, 3>& by,
+                 const std::array<const Dual<Real>*, 3>& operands) {
+    Dual<Real> result{value, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::optional<Real> sum;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!operands[k]->slope.has(i)) continue;
+            const Real term = by[k] * operands[k]->slope.known(i);
+            sum = sum ? *sum + term : term;
+        }
+        if (sum) result.slope.set(i, *sum);
+    }
+    return result;
+}
+
 template <class Real>
 Dual<Real> operator-(const Dual<Real>& a) {
     Dual<Real> result{-a.value, {}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/real/field.hpp"
 #include "engine/real/scalar.hpp"
 #include "engine/real/sleef.hpp"
 
@@ -322,6 +323,18 @@ Block<Real, bytes> elementary(Elementary function, const Block<Real, bytes>& a,
 template <class Real, std::size_t bytes>
 const Format& format_of(const Block<Real, bytes>& /*kind*/) {
     return format_of(Real{});
+}
+
+/// The answers of a field (engine/real/field.hpp).
+template <class Question, class Real, std::size_t bytes>
+std::array<Block<Real, bytes>, Question::answers> answers(
+    Question /*question*/, const Field& field, int derivative,
+    const std::array<Block<Real, bytes>, Question::questions>& in) {
+    std::array<Block<Real, bytes>, Question::answers> out;
+    static_assert(sizeof out == Question::answers * block_bytes);
+    ask<Question>(field, derivative, reinterpret_cast<const Real*>(&in),
+                  reinterpret_cast<Real*>(&out), static_cast<int>(Block<Real, bytes>::lanes));
+    return out;
 }
 
 }  // namespace zeroset

@@ -53,6 +53,24 @@ private:
     unsigned control_ = _mm_getcsr();
 };
 
+/// Makes `long double` round to nearest while it lives. It obeys the x87 control word alone, which
+/// kernels' callers set or leave; its results shall not depend on that.
+class NearestLongDouble {
+public:
+    NearestLongDouble() {
+        asm volatile("fnstcw %0" : "=m"(control_));
+        constexpr unsigned rounding_bits = 0x0C00;
+        const auto nearest = static_cast<unsigned short>(control_ & ~rounding_bits);
+        asm volatile("fldcw %0" : : "m"(nearest));
+    }
+    ~NearestLongDouble() { asm volatile("fldcw %0" : : "m"(control_)); }
+    NearestLongDouble(const NearestLongDouble&) = delete;
+    NearestLongDouble& operator=(const NearestLongDouble&) = delete;
+
+private:
+    unsigned short control_ = 0;
+};
+
 /// Sets upward rounding while it lives, in the vector registers only: fegetround still returns the
 /// caller's mode. For small tasks that only compute, as the two calls of a guard take as long as
 /// some pixels.

@@ -154,6 +154,8 @@ class GalleryPicturesTest(ProgramTest):
 
     def test_depths_against_sign_changes(self):
         for item in gallery():
+            if "volume(" in item["equation"]:
+                continue  # the oracles solve each cell's cubic (tests/oracle)
             with self.subTest(item["name"]):
                 self.check_depths(item)
 

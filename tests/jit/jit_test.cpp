@@ -133,7 +133,9 @@ TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
         const nlohmann::json gallery = nlohmann::json::parse(file);
         for (const auto& item : gallery.at("items")) {
             SCOPED_TRACE(item.at("name"));
-            expect_same_bits(parsed(item.at("equation").get<std::string>()), batches);
+            const auto equation = item.at("equation").get<std::string>();
+            if (equation.contains("volume(")) continue;  // no files are read here
+            expect_same_bits(parsed(equation), batches);
             ++count;
         }
     }

@@ -3,6 +3,7 @@
 #include "engine/algebra/algebra.hpp"
 #include "engine/real/block.hpp"
 #include "tests/support/op_names.hpp"
+#include "tests/support/sample_field.hpp"
 
 #include <algorithm>
 #include <array>
@@ -193,7 +194,7 @@ Outcome<double> block_range(const Node& node, const Inputs<double>& in) {
 }
 
 Node random_operator_node(const OpInfo& info, RandomNumbers& random) {
-    Node node{.op = info.op};
+    Node node = node_of(info.op);
     if (info.notation == Notation::Power) {
         node.number = random.one_in(9) ? 16 : random.between(2, 9);
     }

@@ -1,5 +1,7 @@
 #include "tests/support/mpfr_number.hpp"
 
+#include "tests/support/sample_field.hpp"
+
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -216,6 +218,7 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::LessEqual: return truth(mpfr_lessequal_p(a.get(), b.get()) != 0);
         case Op::If: return defined(a.sign() > 0 ? b : c);
         case Op::Where: return b.sign() > 0 ? defined(a) : undefined();
+        case Op::Field: return field_reference(*sample_field(), a, b, c);
     }
     ADD_FAILURE() << "the reference does not know operator " << static_cast<int>(op);
     return undefined();
@@ -232,6 +235,8 @@ Reference of_operator(const Node& node, const std::vector<Reference>& values) {
         return a.value.sign() > 0 ? b : c;
     }
     if (!a.defined || !b.defined || !c.defined) return undefined();
+    if (const auto* const volume = dynamic_cast<const Volume*>(node.field.get()))
+        return field_reference(*volume, a.value, b.value, c.value);
     return reference(node.op, node.number, a.value, b.value, c.value);
 }
 

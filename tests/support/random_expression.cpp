@@ -3,6 +3,7 @@
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
 #include "tests/support/op_names.hpp"
+#include "tests/support/sample_field.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -56,6 +57,7 @@ NodeId made(ExprBuilder& builder, const OpInfo& info, const std::array<NodeId, 3
         case Notation::Power: return make_power(builder, a, builder.constant(n));
         case Notation::Root: return make_root(builder, a, 2 * (std::abs(n) % 5) + 3);
         case Notation::Wave: return builder.apply(info.op, a, b, 0, std::abs(n) + 1);
+        case Notation::Lookup: return applied(builder, info.op, a, b, c);
         case Notation::Call:
         case Notation::Compare:
         case Notation::Logic: break;
@@ -108,8 +110,8 @@ Expr operator_on_variables(const OpInfo& info, int n) {
     };
     const bool numbered = info.notation == Notation::Power || info.notation == Notation::Root ||
                           info.notation == Notation::Wave;
-    return builder.finish(builder.apply(info.op, operand(0), info.arity < 2 ? 0 : operand(1),
-                                        info.arity < 3 ? 0 : operand(2), numbered ? n : 0));
+    return builder.finish(applied(builder, info.op, operand(0), info.arity < 2 ? 0 : operand(1),
+                                  info.arity < 3 ? 0 : operand(2), numbered ? n : 0));
 }
 
 int formulas_to_try(int usual) {

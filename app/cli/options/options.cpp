@@ -9,8 +9,11 @@
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"
+#include "engine/volume/files/volume_file.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/volume_document.hpp"
+#include "pipeline/volume_source.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +54,23 @@ OrInputError<Box> read_box(const std::string& text) {
     return box;
 }
 
+/// What is typed may name any file; a document or a shared session only those beside it.
+VolumeFolder folder_of_volumes(const std::string& equation) {
+    if (is_document_name(equation) || is_picture_name(equation))
+        return {.folder = std::filesystem::path(equation).parent_path(), .closed = true};
+    return {.folder = {}, .closed = is_share_text(equation)};
+}
+
+/// The document of a text, in the clip box of its volumes.
+ReadDocument typed_document(std::string_view text) {
+    ReadDocument read = read_document_text(trimmed(text));
+    if (read.rows) fit_to_volumes(*read.rows->program, read.document);
+    return read;
+}
+
 /// Reads the document without applying the view options.
 OrInputError<InputDocument> stored_document(const std::string& equation) {
+    use_volume_folder(folder_of_volumes(equation));
     if (is_document_name(equation) || is_picture_name(equation)) {
         auto loaded = load_document(equation);
         if (!loaded) return wrong_input(loaded.error());
@@ -61,6 +79,11 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         return InputDocument{read_document(std::move(loaded->document)),
                              loaded->from_picture ? "" : equation, loaded->note, loaded->shown_on,
                              true};
+    }
+    if (is_volume_file(equation) && !equation.contains('"')) {
+        auto volume = document_of_volume(equation);
+        if (!volume) return std::unexpected(volume.error());
+        return InputDocument{read_document(std::move(*volume))};
     }
     if (is_share_text(equation)) {
         auto shared = document_from(equation);
@@ -72,9 +95,9 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         if (!item) return std::unexpected(item.error());
         return InputDocument{read_document(*item)};
     }
-    if (equation != "-") return InputDocument{read_document_text(trimmed(equation))};
+    if (equation != "-") return InputDocument{typed_document(equation)};
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    return InputDocument{read_document_text(trimmed(text))};
+    return InputDocument{typed_document(text)};
 }
 
 /// Applies the view options for clip box, w, camera and region.

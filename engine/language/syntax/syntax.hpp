@@ -25,6 +25,7 @@ enum class SyntaxKind : std::uint8_t {
     Sum,      ///< marks: '+' or '-' before each operand but the first
     Product,  ///< marks: '*', '/' or '%' before each operand but the first
     Power,    ///< base, exponent
+    Volume,   ///< text: volume("FILE", ...) as typed; 3 operands
     Call,     ///< function, or text: the name of a function that the text defines
     Compare,  ///< marks between the operands: '=', '<', '>', 'l' for <=, 'g' for >=, 'e' for ==,
               ///< 'n' for !=

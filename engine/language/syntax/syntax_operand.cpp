@@ -34,10 +34,31 @@ SyntaxParser::Parsed SyntaxParser::operand() {
         return add(SyntaxKind::Number, token.offset, {}, {}, decimal(token.text));
     }
     if (token.kind == TokenKind::Name) return name(token);
+    if (token.kind == TokenKind::Volume) return volume(take());
     if (next_is_one_of({"(", "[", "{"})) return group(take());
     if (next_is_one_of({"|", "(|"})) return absolute(take());
     if (next_is_one_of({"⌊", "⌈"})) return floor_or_ceil(take());
     return refuse(missing_operand());
+}
+
+/// Reads the point behind a volume: volume("ct.nrrd")(x, y, z).
+SyntaxParser::Parsed SyntaxParser::volume(const Token& token) {
+    const std::string example = "scan = " + std::string(token.text);
+    if (!next_is("(")) {
+        return fail(token, tr("a volume is a function of a point"),
+                    filled(tr("give it a name in a row of its own, {0}, and type {1}"),
+                           {example, "scan(x, y, z)"}));
+    }
+    const Token& opener = next();
+    List point = arguments();
+    if (!point || !close(opener)) return std::nullopt;
+    if (point->size() != 3) {
+        return fail(
+            token,
+            filled(tr("a volume takes 3 arguments, not {0}"), {std::to_string(point->size())}),
+            filled(tr("type {0}"), {"(x, y, z)"}));
+    }
+    return add(SyntaxKind::Volume, token.offset, std::move(*point), {}, token.text);
 }
 
 SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
@@ -68,6 +89,10 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
+    if (called && full == "volume" && !defined) {
+        return fail(token, tr("a volume is named by its file, in quotes"),
+                    filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
+    }
     if (called && !defined && !is_letter_name) return refuse(no_function(token));
     const bool means_call = std::string_view("fghFGH").contains(full) && next_is("(");
     if (means_call && !defined_.defines_value(full) && adjacent(token, next())) {

@@ -143,6 +143,7 @@ bool SyntaxParser::restricts() const {
 /// Whether the next token can be a factor without a "*" before it.
 bool SyntaxParser::starts_factor() const {
     if (next().kind == TokenKind::Name) return !is_connective(next()) && next().text != "not";
+    if (next().kind == TokenKind::Volume) return true;
     if (next_is("{")) return !restricts();
     if (next_is("|")) return bars_ == 0;
     return next_is_one_of({"(", "[", "(|", "⌊", "⌈"});

@@ -93,6 +93,7 @@ private:
     // syntax_operand.cpp
     Parsed operand();
     Parsed name(const Token& token);
+    Parsed volume(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);
     [[nodiscard]] bool is_list() const;

@@ -20,7 +20,8 @@ enum class TokenKind : std::uint8_t {
                   ///< \frac
     Superscript,  ///< an exponent in raised digits, such as "-12"
     Symbol,
-    Break,  ///< the end of a statement: ";" or the end of a line
+    Volume,  ///< a field that a file holds, as typed: volume("ct.nrrd", edge)
+    Break,   ///< the end of a statement: ";" or the end of a line
     End,
 };
 
@@ -53,7 +54,7 @@ std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
                                                        const DefinedNames* defined, Notes& notes);
 
 /// Rewrites functions of other languages that are assigned to a name, such as f = @(x) x^2 and f =
-/// lambda x: x^2, as f(x) := x^2.
+/// lambda x: x^2, as f(x) := x^2; and f = volume("FILE") as f(x, y, z) := volume("FILE")(x, y, z).
 std::vector<Token> with_plain_functions(std::vector<Token> tokens);
 /// Removes the line ends that end no statement: in brackets, next to an operator that lacks an
 /// operand, and before a "+" if the statement has no "=" yet. After a "\v", a line that starts with

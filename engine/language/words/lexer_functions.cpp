@@ -1,4 +1,4 @@
-// Anonymous functions as MATLAB, Python, Maple and JavaScript define them.
+// Anonymous functions as MATLAB, Python, Maple and JavaScript define them, and volumes.
 
 #include "engine/language/words/lexer.hpp"
 #include "engine/language/words/words_defined.hpp"
@@ -27,6 +27,11 @@ public:
             while (starts && !is_word(at, "def") && is_type_word(tokens_[at].text) &&
                    is_name(at + 1))
                 out_.push_back(tokens_[at++]);
+            if (starts && is_volume(at)) {
+                write_volume(tokens_[at], tokens_[at + 2]);
+                at += 2;
+                continue;
+            }
             const auto header = starts ? header_at(at) : std::nullopt;
             if (header) {
                 write(*header, tokens_[at + header->length].offset);
@@ -63,6 +68,33 @@ private:
     [[nodiscard]] bool is_arrow(std::size_t at) const {
         return (is(at, "-") || is(at, "=")) && is(at + 1, ">") &&
                adjacent(tokens_[at], tokens_[at + 1]);
+    }
+
+    /// Whether `NAME = volume("FILE")` is a whole statement at `at`.
+    [[nodiscard]] bool is_volume(std::size_t at) const {
+        if (!is_name(at) || (!is(at + 1, "=") && !is(at + 1, ":="))) return false;
+        if (at + 3 >= tokens_.size() || tokens_[at + 2].kind != TokenKind::Volume) return false;
+        const TokenKind next = tokens_[at + 3].kind;
+        return next == TokenKind::Break || next == TokenKind::End;
+    }
+    /// Writes it as a function of the point: NAME(x, y, z) := volume("FILE")(x, y, z).
+    void write_volume(const Token& name, const Token& volume) {
+        const auto add = [&](TokenKind kind, std::string_view text, std::size_t offset) {
+            out_.push_back({.kind = kind, .text = text, .offset = offset});
+        };
+        const auto add_point = [&](std::size_t offset) {
+            add(TokenKind::Symbol, "(", offset);
+            for (const std::string_view axis : {"x", "y", "z"}) {
+                if (axis != "x") add(TokenKind::Symbol, ",", offset);
+                add(TokenKind::Name, axis, offset);
+            }
+            add(TokenKind::Symbol, ")", offset);
+        };
+        out_.push_back(name);
+        add_point(name.end());
+        add(TokenKind::Symbol, ":=", volume.offset);
+        out_.push_back(volume);
+        add_point(volume.end());
     }
 
     [[nodiscard]] std::optional<Header> header_at(std::size_t at) const {

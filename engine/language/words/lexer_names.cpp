@@ -1,6 +1,8 @@
 // Names in a text: defined names, runs of letters, subscripts.
 
+#include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
+#include "engine/language/vocabulary/field_source.hpp"
 #include "engine/language/words/lexer_reader.hpp"
 #include "engine/language/words/words_defined.hpp"
 
@@ -113,6 +115,30 @@ bool Lexer::defined_name(std::string_view run) {
         }
     }
     return false;
+}
+
+bool Lexer::starts_volume() const {
+    const bool within = at_ < run_end_;
+    return !within && !read_field_call(text_.substr(at_)).call.text.empty();
+}
+
+Done Lexer::volume() {
+    const FieldCallStart start = read_field_call(text_.substr(at_));
+    const std::size_t end = at_ + start.call.text.size();
+    if (!start.quotes_closed) {
+        return std::unexpected(ParseError{.offset = end - 1,
+                                          .reason = tr("the file's name is not closed"),
+                                          .hint = tr("add a \" where it ends"),
+                                          .unfinished = true});
+    }
+    if (!start.closed) {
+        return std::unexpected(ParseError{.offset = end,
+                                          .reason = tr("a ')' is missing behind the file's name"),
+                                          .hint = tr("add a ')'"),
+                                          .unfinished = end == text_.size()});
+    }
+    push(TokenKind::Volume, start.call.text, start.call.text.size());
+    return {};
 }
 
 void Lexer::name(std::string_view text, std::size_t length) {

@@ -39,6 +39,8 @@ private:
     Done step();
     Done other_character();
     Done command();
+    [[nodiscard]] bool starts_volume() const;
+    Done volume();
     [[nodiscard]] bool starts_remark() const;
     Done remark();
     bool declaration();

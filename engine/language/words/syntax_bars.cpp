@@ -119,7 +119,7 @@ bool ends_operand(const Token& token) {
 }
 
 bool begins_operand(const Token& token) {
-    if (token.kind == TokenKind::Number) return true;
+    if (token.kind == TokenKind::Number || token.kind == TokenKind::Volume) return true;
     if (token.kind == TokenKind::Name) return !is_connective(token);
     return is_symbol(token, {"(", "[", "{", "(|", "⌊", "⌈", "!", "~"});
 }

@@ -128,4 +128,21 @@ inline GraphNumber elementary(Elementary function, const GraphNumber& a, const G
     return {.builder = a.builder, .id = make_call(*a.builder, op_of(function), a.id, b.id)};
 }
 
+/// A field and its derivatives; undefined where their order is higher than that of any known.
+inline std::array<GraphNumber, FieldValue::answers> answers(FieldValue /*question*/,
+                                                            const Field& field, int derivative,
+                                                            const std::array<GraphNumber, 3>& at) {
+    ExprBuilder& builder = *at[0].builder;
+    const auto number = [&](int of) {
+        const NodeId zero = builder.constant(0.0);
+        const NodeId id =
+            order_of(of) > highest_order
+                ? builder.apply(Op::Where, zero, zero)
+                : builder.look_up(field.shared_from_this(), at[0].id, at[1].id, at[2].id, of);
+        return GraphNumber{.builder = &builder, .id = id};
+    };
+    return {number(derivative), number(once_more_by(derivative, 0)),
+            number(once_more_by(derivative, 1)), number(once_more_by(derivative, 2))};
+}
+
 }  // namespace zeroset

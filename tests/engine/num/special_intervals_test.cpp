@@ -2,6 +2,7 @@
 #include "engine/real/rounding.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/real_types.hpp"
+#include "tests/support/sample_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +75,7 @@ protected:
             if (info.notation == Notation::Wave) numbers = {1, 2, 7};
             if (info.notation == Notation::Root) numbers = {3, 5};
             for (const int number : numbers)
-                all.push_back({.op = info.op, .number = number});
+                all.push_back(node_of(info.op, number));
         }
         return all;
     }

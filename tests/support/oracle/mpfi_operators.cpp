@@ -1,5 +1,7 @@
 #include "tests/support/oracle/mpfi_operators.hpp"
 
+#include "tests/support/oracle/mpfi_field.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -324,6 +326,7 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Not: return condition(surely_fails(a), surely_holds(a), a);
         case Op::If: return choose(a, b, c);
         case Op::Where: return where(a, b);
+        case Op::Field: return enclosed_field(*node.field, a, b, c);
     }
     ADD_FAILURE() << "the oracle does not know operator " << static_cast<int>(node.op);
     return nowhere();

@@ -1,3 +1,4 @@
+#include "tests/support/oracle/mpfi_field.hpp"
 #include "tests/support/oracle/mpfi_operators.hpp"
 
 #include <utility>
@@ -127,6 +128,7 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::Atanh: return one_over(one - square(x)) * a.slope;
         case Op::If: return slope_of_choice(x.is_above(0), x.is_below(0), b.slope, c.slope);
         case Op::Where: return a.slope;
+        case Op::Field: return slope_of_field(*node.field, a, b, c);
     }
     return Box::whole_line();
 }

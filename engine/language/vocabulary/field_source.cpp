@@ -1,0 +1,84 @@
+#include "engine/language/vocabulary/field_source.hpp"
+
+#include <array>
+#include <mutex>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::string_view spaces = " \t\r\n";
+
+struct CurrentSource {
+    std::mutex mutex;
+    std::shared_ptr<const FieldSource> source;
+};
+
+CurrentSource& current() {
+    static CurrentSource instance;
+    return instance;
+}
+
+std::size_t after_spaces(std::string_view text, std::size_t at) {
+    const std::size_t next = text.find_first_not_of(spaces, at);
+    return next == std::string_view::npos ? text.size() : next;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = after_spaces(text, 0);
+    const std::size_t end = text.find_last_not_of(spaces);
+    return begin == text.size() ? std::string_view() : text.substr(begin, end + 1 - begin);
+}
+
+/// The pair of quotes of which the first one starts at `at`.
+constexpr std::array quotes{std::pair<std::string_view, std::string_view>{"\"", "\""},
+                            std::pair<std::string_view, std::string_view>{"\u201C", "\u201D"},
+                            std::pair<std::string_view, std::string_view>{"\u201E", "\u201C"}};
+
+}  // namespace
+
+FieldCallStart read_field_call(std::string_view text) {
+    constexpr std::string_view word = "volume";
+    FieldCallStart start;
+    if (!text.starts_with(word)) return start;
+    std::size_t at = after_spaces(text, word.size());
+    if (at == text.size() || text[at] != '(') return start;
+    at = after_spaces(text, at + 1);
+    for (const auto& [open, close] : quotes) {
+        if (!text.substr(at).starts_with(open)) continue;
+        at += open.size();
+        const std::size_t end = text.find(close, at);
+        const std::size_t line = text.find_first_of("\n\v", at);
+        start.call.text = text.substr(0, at);
+        start.quotes_closed = end != std::string_view::npos && end < line;
+        if (!start.quotes_closed) return start;
+        start.call.file = text.substr(at, end - at);
+        at = end + close.size();
+        break;
+    }
+    if (start.call.text.empty()) return start;
+    const std::size_t end = text.find_first_of(")\n\v", at);
+    start.closed = end != std::string_view::npos && text[end] == ')';
+    const std::size_t last = start.closed ? end : std::min(end, text.size());
+    start.call.text = text.substr(0, last + (start.closed ? 1 : 0));
+    std::string_view rest = trimmed(text.substr(at, last - at));
+    while (!rest.empty()) {
+        if (rest.starts_with(',')) rest.remove_prefix(1);
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        start.call.arguments.push_back(trimmed(rest.substr(0, comma)));
+        rest.remove_prefix(comma);
+    }
+    return start;
+}
+
+void set_field_source(std::shared_ptr<const FieldSource> source) {
+    const std::scoped_lock lock(current().mutex);
+    current().source = std::move(source);
+}
+
+std::shared_ptr<const FieldSource> field_source() {
+    const std::scoped_lock lock(current().mutex);
+    return current().source;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+
+#include <cstddef>
+#include <expected>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Fields that a text names by files: volume("ct.nrrd", edge). The language knows how they are
+// typed, not how files are read.
+
+namespace zeroset {
+
+/// Such a name, in views of the text.
+struct FieldCall {
+    std::string_view text;                    ///< all of it
+    std::string_view file;                    ///< between the quotes
+    std::vector<std::string_view> arguments;  ///< behind it, without the spaces around them
+};
+
+/// The call that starts at the beginning of `text`: from `volume` to its closing parenthesis.
+/// `text` is empty where none starts there; `file` has no data where its quotes are not closed, and
+/// `text` ends before a missing parenthesis.
+struct FieldCallStart {
+    FieldCall call;
+    bool quotes_closed = true;
+    bool closed = true;
+};
+FieldCallStart read_field_call(std::string_view text);
+
+struct FieldError {
+    std::string reason;   ///< one line
+    std::string hint;     ///< what to type instead; may be empty
+    std::string_view at;  ///< the part of the call that it is about
+};
+
+/// Where the fields of texts come from. Thread-safe.
+class FieldSource {
+public:
+    FieldSource() = default;
+    FieldSource(const FieldSource&) = delete;
+    FieldSource& operator=(const FieldSource&) = delete;
+    virtual ~FieldSource() = default;
+
+    [[nodiscard]] virtual std::expected<std::shared_ptr<const Field>, FieldError> open(
+        const FieldCall& call) const = 0;
+};
+
+/// The source of all texts read from now on, in the whole process; none: files cannot be named.
+void set_field_source(std::shared_ptr<const FieldSource> source);
+std::shared_ptr<const FieldSource> field_source();
+
+}  // namespace zeroset

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/base/text.hpp"
+#include "engine/volume/samples.hpp"
+
+#include <array>
+#include <cstddef>
+#include <expected>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Headers of volume files: text and bytes.
+
+namespace zeroset {
+
+/// The first bytes of a file, at most `most`. An error is one line without the file's name.
+std::expected<std::string, std::string> first_bytes(const std::filesystem::path& file,
+                                                    std::size_t most);
+
+std::string_view without_spaces(std::string_view text);
+/// The words between spaces.
+std::vector<std::string_view> words_of(std::string_view text);
+
+/// As many numbers as there are words; nothing where one is none.
+template <class Number>
+std::optional<std::vector<Number>> numbers_in(std::string_view text) {
+    std::vector<Number> numbers;
+    for (const std::string_view word : words_of(text)) {
+        const auto number = number_from<Number>(word);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+/// The type by its names in files: "unsigned short", "uint16_t", "ushort"; of this program
+/// "uint16".
+std::optional<SampleType> sample_type(std::string_view name);
+
+/// "its 'NAME' is 'VALUE'; WANTED"
+std::string wrong_field(std::string_view name, std::string_view value, std::string_view wanted);
+
+/// Numbers in a header of bytes.
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t offset, bool big_endian);
+
+}  // namespace zeroset

@@ -1,0 +1,148 @@
+// MetaImage files, MHD and MHA (itk.org/Wiki/ITK/MetaIO).
+
+#include "engine/volume/files/header_text.hpp"
+#include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/volume_file.hpp"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t longest_header = 1U << 20U;
+
+template <class Value>
+using Expected = std::expected<Value, std::string>;
+
+struct Header {
+    std::map<std::string, std::string> fields;  ///< names in lower case
+    std::size_t end = 0;
+
+    [[nodiscard]] std::string field(std::initializer_list<const char*> names) const {
+        for (const char* const name : names) {
+            const auto found = fields.find(name);
+            if (found != fields.end()) return found->second;
+        }
+        return {};
+    }
+    [[nodiscard]] bool says_true(std::initializer_list<const char*> names) const {
+        const std::string value = lower_case(field(names));
+        return value == "true" || value == "1" || value == "t";
+    }
+};
+
+Expected<Header> read_header(const std::string& text) {
+    Header header;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t end = text.find('\n', at);
+        if (end == std::string::npos && text.size() == longest_header) break;
+        const std::string_view line =
+            std::string_view(text).substr(at, std::min(end, text.size()) - at);
+        at = end == std::string::npos ? text.size() : end + 1;
+        const std::size_t sign = line.find('=');
+        if (sign == std::string_view::npos) {
+            if (without_spaces(line).empty()) continue;
+            return std::unexpected("its header has a line without '='");
+        }
+        const std::string name = lower_case(without_spaces(line.substr(0, sign)));
+        header.fields[name] = std::string(without_spaces(line.substr(sign + 1)));
+        header.end = at;
+        if (name == "elementdatafile") return header;
+    }
+    return std::unexpected("its header lacks ElementDataFile");
+}
+
+/// The numbers of a field, `otherwise` where it is missing.
+Expected<std::vector<double>> numbers_of(const Header& header,
+                                         std::initializer_list<const char*> names,
+                                         std::vector<double> otherwise) {
+    const std::string text = header.field(names);
+    if (text.empty()) return otherwise;
+    const auto numbers = numbers_in<double>(text);
+    if (!numbers || numbers->size() != otherwise.size()) {
+        return std::unexpected(wrong_field(
+            *names.begin(), text, std::to_string(otherwise.size()) + " numbers are wanted"));
+    }
+    return *numbers;
+}
+
+Expected<Geometry> geometry_of(const Header& header) {
+    const auto spacing = numbers_of(header, {"elementspacing", "elementsize"}, {1, 1, 1});
+    const auto origin = numbers_of(header, {"offset", "position", "origin"}, {0, 0, 0});
+    const auto turn = numbers_of(header, {"transformmatrix", "orientation", "rotation"},
+                                 {1, 0, 0, 0, 1, 0, 0, 0, 1});
+    for (const auto* const numbers : {&spacing, &origin, &turn}) {
+        if (!*numbers) return std::unexpected(numbers->error());
+    }
+    // Such files tell places in LPS; without an orientation they are no scans of a body.
+    const std::string body = header.field({"anatomicalorientation"});
+    const bool is_body = !body.empty() && !body.contains('?');
+    Geometry geometry;
+    for (std::size_t r = 0; r < 3; ++r) {
+        const double sign = is_body && r < 2 ? -1.0 : 1.0;
+        for (std::size_t c = 0; c < 3; ++c)
+            geometry.world_from_index[r][c] = sign * (*turn)[3 * c + r] * (*spacing)[c];
+        geometry.origin[r] = sign * (*origin)[r];
+    }
+    return geometry;
+}
+
+Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+    SampleBlock block{.file = file, .offset = header.end};
+    const auto sizes = numbers_in<std::uint64_t>(header.field({"dimsize"}));
+    if (!sizes || sizes->size() != 3) {
+        return std::unexpected(
+            wrong_field("DimSize", header.field({"dimsize"}), "three whole numbers are wanted"));
+    }
+    block.size = {(*sizes)[0], (*sizes)[1], (*sizes)[2]};
+    const std::string channels = header.field({"elementnumberofchannels"});
+    if (!channels.empty() && channels != "1") {
+        return std::unexpected("it has " + channels + " numbers at each point; a volume has one");
+    }
+    const std::string type_name = header.field({"elementtype"});
+    const auto type = sample_type(type_name);
+    if (!type)
+        return std::unexpected(wrong_field("ElementType", type_name, "a number type is wanted"));
+    block.type = *type;
+    block.big_endian = header.says_true({"binarydatabyteordermsb", "elementbyteordermsb"});
+    if (header.says_true({"compresseddata"})) block.encoding = SampleEncoding::Gzip;
+    const std::string binary = lower_case(header.field({"binarydata"}));
+    if (binary == "false") block.encoding = SampleEncoding::Ascii;
+    const std::string data = header.field({"elementdatafile"});
+    if (data.starts_with("LIST") || data.contains('%'))
+        return std::unexpected("its samples lie in several files; join them in one");
+    if (lower_case(data) != "local") {
+        block.file = file.parent_path() / data;
+        block.offset = 0;
+        const std::string skip = header.field({"headersize"});
+        if (!skip.empty()) {
+            const auto bytes = number_from<std::int64_t>(skip);
+            if (!bytes || *bytes < -1)
+                return std::unexpected(wrong_field("HeaderSize", skip, "it is a number or -1"));
+            block.at_end = *bytes == -1;
+            if (*bytes > 0) block.offset = static_cast<std::uint64_t>(*bytes);
+        }
+    }
+    return block;
+}
+
+}  // namespace
+
+Expected<VolumeFile> read_meta_image(const std::filesystem::path& file) {
+    const auto text = first_bytes(file, longest_header);
+    if (!text) return std::unexpected(text.error());
+    const auto header = read_header(*text);
+    if (!header) return std::unexpected(header.error());
+    const auto geometry = geometry_of(*header);
+    if (!geometry) return std::unexpected(geometry.error());
+    const auto block = block_of(*header, file);
+    if (!block) return std::unexpected(block.error());
+    const auto samples = read_samples(*block);
+    if (!samples) return std::unexpected(samples.error());
+    return VolumeFile{.samples = *samples, .geometry = *geometry};
+}
+
+}  // namespace zeroset

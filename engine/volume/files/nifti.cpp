@@ -1,0 +1,227 @@
+// NIfTI-1 and NIfTI-2 files, in one piece or with a header of their own (nifti.nimh.nih.gov).
+
+#include "engine/volume/files/header_text.hpp"
+#include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/volume_file.hpp"
+
+#include <zlib.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t longest_header = 540;
+
+template <class Value>
+using Expected = std::expected<Value, std::string>;
+
+/// Where the header's numbers stand in the two versions of the format.
+struct Layout {
+    std::size_t dim, datatype, pixdim, vox_offset, slope, inter, units, qform, sform, quaternion,
+        shift, rows;
+};
+constexpr Layout version_1{.dim = 40,
+                           .datatype = 70,
+                           .pixdim = 76,
+                           .vox_offset = 108,
+                           .slope = 112,
+                           .inter = 116,
+                           .units = 123,
+                           .qform = 252,
+                           .sform = 254,
+                           .quaternion = 256,
+                           .shift = 268,
+                           .rows = 280};
+constexpr Layout version_2{.dim = 16,
+                           .datatype = 12,
+                           .pixdim = 104,
+                           .vox_offset = 168,
+                           .slope = 176,
+                           .inter = 184,
+                           .units = 500,
+                           .qform = 344,
+                           .sform = 348,
+                           .quaternion = 352,
+                           .shift = 376,
+                           .rows = 400};
+
+class Header {
+public:
+    static Expected<Header> read(std::string bytes) {
+        for (const bool big_endian : {false, true}) {
+            const auto size = number_at<std::int32_t>(bytes, 0, big_endian);
+            if (size == 348 && bytes.size() >= 348) return Header(std::move(bytes), big_endian, 1);
+            if (size == 540 && bytes.size() >= 540) return Header(std::move(bytes), big_endian, 2);
+        }
+        return std::unexpected("it does not begin with a header of NIfTI");
+    }
+
+    [[nodiscard]] bool big_endian() const { return big_endian_; }
+    [[nodiscard]] const Layout& at() const { return version_ == 1 ? version_1 : version_2; }
+    [[nodiscard]] std::int64_t dim(std::size_t i) const {
+        return version_ == 1 ? number_at<std::int16_t>(bytes_, at().dim + 2 * i, big_endian_)
+                             : number_at<std::int64_t>(bytes_, at().dim + 8 * i, big_endian_);
+    }
+    [[nodiscard]] double real(std::size_t offset, std::size_t i = 0) const {
+        if (version_ == 2) return number_at<double>(bytes_, offset + 8 * i, big_endian_);
+        return static_cast<double>(number_at<float>(bytes_, offset + 4 * i, big_endian_));
+    }
+    [[nodiscard]] int whole(std::size_t offset) const {
+        return version_ == 1 || offset == version_2.datatype
+                   ? number_at<std::int16_t>(bytes_, offset, big_endian_)
+                   : number_at<std::int32_t>(bytes_, offset, big_endian_);
+    }
+    [[nodiscard]] double vox_offset() const {
+        if (version_ == 1) return real(at().vox_offset);
+        return static_cast<double>(number_at<std::int64_t>(bytes_, at().vox_offset, big_endian_));
+    }
+    [[nodiscard]] int units() const {
+        return version_ == 1 ? static_cast<unsigned char>(bytes_[at().units]) : whole(at().units);
+    }
+    [[nodiscard]] std::string_view magic() const {
+        return std::string_view(bytes_).substr(version_ == 1 ? 344 : 4, 3);
+    }
+
+private:
+    Header(std::string bytes, bool big_endian, int version)
+        : bytes_(std::move(bytes)), big_endian_(big_endian), version_(version) {}
+
+    std::string bytes_;
+    bool big_endian_;
+    int version_;
+};
+
+std::optional<SampleType> type_of(int code) {
+    switch (code) {
+        case 2: return SampleType::UInt8;
+        case 4: return SampleType::Int16;
+        case 8: return SampleType::Int32;
+        case 16: return SampleType::Float;
+        case 64: return SampleType::Double;
+        case 256: return SampleType::Int8;
+        case 512: return SampleType::UInt16;
+        case 768: return SampleType::UInt32;
+        case 1024: return SampleType::Int64;
+        case 1280: return SampleType::UInt64;
+        default: return std::nullopt;
+    }
+}
+
+/// The first bytes of a file, unpacked where it is packed.
+Expected<std::string> unpacked_start(const std::filesystem::path& file) {
+    const auto there = first_bytes(file, 1);
+    if (!there) return std::unexpected(there.error());
+    const gzFile stream = gzopen(file.c_str(), "rb");
+    if (stream == nullptr) return std::unexpected("it cannot be read");
+    std::string bytes(longest_header, '\0');
+    const int got = gzread(stream, bytes.data(), static_cast<unsigned>(bytes.size()));
+    gzclose(stream);
+    bytes.resize(static_cast<std::size_t>(std::max(got, 0)));
+    return bytes;
+}
+
+/// Rows of the turn that a quaternion is, b, c and d given.
+Matrix3 turn_of(double b, double c, double d) {
+    const double rest = 1.0 - (b * b + c * c + d * d);
+    const double a = rest > 0 ? std::sqrt(rest) : 0;
+    return {{{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
+             {2 * (b * c + a * d), a * a + c * c - b * b - d * d, 2 * (c * d - a * b)},
+             {2 * (b * d - a * c), 2 * (c * d + a * b), a * a + d * d - b * b - c * c}}};
+}
+
+/// Method 3 (sform), else method 2 (qform), else method 1 of the format; in millimetres.
+Geometry geometry_of(const Header& header) {
+    const Layout& at = header.at();
+    Geometry geometry;
+    const auto spacing = [&](std::size_t i) {
+        const double size = std::abs(header.real(at.pixdim, i + 1));
+        return size > 0 && std::isfinite(size) ? size : 1.0;
+    };
+    const bool by_quaternion = header.whole(at.sform) <= 0 && header.whole(at.qform) > 0;
+    const Matrix3 turn = turn_of(header.real(at.quaternion, 0), header.real(at.quaternion, 1),
+                                 header.real(at.quaternion, 2));
+    const double handed = header.real(at.pixdim, 0) < 0 ? -1.0 : 1.0;
+    for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            double& m = geometry.world_from_index[r][c];
+            if (header.whole(at.sform) > 0) {
+                m = header.real(at.rows, 4 * r + c);
+            } else if (by_quaternion) {
+                m = turn[r][c] * spacing(c) * (c == 2 ? handed : 1.0);
+            } else {
+                m = r == c ? spacing(c) : 0.0;
+            }
+        }
+        if (header.whole(at.sform) > 0) geometry.origin[r] = header.real(at.rows, 4 * r + 3);
+        if (by_quaternion) geometry.origin[r] = header.real(at.shift, r);
+    }
+    const int unit = header.units() & 7;
+    const double millimetres = unit == 1 ? 1e3 : unit == 3 ? 1e-3 : 1.0;
+    for (std::size_t r = 0; r < 3; ++r) {
+        geometry.origin[r] *= millimetres;
+        for (double& m : geometry.world_from_index[r])
+            m *= millimetres;
+    }
+    return geometry;
+}
+
+Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+    SampleBlock block{.file = file};
+    const bool packed = file.extension() == ".gz";
+    if (packed) block.encoding = SampleEncoding::Gzip;
+    const std::int64_t dimensions = header.dim(0);
+    if (dimensions < 3 || dimensions > 7)
+        return std::unexpected("it has " + std::to_string(dimensions) +
+                               " axes; a volume has three");
+    for (std::size_t i = 0; i < 3; ++i)
+        block.size[i] = static_cast<std::uint64_t>(std::max<std::int64_t>(header.dim(i + 1), 0));
+    for (std::int64_t axis = 4; axis <= dimensions; ++axis) {
+        if (header.dim(static_cast<std::size_t>(axis)) > 1)
+            return std::unexpected(
+                "it has several volumes or numbers at each point; a volume has one");
+    }
+    const auto type = type_of(header.whole(header.at().datatype));
+    if (!type) {
+        return std::unexpected("its samples are of type " +
+                               std::to_string(header.whole(header.at().datatype)) +
+                               " of the format; only single numbers of up to 64 bits are read");
+    }
+    block.type = *type;
+    block.big_endian = header.big_endian();
+    const bool apart = header.magic() == "ni1" || header.magic() == "ni2";
+    const double offset = header.vox_offset();
+    if (!(offset >= 0) || offset > 1e15)
+        return std::unexpected("its 'vox_offset' is no place in it");
+    (packed ? block.skip_unpacked : block.offset) = static_cast<std::uint64_t>(offset);
+    if (!apart) return block;
+    std::string name = file.string();
+    const std::size_t place = name.rfind(".hdr");
+    if (place == std::string::npos) return std::unexpected("its header says that it ends in .hdr");
+    block.file = name.replace(place, 4, ".img");
+    return block;
+}
+
+}  // namespace
+
+Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
+    auto bytes = unpacked_start(file);
+    if (!bytes) return std::unexpected(bytes.error());
+    const auto header = Header::read(std::move(*bytes));
+    if (!header) return std::unexpected(header.error());
+    const auto block = block_of(*header, file);
+    if (!block) return std::unexpected(block.error());
+    const auto samples = read_samples(*block);
+    if (!samples) return std::unexpected(samples.error());
+    VolumeFile volume{.samples = *samples, .geometry = geometry_of(*header)};
+    const double slope = header->real(header->at().slope);
+    const double shift = header->real(header->at().inter);
+    const bool scales = slope != 0 && std::isfinite(slope) && std::isfinite(shift);
+    if (scales && (slope != 1 || shift != 0))
+        volume.samples = rescaled(volume.samples, slope, shift);
+    return volume;
+}
+
+}  // namespace zeroset

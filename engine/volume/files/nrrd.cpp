@@ -1,0 +1,255 @@
+// NRRD and NHDR files (teem.sourceforge.net/nrrd/format.html).
+
+#include "engine/volume/files/header_text.hpp"
+#include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/volume_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t longest_header = 1U << 20U;
+
+template <class Value>
+using Expected = std::expected<Value, std::string>;
+
+struct Header {
+    std::map<std::string, std::string> fields;  ///< names in lower case
+    std::size_t end = 0;                        ///< where the header's last line ends
+
+    [[nodiscard]] std::string field(const std::string& name, const std::string& other = {}) const {
+        const auto found = fields.find(name);
+        if (found != fields.end()) return found->second;
+        const auto second = fields.find(other);
+        return second == fields.end() ? std::string() : second->second;
+    }
+};
+
+Expected<Header> read_header(const std::string& text) {
+    if (!text.starts_with("NRRD000")) return std::unexpected("it does not begin with NRRD000");
+    Header header;
+    std::size_t at = text.find('\n');
+    if (at == std::string::npos) return std::unexpected("its header ends in its first line");
+    ++at;
+    while (at < text.size()) {
+        const std::size_t end = text.find('\n', at);
+        if (end == std::string::npos && text.size() == longest_header)
+            return std::unexpected("its header does not end within a megabyte");
+        const std::string_view line =
+            without_spaces(std::string_view(text).substr(at, std::min(end, text.size()) - at));
+        at = std::min(end, text.size() - 1) + 1;
+        header.end = at;
+        if (line.empty()) break;
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with('#') || line.contains(":=") || colon == std::string_view::npos) {
+            continue;
+        }
+        header.fields[lower_case(line.substr(0, colon))] =
+            std::string(without_spaces(line.substr(colon + 2)));
+    }
+    return header;
+}
+
+/// "(a,b,c)" as numbers; nothing for "none".
+std::optional<std::array<double, 3>> vector_in(std::string_view text) {
+    if (!text.starts_with('(') || !text.ends_with(')')) return std::nullopt;
+    std::string inside(text.substr(1, text.size() - 2));
+    std::ranges::replace(inside, ',', ' ');
+    const auto numbers = numbers_in<double>(inside);
+    if (!numbers || numbers->size() != 3) return std::nullopt;
+    return std::array{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+/// The vectors of a line, with "none" for axes that have none: "(1,0,0) none (0, 1, 0)".
+std::vector<std::string> vectors_of(std::string_view text) {
+    std::vector<std::string> vectors;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text[at] == ' ') {
+            ++at;
+            continue;
+        }
+        const char last = text[at] == '(' ? ')' : ' ';
+        const std::size_t end = std::min(text.find(last, at), text.size() - 1);
+        std::string vector;
+        for (const char c : text.substr(at, end + 1 - at)) {
+            if (c != ' ') vector += c;
+        }
+        vectors.push_back(vector);
+        at = end + 1;
+    }
+    return vectors;
+}
+
+/// Signs that turn the axes of a space to those of RAS; nothing for a space that is no such one.
+std::optional<std::array<double, 3>> signs_of(const std::string& space) {
+    const std::string name = lower_case(space);
+    if (name.empty() || name == "scanner-xyz" || name == "3d-right-handed" ||
+        name == "3d-left-handed" || name == "right-anterior-superior" || name == "ras") {
+        return std::array{1.0, 1.0, 1.0};
+    }
+    if (name == "left-anterior-superior" || name == "las") return std::array{-1.0, 1.0, 1.0};
+    if (name == "left-posterior-superior" || name == "lps") return std::array{-1.0, -1.0, 1.0};
+    return std::nullopt;
+}
+
+/// Which three axes are those of the grid: of more, all but three must have one sample.
+Expected<std::array<std::size_t, 3>> grid_axes(const std::vector<std::uint64_t>& sizes) {
+    std::vector<std::size_t> axes;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (sizes.size() == 3 || sizes[i] != 1) axes.push_back(i);
+    }
+    if (axes.size() == 3) return std::array{axes[0], axes[1], axes[2]};
+    std::string text;
+    for (const std::uint64_t size : sizes)
+        text += (text.empty() ? "" : " x ") + std::to_string(size);
+    return std::unexpected("it has " + text +
+                           " samples; a volume has three axes and one number at "
+                           "each point");
+}
+
+Expected<Geometry> geometry_of(const Header& header, const std::array<std::size_t, 3>& axes,
+                               std::size_t dimension) {
+    Geometry geometry;
+    const std::string directions = header.field("space directions");
+    const auto signs = signs_of(header.field("space"));
+    if (!signs) {
+        return std::unexpected(wrong_field("space", header.field("space"),
+                                           "known are right-anterior-superior, "
+                                           "left-anterior-superior, left-posterior-superior"));
+    }
+    if (directions.empty()) {
+        const std::string spacing_text = header.field("spacings");
+        const std::string min_text = header.field("axis mins", "axismins");
+        const auto spacings = words_of(spacing_text);
+        const auto mins = words_of(min_text);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto number = [&](const std::vector<std::string_view>& words, double otherwise) {
+                if (words.size() != dimension) return otherwise;
+                const double value = number_from<double>(words[axes[i]]).value_or(otherwise);
+                return std::isfinite(value) ? value : otherwise;
+            };
+            geometry.world_from_index[i][i] = number(spacings, 1.0);
+            geometry.origin[i] = number(mins, 0.0);
+        }
+    } else {
+        const auto vectors = vectors_of(directions);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto vector =
+                vectors.size() == dimension ? vector_in(vectors[axes[c]]) : std::nullopt;
+            if (!vector) {
+                return std::unexpected(wrong_field("space directions", directions,
+                                                   "a volume has three vectors of three numbers"));
+            }
+            for (std::size_t r = 0; r < 3; ++r)
+                geometry.world_from_index[r][c] = (*vector)[r];
+        }
+    }
+    const std::string origin = header.field("space origin");
+    if (!origin.empty()) {
+        const auto vectors = vectors_of(origin);
+        const auto vector = vectors.size() == 1 ? vector_in(vectors[0]) : std::nullopt;
+        if (!vector)
+            return std::unexpected(wrong_field("space origin", origin, "it is a vector (x,y,z)"));
+        geometry.origin = *vector;
+    }
+    for (std::size_t r = 0; r < 3; ++r) {
+        geometry.origin[r] *= (*signs)[r];
+        for (double& m : geometry.world_from_index[r])
+            m *= (*signs)[r];
+    }
+    return geometry;
+}
+
+Expected<SampleEncoding> encoding_of(const std::string& name) {
+    const std::string encoding = lower_case(name);
+    if (encoding == "raw") return SampleEncoding::Raw;
+    if (encoding == "gzip" || encoding == "gz") return SampleEncoding::Gzip;
+    if (encoding == "ascii" || encoding == "text" || encoding == "txt")
+        return SampleEncoding::Ascii;
+    return std::unexpected(wrong_field("encoding", name, "raw, gzip and ascii are read"));
+}
+
+/// Where the lines to skip end in a file of samples.
+Expected<std::uint64_t> after_lines(const std::filesystem::path& file, std::uint64_t from,
+                                    std::uint64_t lines) {
+    if (lines == 0) return from;
+    const auto text = first_bytes(file, longest_header);
+    if (!text) return std::unexpected(text.error());
+    std::size_t at = from;
+    for (std::uint64_t line = 0; line < lines; ++line) {
+        at = text->find('\n', at);
+        if (at == std::string::npos)
+            return std::unexpected("its 'line skip' goes beyond the first megabyte");
+        ++at;
+    }
+    return at;
+}
+
+Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+    SampleBlock block{.file = file, .offset = header.end};
+    const auto encoding = encoding_of(header.field("encoding"));
+    if (!encoding) return std::unexpected(encoding.error());
+    block.encoding = *encoding;
+    const std::string data = header.field("data file", "datafile");
+    if (!data.empty()) {
+        if (data.starts_with("LIST") || data.contains('%'))
+            return std::unexpected("its samples lie in several files; join them in one");
+        block.file = file.parent_path() / data;
+        block.offset = 0;
+    }
+    const std::uint64_t lines =
+        number_from<std::uint64_t>(header.field("line skip", "lineskip")).value_or(0);
+    const auto start = after_lines(block.file, block.offset, lines);
+    if (!start) return std::unexpected(start.error());
+    block.offset = *start;
+    const std::string skip = header.field("byte skip", "byteskip");
+    if (!skip.empty()) {
+        const auto bytes = number_from<std::int64_t>(skip);
+        if (!bytes || *bytes < -1)
+            return std::unexpected(wrong_field("byte skip", skip, "it is a number or -1"));
+        block.at_end = *bytes == -1 && block.encoding == SampleEncoding::Raw;
+        const auto forward = static_cast<std::uint64_t>(std::max<std::int64_t>(*bytes, 0));
+        (block.encoding == SampleEncoding::Gzip ? block.skip_unpacked : block.offset) += forward;
+    }
+    const auto type = sample_type(header.field("type"));
+    if (!type)
+        return std::unexpected(
+            wrong_field("type", header.field("type"), "a number type is wanted"));
+    block.type = *type;
+    const std::string endian = lower_case(header.field("endian"));
+    if (endian.empty() && block.encoding != SampleEncoding::Ascii && size_of(block.type) > 1)
+        return std::unexpected("its header lacks 'endian: little' or 'endian: big'");
+    block.big_endian = endian == "big";
+    return block;
+}
+
+}  // namespace
+
+Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
+    const auto text = first_bytes(file, longest_header);
+    if (!text) return std::unexpected(text.error());
+    const auto header = read_header(*text);
+    if (!header) return std::unexpected(header.error());
+    const std::string sizes_text = header->field("sizes");
+    const auto sizes = numbers_in<std::uint64_t>(sizes_text);
+    if (!sizes || sizes->empty())
+        return std::unexpected(wrong_field("sizes", sizes_text, "whole numbers are wanted"));
+    const auto axes = grid_axes(*sizes);
+    if (!axes) return std::unexpected(axes.error());
+    const auto geometry = geometry_of(*header, *axes, sizes->size());
+    if (!geometry) return std::unexpected(geometry.error());
+    auto block = block_of(*header, file);
+    if (!block) return std::unexpected(block.error());
+    for (std::size_t i = 0; i < 3; ++i)
+        block->size[i] = (*sizes)[(*axes)[i]];
+    const auto samples = read_samples(*block);
+    if (!samples) return std::unexpected(samples.error());
+    return VolumeFile{.samples = *samples, .geometry = *geometry};
+}
+
+}  // namespace zeroset

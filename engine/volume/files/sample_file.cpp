@@ -1,0 +1,312 @@
+#include "engine/volume/files/sample_file.hpp"
+
+#include "engine/base/parallel.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+using Read = std::expected<Samples, std::string>;
+
+std::string of_bytes(std::uint64_t bytes) { return std::to_string(bytes) + " bytes"; }
+
+std::unexpected<std::string> cannot_open() {
+    return std::unexpected("it cannot be read: " + std::generic_category().message(errno));
+}
+
+/// A file's bytes, mapped while this lives.
+class MappedFile {
+public:
+    static std::expected<std::shared_ptr<const MappedFile>, std::string> open(
+        const std::filesystem::path& path) {
+        std::error_code error;
+        const std::uint64_t size = std::filesystem::file_size(path, error);
+        if (error) return std::unexpected("it cannot be read: " + error.message());
+        const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        if (file < 0) return cannot_open();
+        void* const data =
+            size == 0 ? nullptr : ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
+        const int reason = errno;
+        ::close(file);
+        if (data == MAP_FAILED) {
+            errno = reason;
+            return cannot_open();
+        }
+        return std::make_shared<const MappedFile>(static_cast<const std::byte*>(data), size);
+    }
+    MappedFile(const std::byte* data, std::uint64_t size) : bytes_(data, size) {}
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+    ~MappedFile() {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): munmap takes no const
+        if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+    }
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+private:
+    std::span<const std::byte> bytes_;
+};
+
+/// Room for samples, aligned for every type; nullptr where there is no memory for them.
+std::shared_ptr<std::byte> room_for(std::uint64_t bytes) {
+    return {static_cast<std::byte*>(::operator new(bytes, std::align_val_t{64}, std::nothrow)),
+            [](std::byte* room) { ::operator delete(room, std::align_val_t{64}); }};
+}
+
+std::unexpected<std::string> no_memory(std::uint64_t bytes) {
+    return std::unexpected("there is no memory for its " + of_bytes(bytes) + " of samples");
+}
+
+/// Turns the bytes of each sample around.
+void swap_bytes(std::byte* data, std::uint64_t bytes, std::size_t width) {
+    if (width == 1) return;
+    constexpr std::size_t part = std::size_t{1} << 20U;
+    parallel_for((bytes + part - 1) / part, 0, [&](std::size_t i) {
+        std::byte* const end = data + std::min<std::uint64_t>(bytes, (i + 1) * part);
+        for (std::byte* at = data + i * part; at + width <= end; at += width)
+            std::reverse(at, at + width);
+    });
+}
+
+Samples samples_of(const SampleBlock& block, std::shared_ptr<const void> data) {
+    return {.type = block.type, .size = block.size, .data = std::move(data)};
+}
+
+bool is_native(const SampleBlock& block) {
+    return size_of(block.type) == 1 ||
+           block.big_endian == (std::endian::native == std::endian::big);
+}
+
+Read raw(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file,
+         std::uint64_t needed) {
+    const auto bytes = file->bytes();
+    const std::uint64_t offset =
+        block.at_end && bytes.size() >= needed ? bytes.size() - needed : block.offset;
+    if (offset > bytes.size() || bytes.size() - offset < needed) {
+        const std::uint64_t there = bytes.size() - std::min<std::uint64_t>(offset, bytes.size());
+        return std::unexpected("it is too short: " + of_bytes(needed) +
+                               " of samples are announced, " + of_bytes(there) + " are there");
+    }
+    const std::byte* const first = bytes.data() + offset;
+    const bool aligned = std::bit_cast<std::uintptr_t>(first) % size_of(block.type) == 0;
+    if (is_native(block) && aligned) return samples_of(block, {file, first});
+    const auto room = room_for(needed);
+    if (!room) return no_memory(needed);
+    // Read, not mapped: mapped pages would count beside the copy.
+    std::ifstream stream(block.file, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(offset));
+    stream.read(reinterpret_cast<char*>(room.get()), static_cast<std::streamsize>(needed));
+    if (!stream) return std::unexpected("it cannot be read to its end");
+    if (!is_native(block)) swap_bytes(room.get(), needed, size_of(block.type));
+    return samples_of(block, room);
+}
+
+/// Unpacks gzip or zlib data step by step.
+class Unpacker {
+public:
+    explicit Unpacker(std::span<const std::byte> packed) : packed_(packed) {
+        constexpr int any_header = 15 + 32;
+        ready_ = inflateInit2(&stream_, any_header) == Z_OK;
+    }
+    Unpacker(const Unpacker&) = delete;
+    Unpacker& operator=(const Unpacker&) = delete;
+    ~Unpacker() { inflateEnd(&stream_); }
+
+    /// Fills the room; returns how many bytes there were.
+    std::uint64_t fill(std::byte* room, std::uint64_t size) {
+        std::uint64_t filled = 0;
+        while (ready_ && filled < size) {
+            constexpr std::uint64_t most = 1U << 30U;
+            if (stream_.avail_in == 0) {
+                const auto part = static_cast<uInt>(std::min<std::uint64_t>(most, packed_.size()));
+                // NOLINTNEXTLINE(cppcoreguidelines-pro-type-*): zlib takes no const
+                stream_.next_in =
+                    const_cast<Bytef*>(reinterpret_cast<const Bytef*>(packed_.data()));
+                stream_.avail_in = part;
+                packed_ = packed_.subspan(part);
+            }
+            const auto wanted = static_cast<uInt>(std::min(most, size - filled));
+            stream_.next_out = reinterpret_cast<Bytef*>(room + filled);
+            stream_.avail_out = wanted;
+            const int state = inflate(&stream_, Z_NO_FLUSH);
+            filled += wanted - stream_.avail_out;
+            const bool member_ends = state == Z_STREAM_END;
+            const bool goes_on = stream_.avail_in > 0 || !packed_.empty();
+            if (member_ends && goes_on) {
+                ready_ = inflateReset(&stream_) == Z_OK;
+            } else if (state != Z_OK || (!goes_on && stream_.avail_out > 0)) {
+                ready_ = false;
+            }
+        }
+        return filled;
+    }
+
+private:
+    std::span<const std::byte> packed_;
+    z_stream stream_{};
+    bool ready_ = false;
+};
+
+Read unpacked(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file,
+              std::uint64_t needed) {
+    const auto packed =
+        file->bytes().subspan(std::min<std::uint64_t>(block.offset, file->bytes().size()));
+    constexpr std::uint64_t best_ratio = 1032;  // of deflate
+    const std::uint64_t most = packed.size() * best_ratio;
+    if (most < needed || most - needed < std::min(block.skip_unpacked, most)) {
+        if (most < needed) {
+            return std::unexpected("it is too short: " + of_bytes(needed) +
+                                   " of samples are announced, its " + of_bytes(packed.size()) +
+                                   " of packed data cannot hold them");
+        }
+    }
+    Unpacker unpacker(packed);
+    std::vector<std::byte> skipped(1U << 16U);
+    for (std::uint64_t left = block.skip_unpacked; left > 0;) {
+        const std::uint64_t part = std::min<std::uint64_t>(left, skipped.size());
+        if (unpacker.fill(skipped.data(), part) < part)
+            return std::unexpected("its packed data are damaged or cut off");
+        left -= part;
+    }
+    const auto room = room_for(needed);
+    if (!room) return no_memory(needed);
+    const std::uint64_t filled = unpacker.fill(room.get(), needed);
+    if (filled < needed) {
+        return std::unexpected("its packed data are damaged or cut off: " + of_bytes(needed) +
+                               " of samples are announced, " + of_bytes(filled) + " are there");
+    }
+    if (!is_native(block)) swap_bytes(room.get(), needed, size_of(block.type));
+    return samples_of(block, room);
+}
+
+template <class Sample>
+bool read_number(std::string_view word, Sample& number) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc() && end == word.data() + word.size();
+}
+
+Read written_out(const SampleBlock& block, std::string_view text, std::uint64_t needed) {
+    const std::uint64_t count = needed / size_of(block.type);
+    // Each number takes a digit and what parts it from the next.
+    if (text.size() + 1 < 2 * count) {
+        return std::unexpected("it is too short: " + std::to_string(count) +
+                               " numbers are announced, its " + of_bytes(text.size()) +
+                               " cannot hold them");
+    }
+    const auto room = room_for(needed);
+    if (!room) return no_memory(needed);
+    const Samples samples = samples_of(block, room);
+    std::string problem;
+    visit_samples(samples, [&](const auto* first) {
+        using Sample = std::remove_cvref_t<decltype(*first)>;
+        auto* const out = reinterpret_cast<Sample*>(room.get());
+        for (std::uint64_t i = 0; i < count && problem.empty(); ++i) {
+            constexpr std::string_view spaces = " \t\r\n,";
+            text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+            const std::string_view word = text.substr(0, text.find_first_of(spaces));
+            text.remove_prefix(word.size());
+            if (word.empty()) {
+                problem = "it is too short: " + std::to_string(count) + " numbers are announced, " +
+                          std::to_string(i) + " are there";
+            } else if (!read_number(word, out[i])) {
+                problem = "'" + std::string(word.substr(0, 20)) + "' is no " +
+                          std::string(name_of(block.type));
+            }
+        }
+    });
+    if (!problem.empty()) return std::unexpected(problem);
+    return samples;
+}
+
+std::expected<std::uint64_t, std::string> needed_bytes(const SampleBlock& block) {
+    const auto needed = bytes_of(block.size, block.type);
+    if (needed && *needed > 0) return *needed;
+    return std::unexpected("its sizes " + std::to_string(block.size[0]) + " x " +
+                           std::to_string(block.size[1]) + " x " + std::to_string(block.size[2]) +
+                           " are no grid");
+}
+
+}  // namespace
+
+Read samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
+    const auto needed = needed_bytes(block);
+    if (!needed) return std::unexpected(needed.error());
+    if (block.encoding == SampleEncoding::Ascii) return written_out(block, bytes, *needed);
+    if (bytes.size() < *needed) {
+        return std::unexpected("it is too short: " + of_bytes(*needed) +
+                               " of samples are announced, " + of_bytes(bytes.size()) +
+                               " are there");
+    }
+    const auto room = room_for(*needed);
+    if (!room) return no_memory(*needed);
+    std::memcpy(room.get(), bytes.data(), *needed);
+    if (!is_native(block)) swap_bytes(room.get(), *needed, size_of(block.type));
+    return samples_of(block, room);
+}
+
+std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most) {
+    constexpr std::uint64_t best_ratio = 1032;  // of deflate
+    const auto* const first = reinterpret_cast<const std::byte*>(packed.data());
+    Unpacker unpacker({first, packed.size()});
+    std::string bytes(std::min<std::uint64_t>(most, packed.size() * best_ratio), '\0');
+    const std::uint64_t filled =
+        unpacker.fill(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
+    if (filled == 0) return std::nullopt;
+    bytes.resize(filled);
+    return bytes;
+}
+
+Read read_samples(const SampleBlock& block) {
+    const auto needed = needed_bytes(block);
+    if (!needed) return std::unexpected(needed.error());
+    const auto file = MappedFile::open(block.file);
+    if (!file) return std::unexpected(file.error());
+    switch (block.encoding) {
+        case SampleEncoding::Raw: break;
+        case SampleEncoding::Gzip: return unpacked(block, *file, *needed);
+        case SampleEncoding::Ascii: {
+            const auto bytes = (*file)->bytes();
+            const auto offset = std::min<std::uint64_t>(block.offset, bytes.size());
+            const auto* const text = reinterpret_cast<const char*>(bytes.data());
+            return written_out(block, std::string_view(text, bytes.size()).substr(offset), *needed);
+        }
+    }
+    return raw(block, *file, *needed);
+}
+
+Samples rescaled(const Samples& samples, double slope, double shift) {
+    const std::uint64_t count = samples.count();
+    const auto room = room_for(count * sizeof(float));
+    if (!room) return samples;
+    auto* const out = reinterpret_cast<float*>(room.get());
+    visit_samples(samples, [&](const auto* in) {
+        constexpr std::uint64_t part = std::uint64_t{1} << 18U;
+        parallel_for((count + part - 1) / part, 0, [&](std::size_t n) {
+            for (std::uint64_t i = n * part; i < std::min(count, (n + 1) * part); ++i)
+                out[i] = static_cast<float>(static_cast<double>(in[i]) * slope + shift);
+        });
+    });
+    return {.type = SampleType::Float, .size = samples.size, .data = room};
+}
+
+}  // namespace zeroset

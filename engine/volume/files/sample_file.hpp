@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/volume/samples.hpp"
+
+#include <cstdint>
+#include <expected>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace zeroset {
+
+enum class SampleEncoding : std::uint8_t { Raw, Gzip, Ascii };
+
+/// Where the samples of a grid lie in a file.
+struct SampleBlock {
+    std::filesystem::path file;
+    std::uint64_t offset = 0;         ///< in bytes; in unpacked bytes for Gzip with `skip_unpacked`
+    std::uint64_t skip_unpacked = 0;  ///< Gzip: bytes to leave out at the start of what is unpacked
+    bool at_end = false;              ///< Raw: they are the file's last bytes; `offset` is ignored
+    SampleEncoding encoding = SampleEncoding::Raw;
+    SampleType type = SampleType::Float;
+    bool big_endian = false;
+    GridSize size{};
+};
+
+/// Reads a block: raw samples in this machine's byte order are mapped, others copied. Nothing is
+/// allocated before the file is known to be long enough. An error is one line that begins with what
+/// the file lacks, without its name.
+std::expected<Samples, std::string> read_samples(const SampleBlock& block);
+
+/// The samples that are these bytes, or with SampleEncoding::Ascii these words; the block's file
+/// and offsets are ignored.
+std::expected<Samples, std::string> samples_of_bytes(std::string_view bytes,
+                                                     const SampleBlock& block);
+
+/// What zlib packed, at most `most` bytes of it; nothing where it is damaged or longer.
+std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most);
+
+/// The samples times `slope` plus `shift`, as float32.
+Samples rescaled(const Samples& samples, double slope, double shift);
+
+}  // namespace zeroset

@@ -1,0 +1,121 @@
+#include "engine/volume/files/volume_file.hpp"
+
+#include "engine/volume/files/header_text.hpp"
+#include "engine/volume/files/sample_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <span>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Read = std::expected<VolumeFile, std::string>;
+
+struct Format {
+    std::string_view ending;
+    Read (*read)(const std::filesystem::path& file);
+};
+constexpr std::array formats{Format{".nrrd", read_nrrd},      Format{".nhdr", read_nrrd},
+                             Format{".mhd", read_meta_image}, Format{".mha", read_meta_image},
+                             Format{".nii", read_nifti},      Format{".nii.gz", read_nifti},
+                             Format{".hdr", read_nifti},      Format{".vti", read_vtk_image}};
+
+const Format* format_of(const std::filesystem::path& file) {
+    const std::string name = lower_case(file.filename().string());
+    const auto* const found = std::ranges::find_if(
+        formats, [&](const Format& format) { return name.ends_with(format.ending); });
+    return found == formats.end() ? nullptr : found;
+}
+
+Read read_raw(const std::filesystem::path& file, const RawLayout& layout) {
+    SampleBlock block{.file = file, .offset = layout.skip};
+    block.type = layout.type;
+    block.big_endian = layout.big_endian;
+    block.size = *layout.size;
+    if (file.extension() == ".gz") {
+        block.encoding = SampleEncoding::Gzip;
+        block.skip_unpacked = std::exchange(block.offset, 0);
+    }
+    const auto samples = read_samples(block);
+    if (!samples) return std::unexpected(samples.error());
+    VolumeFile volume{.samples = *samples, .geometry = {}};
+    for (std::size_t i = 0; i < 3; ++i)
+        volume.geometry.world_from_index[i][i] = layout.spacing[i];
+    volume.geometry.origin = layout.origin;
+    return volume;
+}
+
+/// A file as it was when it was read.
+struct KnownFile {
+    std::string file;
+    RawLayout layout;
+    std::filesystem::file_time_type time;
+    std::uint64_t size = 0;
+    std::weak_ptr<const VolumeData> data;
+};
+
+class KnownFiles {
+public:
+    std::shared_ptr<const VolumeData> find(const KnownFile& wanted) {
+        const std::scoped_lock lock(mutex_);
+        std::erase_if(files_, [](const KnownFile& file) { return file.data.expired(); });
+        const auto same = std::ranges::find_if(files_, [&](const KnownFile& known) {
+            return known.file == wanted.file && known.layout == wanted.layout &&
+                   known.time == wanted.time && known.size == wanted.size;
+        });
+        return same == files_.end() ? nullptr : same->data.lock();
+    }
+    void add(KnownFile file) {
+        const std::scoped_lock lock(mutex_);
+        files_.push_back(std::move(file));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<KnownFile> files_;
+};
+
+}  // namespace
+
+std::string known_endings() {
+    std::string text;
+    for (const Format& format : formats)
+        text += (text.empty() ? "" : " ") + std::string(format.ending);
+    return text;
+}
+
+bool is_volume_file(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+
+Read read_volume_file(const std::filesystem::path& file, const RawLayout& layout) {
+    if (layout.size) return read_raw(file, layout);
+    const Format* const format = format_of(file);
+    if (format != nullptr) return format->read(file);
+    return std::unexpected("it is read as raw samples only, of sizes that are typed behind it");
+}
+
+std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
+    const std::filesystem::path& file, const RawLayout& layout) {
+    static KnownFiles known;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return std::unexpected("there is no such file");
+    if (!std::filesystem::is_regular_file(file, error)) return std::unexpected("it is no file");
+    KnownFile key{.file = std::filesystem::weakly_canonical(file, error).string(),
+                  .layout = layout,
+                  .time = std::filesystem::last_write_time(file, error),
+                  .size = std::filesystem::file_size(file, error),
+                  .data = {}};
+    if (auto data = known.find(key)) return data;
+    const auto read = read_volume_file(file, layout);
+    if (!read) return std::unexpected(read.error());
+    auto data = VolumeData::make(read->samples, read->geometry);
+    if (!data) return std::unexpected(data.error());
+    key.data = *data;
+    known.add(std::move(key));
+    return *data;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/volume/geometry.hpp"
+#include "engine/volume/samples.hpp"
+#include "engine/volume/volume.hpp"
+
+#include <array>
+#include <cstdint>
+#include <expected>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+// Files of volumes. World axes are those of RAS where a file says what its axes are in a body: x to
+// the right, y to the front, z upward, in millimetres; else they are the file's own.
+
+namespace zeroset {
+
+/// What a file without a header is.
+struct RawLayout {
+    std::optional<GridSize> size;  ///< absent: the file tells it
+    SampleType type = SampleType::UInt8;
+    bool big_endian = false;
+    std::uint64_t skip = 0;  ///< bytes before the samples
+    std::array<double, 3> spacing{1, 1, 1};
+    std::array<double, 3> origin{};
+
+    bool operator==(const RawLayout&) const = default;
+};
+
+/// What a file holds, before its pyramid is built.
+struct VolumeFile {
+    Samples samples;
+    Geometry geometry;
+};
+
+/// Reads a file by its name's ending; an error is one line without the file's name.
+std::expected<VolumeFile, std::string> read_volume_file(const std::filesystem::path& file,
+                                                        const RawLayout& layout);
+
+/// Reads a file and builds its pyramid. While the volume of an unchanged file lives it is given
+/// again. Thread-safe.
+std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
+    const std::filesystem::path& file, const RawLayout& layout);
+
+/// The endings of the files that are read, with their points, in lower case.
+std::string known_endings();
+/// Whether the name ends so that it is a volume's, but for raw ones.
+bool is_volume_file(const std::filesystem::path& file);
+
+// Readers of the formats, by what the files' names end in.
+std::expected<VolumeFile, std::string> read_nrrd(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_meta_image(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_nifti(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_vtk_image(const std::filesystem::path& file);
+
+}  // namespace zeroset

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "engine/volume/samples.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace zeroset {
+
+/// Cells of a grid from `first` to `last` along each axis, both included. Cell i lies between the
+/// samples i and i + 1.
+struct CellSpan {
+    std::array<std::int64_t, 3> first, last;
+};
+
+/// The least and the largest sample that is a finite number; lo > hi where none is.
+struct SampleRange {
+    double lo = std::numeric_limits<double>::infinity();
+    double hi = -std::numeric_limits<double>::infinity();
+    bool holes = false;  ///< whether a sample is infinite or NaN
+
+    [[nodiscard]] bool any() const { return lo <= hi; }
+    void add(const SampleRange& other) {
+        if (other.lo < lo) lo = other.lo;
+        if (other.hi > hi) hi = other.hi;
+        holes = holes || other.holes;
+    }
+};
+
+/// Minima and maxima of the samples of bricks of 4^3 cells, of 8^3 and so on up to one brick.
+/// `Sample` is the grid's own type. Immutable.
+template <class Sample>
+class Pyramid {
+public:
+    explicit Pyramid(const Samples& samples);
+
+    /// Encloses the samples of these cells, from few bricks: those about them, too.
+    [[nodiscard]] SampleRange range(const CellSpan& cells) const;
+    /// The range of all samples.
+    [[nodiscard]] SampleRange range() const;
+
+private:
+    struct Brick {
+        Sample lo, hi;  ///< lo > hi: no finite sample
+    };
+    struct Level {
+        std::array<std::int64_t, 3> count{};
+        std::vector<Brick> bricks;
+        std::vector<bool> holes;  ///< empty where no sample is one
+    };
+
+    void make_bricks(const Samples& samples);
+    void add_rows(const Samples& samples, std::int64_t k, std::int64_t j,
+                  std::vector<Brick>& row) const;
+    void add_level();
+    void find_holes(const Samples& samples);
+    [[nodiscard]] static std::size_t place(const Level& level, std::int64_t i, std::int64_t j,
+                                           std::int64_t k);
+
+    std::vector<Level> levels_;
+};
+
+extern template class Pyramid<std::int8_t>;
+extern template class Pyramid<std::uint8_t>;
+extern template class Pyramid<std::int16_t>;
+extern template class Pyramid<std::uint16_t>;
+extern template class Pyramid<std::int32_t>;
+extern template class Pyramid<std::uint32_t>;
+extern template class Pyramid<std::int64_t>;
+extern template class Pyramid<std::uint64_t>;
+extern template class Pyramid<float>;
+extern template class Pyramid<double>;
+
+}  // namespace zeroset

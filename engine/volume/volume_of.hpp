@@ -1,0 +1,360 @@
+#pragma once
+
+#include "engine/real/rounding.hpp"
+#include "engine/real/scalar.hpp"
+#include "engine/volume/trilinear.hpp"
+#include "engine/volume/volume.hpp"
+
+#include <type_traits>
+#include <utility>
+
+// The questions to a volume of samples of one type.
+
+namespace zeroset {
+
+/// Columns of an answer for one lane; bounds are stored as (-lo, hi), rounded outward.
+template <class Real>
+class AnswerLane {
+public:
+    AnswerLane(Real* out, int lanes, int lane) : out_(out + lane), lanes_(lanes) {}
+
+    void set(std::size_t column, double value) { place(column) = static_cast<Real>(value); }
+    void set_above(std::size_t column, double bound) { place(column) = upper_end(Real{}, bound); }
+    void set(std::size_t column, const Bounds& bounds) {
+        set_above(column, -bounds.lo);
+        set_above(column + 1, bounds.hi);
+    }
+    void set_mask(std::size_t column, bool holds) { place(column) = holds ? Real{1} : Real{0}; }
+
+private:
+    Real& place(std::size_t column) { return out_[column * static_cast<std::size_t>(lanes_)]; }
+
+    Real* out_;
+    int lanes_;
+};
+
+/// Numbers from `column` of a question for one lane; with `sign` -1 their negatives.
+template <class Real>
+std::array<double, 3> question_lane(const Real* in, std::size_t column, int lanes, int lane,
+                                    double sign = 1) {
+    const auto number = [&](std::size_t i) {
+        const auto at = (column + i) * static_cast<std::size_t>(lanes);
+        return sign * static_cast<double>(in[at + static_cast<std::size_t>(lane)]);
+    };
+    return {number(0), number(1), number(2)};
+}
+
+template <class Sample>
+class VolumeOf final : public Volume {
+public:
+    VolumeOf(std::shared_ptr<const VolumeData> of, const VolumeOptions& options, std::string text)
+        : Volume(std::move(of), options, std::move(text)),
+          trilinear_(data()),
+          map_(data().map()),
+          outside_(options.outside),
+          constant_(options.constant) {}
+
+    void values(int derivative, const float* in, float* out, int lanes) const override {
+        values_of(derivative, in, out, lanes);
+    }
+    void values(int derivative, const double* in, double* out, int lanes) const override {
+        values_of(derivative, in, out, lanes);
+    }
+    void ranges(int derivative, const float* in, float* out, int lanes) const override {
+        ranges_of(derivative, in, out, lanes);
+    }
+    void ranges(int derivative, const double* in, double* out, int lanes) const override {
+        ranges_of(derivative, in, out, lanes);
+    }
+    void forms(const float* in, float* out, int lanes) const override { forms_of(in, out, lanes); }
+    void forms(const double* in, double* out, int lanes) const override {
+        forms_of(in, out, lanes);
+    }
+
+private:
+    /// What points are computed in: the indices shall be good to the last places of a kernel.
+    template <class Real>
+    using WideOf = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
+
+    /// A point with derivatives in the world's axes.
+    template <class Wide>
+    struct Place {
+        Wide value = std::numeric_limits<Wide>::quiet_NaN();
+        std::array<Wide, 3> slope{};
+        std::array<std::array<Wide, 3>, 3> bend{};
+    };
+    template <class Wide>
+    [[nodiscard]] Place<Wide> place(const std::array<double, 3>& point, int order) const;
+    template <class Wide>
+    void turn(Place<Wide>& result, const typename Trilinear<Sample>::template Point<Wide>& point,
+              const std::array<bool, 3>& moves, int order) const;
+
+    template <class Real>
+    void values_of(int derivative, const Real* in, Real* out, int lanes) const;
+    template <class Real>
+    void ranges_of(int derivative, const Real* in, Real* out, int lanes) const;
+    template <class Real>
+    void forms_of(const Real* in, Real* out, int lanes) const;
+
+    /// Bounds over the box as it is seen from outside the grid, too.
+    struct Seen {
+        typename Trilinear<Sample>::Range range{};
+        bool somewhere = true, everywhere = true, continuous = true;
+        bool smooth = true;  ///< neither holes nor jumps
+    };
+    [[nodiscard]] Seen seen(const IndexBox& box, bool with_slopes) const;
+    [[nodiscard]] Bounds derivative_bounds(const IndexBox& box, const Seen& over,
+                                           int derivative) const;
+    [[nodiscard]] Bounds world_slope(const std::array<Bounds, 3>& slopes, std::size_t axis) const;
+    template <class Wide>
+    [[nodiscard]] Bounds at_middle(const std::array<double, 3>& middle, const IndexBox& box,
+                                   const Seen& over) const;
+
+    Trilinear<Sample> trilinear_;
+    IndexMap map_;
+    Outside outside_;
+    double constant_;
+};
+
+/// The axes of a derivative of first or second order.
+inline std::array<std::size_t, 2> axes_of(int derivative) {
+    std::array<std::size_t, 2> axes{};
+    std::size_t found = 0;
+    const auto times = times_of(derivative);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (int n = 0; n < times[axis] && found < 2; ++n)
+            axes[found++] = axis;
+    }
+    return axes;
+}
+
+/// a + b, where both are sums of products that were rounded: widened by that.
+inline Bounds scaled_sum(const Bounds& sum, double factor, const Bounds& term) {
+    if (factor == 0) return sum;
+    const double a = factor * (factor > 0 ? term.lo : term.hi);
+    const double b = factor * (factor > 0 ? term.hi : term.lo);
+    Bounds result{sum.lo + a, sum.hi + b};
+    return result.widened(4 * unit_of<double> *
+                          (result.size() + std::max(std::abs(a), std::abs(b))));
+}
+
+template <class Sample>
+template <class Wide>
+auto VolumeOf<Sample>::place(const std::array<double, 3>& point, int order) const -> Place<Wide> {
+    std::array<Wide, 3> index{};
+    std::array<bool, 3> moves{true, true, true};
+    Place<Wide> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        index[i] = index_of<Wide>(map_, i, point);
+        const auto end = static_cast<Wide>(data().samples().size[i] - 1);
+        if (index[i] >= 0 && index[i] <= end) continue;
+        const double slack = index_roundings * unit_of<double> * terms_of(map_, i, sizes_of(point));
+        if (index[i] >= -static_cast<Wide>(slack) && index[i] <= end + static_cast<Wide>(slack)) {
+            index[i] = index[i] > 0 ? end : 0;  // on the grid's border but for a rounding
+            continue;
+        }
+        if (outside_ == Outside::Undefined || std::isnan(index[i])) return result;
+        if (outside_ == Outside::Constant) {
+            result.value = static_cast<Wide>(constant_);
+            return result;
+        }
+        moves[i] = false;
+        index[i] = index[i] > 0 ? end : 0;
+    }
+    const auto inside = trilinear_.template at<Wide>(index);
+    result.value = inside.value;
+    turn(result, inside, moves, order);
+    return result;
+}
+
+/// Derivatives by the indices, of those that move with the point, as derivatives in the world.
+template <class Sample>
+template <class Wide>
+void VolumeOf<Sample>::turn(Place<Wide>& result,
+                            const typename Trilinear<Sample>::template Point<Wide>& point,
+                            const std::array<bool, 3>& moves, int order) const {
+    const auto& m = map_.index_from_world;
+    const auto by = [&](std::size_t i, std::size_t axis) {
+        return moves[i] ? static_cast<Wide>(m[i][axis]) : Wide{0};
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < 3; ++i)
+            result.slope[axis] += by(i, axis) * point.slope[i];
+    }
+    if (order < 1) return;
+    for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b < 3; ++b) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::size_t j = (i + 1) % 3;
+                const std::size_t k = (i + 2) % 3;
+                result.bend[a][b] += point.bend[i] * (by(j, a) * by(k, b) + by(k, a) * by(j, b));
+            }
+        }
+    }
+}
+
+template <class Sample>
+template <class Real>
+void VolumeOf<Sample>::values_of(int derivative, const Real* in, Real* out, int lanes) const {
+    const NearestLongDouble guard;
+    using Wide = WideOf<Real>;
+    constexpr Wide unknown = std::numeric_limits<Wide>::quiet_NaN();
+    const int order = order_of(derivative);
+    const auto axes = axes_of(derivative);
+    for (int lane = 0; lane < lanes; ++lane) {
+        const Place<Wide> at = place<Wide>(question_lane(in, FieldValue::x, lanes, lane), order);
+        std::array<Wide, 4> answer{at.value, at.slope[0], at.slope[1], at.slope[2]};
+        if (order == 1) {
+            const auto& row = at.bend[axes[0]];
+            answer = {at.slope[axes[0]], row[0], row[1], row[2]};
+        } else if (order > 1) {
+            answer = {at.bend[axes[0]][axes[1]], unknown, unknown, unknown};
+        }
+        if (std::isnan(at.value) || order > highest_order) answer.fill(unknown);
+        for (std::size_t i = 0; i < answer.size(); ++i) {
+            out[i * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)] =
+                static_cast<Real>(answer[i]);
+        }
+    }
+}
+
+template <class Sample>
+auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen {
+    const bool inside = box.surely_inside();
+    Seen result;
+    if (outside_ != Outside::Edge && box.surely_outside()) {
+        const bool defined = outside_ == Outside::Constant;
+        const double value = defined ? constant_ : 0;
+        result.range.value = {value, value};
+        result.range.largest = std::abs(value);
+        result.somewhere = result.everywhere = defined;
+        result.smooth = defined;
+        return result;
+    }
+    result.range = trilinear_.range(box, with_slopes);
+    result.somewhere = result.range.somewhere;
+    result.everywhere = !result.range.holes;
+    result.smooth = !result.range.holes;
+    if (inside) return result;
+    if (outside_ == Outside::Edge) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (box.outside[i]) result.range.slopes[i] = {};
+            if (box.leaves[i]) result.range.slopes[i].add({});
+        }
+    } else if (outside_ == Outside::Undefined) {
+        result.everywhere = false;
+        result.somewhere = result.somewhere && !box.surely_outside();
+    } else {
+        const Bounds beyond{constant_, constant_};
+        if (result.somewhere) {
+            result.range.value.add(beyond);
+        } else {
+            result.range.value = beyond;
+        }
+        result.range.largest = std::max(result.range.largest, std::abs(constant_));
+        for (Bounds& slope : result.range.slopes)
+            slope.add({});
+        result.somewhere = true;
+        result.continuous = result.smooth = false;
+    }
+    return result;
+}
+
+template <class Sample>
+Bounds VolumeOf<Sample>::world_slope(const std::array<Bounds, 3>& slopes, std::size_t axis) const {
+    Bounds sum;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum = scaled_sum(sum, map_.index_from_world[i][axis], slopes[i]);
+    return sum;
+}
+
+template <class Sample>
+Bounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen& over,
+                                           int derivative) const {
+    const auto axes = axes_of(derivative);
+    const int order = order_of(derivative);
+    if (order == 1) return world_slope(over.range.slopes, axes[0]);
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    if (order > highest_order) return {-unbounded, unbounded};
+    if (box.surely_outside() && outside_ != Outside::Edge) return {};
+    std::array<Bounds, 3> bends = trilinear_.bends(box);
+    if (!box.surely_inside()) {
+        for (Bounds& bend : bends)
+            bend.add({});
+    }
+    const auto& m = map_.index_from_world;
+    Bounds sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const std::size_t k = (i + 2) % 3;
+        const double turned = m[j][axes[0]] * m[k][axes[1]];
+        const double crossed = m[k][axes[0]] * m[j][axes[1]];
+        sum = scaled_sum(scaled_sum(sum, turned, bends[i]), crossed, bends[i]);
+    }
+    return sum;
+}
+
+template <class Sample>
+template <class Real>
+void VolumeOf<Sample>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
+    for (int lane = 0; lane < lanes; ++lane) {
+        const IndexBox box = trilinear_.box(question_lane(in, FieldRange::neg_lo, lanes, lane, -1),
+                                            question_lane(in, FieldRange::hi, lanes, lane));
+        const Seen over = seen(box, derivative != 0);
+        AnswerLane<Real> answer(out, lanes, lane);
+        answer.set(FieldRange::range,
+                   derivative == 0 ? over.range.value : derivative_bounds(box, over, derivative));
+        answer.set_mask(FieldRange::somewhere, over.somewhere);
+        // Where cells meet a derivative has no value of its own.
+        bool one_piece = over.smooth && box.surely_inside();
+        for (std::size_t i = 0; i < 3; ++i)
+            one_piece = one_piece && box.cells.first[i] == box.cells.last[i];
+        answer.set_mask(FieldRange::everywhere, over.everywhere && (derivative == 0 || one_piece));
+        answer.set_mask(FieldRange::continuous, derivative == 0 ? over.continuous : one_piece);
+    }
+}
+
+template <class Sample>
+template <class Wide>
+Bounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
+                                   const Seen& over) const {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    if (!over.smooth) return {-unbounded, unbounded};
+    const auto value = static_cast<double>(place<Wide>(middle, 0).value);
+    if (std::isnan(value)) return {-unbounded, unbounded};
+    double error = mixing_roundings * over.range.largest;
+    for (std::size_t i = 0; i < 3; ++i)
+        error += index_roundings * box.terms[i] * over.range.slopes[i].size();
+    constexpr auto wide_unit = static_cast<double>(unit_of<Wide>);
+    return Bounds{value, value}.widened(2 * wide_unit * error +
+                                        2 * unit_of<double> * std::abs(value));
+}
+
+template <class Sample>
+template <class Real>
+void VolumeOf<Sample>::forms_of(const Real* in, Real* out, int lanes) const {
+    // Values in double are computed in long double: of its errors few are left.
+    constexpr double wide_share = 0x1p-8;
+    const NearestLongDouble guard;
+    for (int lane = 0; lane < lanes; ++lane) {
+        const IndexBox box = trilinear_.box(question_lane(in, FieldForm::neg_lo, lanes, lane, -1),
+                                            question_lane(in, FieldForm::hi, lanes, lane));
+        const Seen over = seen(box, true);
+        AnswerLane<Real> answer(out, lanes, lane);
+        answer.set(FieldForm::range, over.range.value);
+        answer.set_mask(FieldForm::somewhere, over.somewhere);
+        answer.set_mask(FieldForm::everywhere, over.everywhere);
+        answer.set_mask(FieldForm::continuous, over.continuous);
+        answer.set(
+            FieldForm::at_middle,
+            at_middle<WideOf<Real>>(question_lane(in, FieldForm::middle, lanes, lane), box, over));
+        double rounding = over.range.largest;
+        for (std::size_t i = 0; i < 3; ++i) {
+            answer.set(FieldForm::slopes + 2 * i, world_slope(over.range.slopes, i));
+            rounding += box.terms[i] * over.range.slopes[i].size();
+        }
+        answer.set_above(FieldForm::rounding, 2 * over.range.value.size() + wide_share * rounding);
+    }
+}
+
+}  // namespace zeroset

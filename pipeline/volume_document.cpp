@@ -1,0 +1,58 @@
+#include "pipeline/volume_document.hpp"
+
+#include "engine/volume/volume.hpp"
+#include "pipeline/prepare.hpp"
+#include "pipeline/volume_source.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// The volumes that the program's surfaces ask.
+std::vector<std::shared_ptr<const Volume>> volumes_of(const Program& program) {
+    std::vector<std::shared_ptr<const Volume>> volumes;
+    for (const Expr& surface : program.surfaces) {
+        for (const auto& field : fields_of(surface)) {
+            if (auto volume = std::dynamic_pointer_cast<const Volume>(field))
+                volumes.push_back(std::move(volume));
+        }
+    }
+    return volumes;
+}
+
+}  // namespace
+
+void fit_to_volumes(const Program& program, Document& document) {
+    std::optional<Box> box;
+    for (const auto& volume : volumes_of(program)) {
+        const std::array<double, 6> bounds = volume->data().bounds();
+        const Box own{.lo = {bounds[0], bounds[1], bounds[2]},
+                      .hi = {bounds[3], bounds[4], bounds[5]}};
+        box = box ? Box{.lo = glm::min(box->lo, own.lo), .hi = glm::max(box->hi, own.hi)} : own;
+    }
+    if (!box) return;
+    document.clip = *box;
+    document.camera.reset();
+}
+
+OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
+    allow_volume(file);
+    const std::string name = file.string();
+    ReadDocument read = read_document_text("scan = volume(\"" + name + "\")\nscan(x, y, z) = a");
+    if (!read.rows) return std::unexpected(read.rows.error());
+    const Program& program = *read.rows->program;
+    fit_to_volumes(program, read.document);
+    const SampleRange range = volumes_of(program).front()->data().range();
+    Slider level{.value = 0.5 * (range.lo + range.hi), .lo = range.lo, .hi = range.hi};
+    if (!(level.lo < level.hi)) level.hi = level.lo + 1;
+    read.document.parameters["a"] = level;
+    return std::move(read.document);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "document/document.hpp"
+#include "engine/language/parse.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <filesystem>
+
+namespace zeroset {
+
+/// Makes the clip box that of the volumes in the program's surfaces, if there are any, and shows
+/// all of it.
+void fit_to_volumes(const Program& program, Document& document);
+
+/// A document of two rows that shows a volume: the file as a function, and the surface where that
+/// is a, whose slider goes over its samples' range. Allows the file from now on (allow_volume).
+OrInputError<Document> document_of_volume(const std::filesystem::path& file);
+
+}  // namespace zeroset

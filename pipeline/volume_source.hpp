@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/language/vocabulary/field_source.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace zeroset {
+
+/// Which files the texts of a session may name.
+struct VolumeFolder {
+    std::filesystem::path folder;  ///< relative names start here
+    /// Whether only files in it and in the folders below may be read, as the document comes from
+    /// elsewhere.
+    bool closed = false;
+
+    bool operator==(const VolumeFolder&) const = default;
+};
+
+/// Lets all texts name volumes from now on (set_field_source). Files that were allowed once stay
+/// so.
+void use_volume_folder(const VolumeFolder& folder);
+
+/// Allows a file that someone has chosen, wherever it lies.
+void allow_volume(const std::filesystem::path& file);
+
+/// The volumes of the given folder.
+std::shared_ptr<const FieldSource> volume_source(const VolumeFolder& folder);
+
+}  // namespace zeroset

@@ -1,0 +1,431 @@
+#include "engine/volume/volume.hpp"
+
+#include "engine/real/rounding.hpp"
+#include "tests/support/random_numbers.hpp"
+#include "tests/support/real_types.hpp"
+#include "tests/support/sample_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace zeroset::test {
+namespace {
+
+template <class Sample>
+Samples samples_of(const GridSize& size, std::vector<Sample> numbers, SampleType type) {
+    const auto kept = std::make_shared<const std::vector<Sample>>(std::move(numbers));
+    return {.type = type, .size = size, .data = std::shared_ptr<const void>(kept, kept->data())};
+}
+
+std::shared_ptr<const Volume> volume_of(const Samples& samples, const Geometry& place,
+                                        const VolumeOptions& options = {}) {
+    const auto data = VolumeData::make(samples, place);
+    EXPECT_TRUE(data.has_value()) << data.error();
+    return Volume::make(*data, options, "volume(\"test\")");
+}
+
+/// x + 10 y + 100 z at the samples, and so between them.
+std::shared_ptr<const Volume> linear_volume(const VolumeOptions& options = {}) {
+    constexpr GridSize size{4, 3, 5};
+    std::vector<std::int16_t> numbers;
+    for (int k = 0; k < 5; ++k) {
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 4; ++i)
+                numbers.push_back(static_cast<std::int16_t>(i + 10 * j + 100 * k));
+        }
+    }
+    return volume_of(samples_of(size, numbers, SampleType::Int16), {}, options);
+}
+
+std::array<double, 4> value_at(const Field& field, const std::array<double, 3>& point,
+                               int derivative = 0) {
+    std::array<double, 4> answer{};
+    field.values(derivative, point.data(), answer.data(), 1);
+    return answer;
+}
+
+TEST(Volume, IsLinearBetweenSamples) {
+    const auto volume = linear_volume();
+    EXPECT_DOUBLE_EQ(value_at(*volume, {1.5, 0.25, 3.75})[0], 1.5 + 2.5 + 375);
+    EXPECT_DOUBLE_EQ(value_at(*volume, {3, 2, 4})[0], 423);
+    EXPECT_EQ(value_at(*volume, {0.5, 1.5, 2.5})[1], 1);
+    EXPECT_EQ(value_at(*volume, {0.5, 1.5, 2.5})[2], 10);
+    EXPECT_EQ(value_at(*volume, {0.5, 1.5, 2.5})[3], 100);
+}
+
+TEST(Volume, IsBeyondItsGridWhatIsAskedFor) {
+    const std::array<double, 3> beyond{-1, 5, 1.5};
+    EXPECT_TRUE(std::isnan(value_at(*linear_volume(), beyond)[0]));
+    const auto edge = value_at(*linear_volume({.outside = Outside::Edge}), beyond);
+    EXPECT_DOUBLE_EQ(edge[0], 0 + 20 + 150);
+    EXPECT_EQ(edge[1], 0);
+    EXPECT_EQ(edge[2], 0);
+    EXPECT_EQ(edge[3], 100);
+    const auto seven =
+        value_at(*linear_volume({.outside = Outside::Constant, .constant = 7}), beyond);
+    EXPECT_EQ(seven[0], 7);
+    EXPECT_EQ(seven[3], 0);
+}
+
+TEST(Volume, LiesWhereItsGeometrySays) {
+    const Geometry place{.world_from_index = {{{0, -2, 0}, {1.5, 0, 0}, {0, 0, 3}}},
+                         .origin = {10, 20, 30}};
+    std::vector<float> numbers(3 * 4 * 5);
+    numbers[2 + 3 * (1 + 4 * 3)] = 1;  // at (2, 1, 3)
+    const auto volume = volume_of(samples_of({3, 4, 5}, numbers, SampleType::Float), place);
+    const auto point = world_point(place, {2, 1, 3});
+    EXPECT_EQ(point, (std::array{10.0 - 2, 20.0 + 3, 30.0 + 9}));
+    EXPECT_NEAR(value_at(*volume, point)[0], 1, 1e-13);
+    EXPECT_EQ(volume->data().bounds(), (std::array{4.0, 20.0, 30.0, 10.0, 23.0, 42.0}));
+}
+
+TEST(Volume, IsUndefinedInCellsWithAHole) {
+    std::vector<float> numbers(4 * 4 * 4, 1);
+    numbers[0] = std::numeric_limits<float>::quiet_NaN();
+    numbers[3] = std::numeric_limits<float>::infinity();
+    const auto volume = volume_of(samples_of({4, 4, 4}, numbers, SampleType::Float), {});
+    EXPECT_TRUE(std::isnan(value_at(*volume, {0.5, 0.5, 0.5})[0]));
+    EXPECT_TRUE(std::isnan(value_at(*volume, {2.5, 0.5, 0.5})[0]));
+    EXPECT_EQ(value_at(*volume, {1.5, 0.5, 0.5})[0], 1);
+    EXPECT_TRUE(volume->data().range().holes);
+    EXPECT_EQ(volume->data().range().hi, 1);
+}
+
+TEST(Volume, RefusesWhatIsNoVolume) {
+    const std::vector<float> numbers(64, 1);
+    const auto error = [&](const GridSize& size, const Geometry& place) {
+        const auto data = VolumeData::make(samples_of(size, numbers, SampleType::Float), place);
+        return data ? std::string() : data.error();
+    };
+    EXPECT_EQ(error({64, 1, 1}, {}),
+              "it has 64 x 1 x 1 samples; a volume needs two along each axis");
+    EXPECT_EQ(error({4, 4, 4}, {.world_from_index = {{{1, 1, 0}, {1, 1, 0}, {0, 0, 1}}}}),
+              "its axes lie in one plane or are no finite numbers");
+    const std::vector<float> holes(64, std::numeric_limits<float>::quiet_NaN());
+    const auto data = VolumeData::make(samples_of({4, 4, 4}, holes, SampleType::Float), {});
+    EXPECT_EQ(data.error(), "none of its samples is a finite number");
+}
+
+/// A grid of any type, size, place and filling that finds faults.
+std::shared_ptr<const Volume> random_volume(RandomNumbers& random) {
+    GridSize size{};
+    for (auto& count : size)
+        count = static_cast<std::uint64_t>(random.between(2, random.one_in(3) ? 40 : 9));
+    const std::uint64_t count = size[0] * size[1] * size[2];
+    const bool sparse = random.one_in(3);
+    const bool holes = random.one_in(3);
+    const auto number = [&] {
+        if (sparse && !random.one_in(9)) return 0.0;
+        return random.one_in(4) ? 100.0 : std::floor(random.uniform(-100, 100));
+    };
+    Samples samples;
+    if (random.one_in(2)) {
+        std::vector<float> numbers;
+        for (std::uint64_t i = 0; i < count; ++i)
+            numbers.push_back(static_cast<float>(number() * 0.37));
+        if (holes && count > 30) numbers[random.below(count)] = std::nanf("");
+        samples = samples_of(size, numbers, SampleType::Float);
+    } else {
+        std::vector<std::int16_t> numbers;
+        for (std::uint64_t i = 0; i < count; ++i)
+            numbers.push_back(static_cast<std::int16_t>(number()));
+        samples = samples_of(size, numbers, SampleType::Int16);
+    }
+    Geometry place;
+    const double angle = random.one_in(3) ? random.uniform(0, 6.3) : 0;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const std::array spacing{random.uniform(0.2, 2), random.uniform(0.2, 2),
+                             random.uniform(0.2, 2)};
+    place.world_from_index = {{{c * spacing[0], -s * spacing[1], 0},
+                               {s * spacing[0], c * spacing[1], 0},
+                               {0, 0, spacing[2]}}};
+    for (double& x : place.origin)
+        x = random.uniform(-9, 9);
+    const auto outside = static_cast<Outside>(random.below(3));
+    return volume_of(samples, place, {.outside = outside, .constant = 12});
+}
+
+/// A box of any size about a place in the grid or at its border.
+template <class Real>
+struct WorldBox {
+    std::array<Real, 3> lo, hi;
+
+    WorldBox(const Volume& volume, RandomNumbers& random) {
+        std::array<double, 3> index{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto end = static_cast<double>(volume.data().samples().size[i] - 1);
+            index[i] = random.uniform(-0.2 * end, 1.2 * end);
+            if (random.one_in(3)) index[i] = std::floor(index[i]);
+        }
+        const auto middle = world_point(volume.data().geometry(), index);
+        const double all = std::exp2(random.uniform(-12, 4));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double half = random.one_in(4) ? 0 : all * random.uniform();
+            lo[i] = static_cast<Real>(middle[i] - half);
+            hi[i] = std::max(lo[i], static_cast<Real>(middle[i] + half));
+        }
+    }
+    [[nodiscard]] std::array<double, 3> point(RandomNumbers& random) const {
+        std::array<double, 3> at{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double share = random.one_in(4) ? double(random.below(2)) : random.uniform();
+            const double x =
+                static_cast<double>(lo[i]) + share * static_cast<double>(hi[i] - lo[i]);
+            at[i] = std::clamp(x, static_cast<double>(lo[i]), static_cast<double>(hi[i]));
+        }
+        return at;
+    }
+};
+
+template <class Real>
+class VolumeEnclosures : public ::testing::Test {
+protected:
+    using Ranges = std::array<Real, FieldRange::answers>;
+    using Forms = std::array<Real, FieldForm::answers>;
+
+    static Ranges range(const Field& field, const WorldBox<Real>& box, int derivative = 0) {
+        const UpwardRounding upward;
+        return answers(FieldRange(), field, derivative,
+                       std::array<Real, 6>{-box.lo[0], -box.lo[1], -box.lo[2], box.hi[0], box.hi[1],
+                                           box.hi[2]});
+    }
+    static Forms form(const Field& field, const WorldBox<Real>& box,
+                      const std::array<Real, 3>& middle) {
+        const UpwardRounding upward;
+        return answers(FieldForm(), field, 0,
+                       std::array<Real, 9>{-box.lo[0], -box.lo[1], -box.lo[2], box.hi[0], box.hi[1],
+                                           box.hi[2], middle[0], middle[1], middle[2]});
+    }
+    static bool holds(const MpfrNumber& value, Real neg_lo, Real hi) {
+        return mpfr_cmp_d(value.get(), -static_cast<double>(neg_lo)) >= 0 &&
+               mpfr_cmp_d(value.get(), static_cast<double>(hi)) <= 0;
+    }
+};
+TYPED_TEST_SUITE(VolumeEnclosures, RealTypes, RealTypeNames);
+
+TYPED_TEST(VolumeEnclosures, HoldTheValuesInBoxes) {
+    RandomNumbers random(31);
+    int defined = 0;
+    int proved = 0;
+    for (int n = 0; n < 60; ++n) {
+        const auto volume = random_volume(random);
+        for (int b = 0; b < 60; ++b) {
+            const WorldBox<TypeParam> box(*volume, random);
+            const auto found = TestFixture::range(*volume, box);
+            for (int i = 0; i < 6; ++i) {
+                const auto at = box.point(random);
+                const Reference truth = field_reference(*volume, MpfrNumber(at[0]),
+                                                        MpfrNumber(at[1]), MpfrNumber(at[2]));
+                if (!truth.defined) {
+                    ASSERT_EQ(found[FieldRange::everywhere], 0) << "defined at a hole";
+                    continue;
+                }
+                ++defined;
+                ASSERT_EQ(found[FieldRange::somewhere], 1);
+                ASSERT_TRUE(TestFixture::holds(truth.value, found[0], found[1]))
+                    << truth.value.text() << " is not in [" << -found[0] << ", " << found[1] << "]";
+            }
+            if (found[FieldRange::everywhere] == 1) ++proved;
+        }
+    }
+    EXPECT_GT(defined, 10'000);
+    EXPECT_GT(proved, 1'000);
+}
+
+TYPED_TEST(VolumeEnclosures, HoldTheValueAtTheMiddleAndAllSlopesFromIt) {
+    RandomNumbers random(32);
+    int smooth = 0;
+    for (int n = 0; n < 60; ++n) {
+        const auto volume = random_volume(random);
+        for (int b = 0; b < 60; ++b) {
+            const WorldBox<TypeParam> box(*volume, random);
+            std::array<TypeParam, 3> middle{};
+            for (std::size_t i = 0; i < 3; ++i)
+                middle[i] = box.lo[i] + (box.hi[i] - box.lo[i]) / 2;
+            const auto found = TestFixture::form(*volume, box, middle);
+            const auto plain = TestFixture::range(*volume, box);
+            ASSERT_TRUE(std::equal(plain.begin(), plain.end(), found.begin()));
+            if (!std::isfinite(found[FieldForm::at_middle])) continue;
+            ++smooth;
+            const auto value = [&](const std::array<double, 3>& at) {
+                return field_reference(*volume, MpfrNumber(at[0]), MpfrNumber(at[1]),
+                                       MpfrNumber(at[2]));
+            };
+            const std::array<double, 3> from{static_cast<double>(middle[0]),
+                                             static_cast<double>(middle[1]),
+                                             static_cast<double>(middle[2])};
+            const Reference centre = value(from);
+            if (!centre.defined) continue;
+            ASSERT_TRUE(TestFixture::holds(centre.value, found[FieldForm::at_middle],
+                                           found[FieldForm::at_middle + 1]));
+            const auto to = box.point(random);
+            const Reference other = value(to);
+            if (!other.defined) continue;
+            // value(to) - value(from) in the sum of slopes times steps
+            double lo = 0;
+            double hi = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double step = to[i] - from[i];
+                const double steepest = static_cast<double>(found[FieldForm::slopes + 2 * i + 1]);
+                const double least = -static_cast<double>(found[FieldForm::slopes + 2 * i]);
+                lo += std::min(step * steepest, step * least);
+                hi += std::max(step * steepest, step * least);
+            }
+            const double rise = (other.value - centre.value).nearest();
+            const double error = 1e-13 * (1 + std::abs(rise) + std::abs(lo) + std::abs(hi));
+            ASSERT_GE(rise, lo - error);
+            ASSERT_LE(rise, hi + error);
+        }
+    }
+    EXPECT_GT(smooth, 700);
+}
+
+/// The value that kernels take is off by at most what forms tell: r units of the type.
+TYPED_TEST(VolumeEnclosures, BoundTheRoundingOfValues) {
+    RandomNumbers random(33);
+    double most = 0;
+    for (int n = 0; n < 60; ++n) {
+        const auto volume = random_volume(random);
+        for (int b = 0; b < 40; ++b) {
+            const WorldBox<TypeParam> box(*volume, random);
+            const auto found = TestFixture::form(*volume, box, box.lo);
+            std::array<TypeParam, 3> at{};
+            std::array<TypeParam, 4> value{};
+            for (std::size_t i = 0; i < 3; ++i)
+                at[i] = random.one_in(2) ? box.lo[i] : box.hi[i];
+            for (const bool up : {false, true}) {
+                const auto ask_in = [&] { volume->values(0, at.data(), value.data(), 1); };
+                if (up) {
+                    const UpwardRounding upward;
+                    ask_in();
+                } else {
+                    ask_in();
+                }
+                const Reference truth = field_reference(
+                    *volume, MpfrNumber(static_cast<double>(at[0])),
+                    MpfrNumber(static_cast<double>(at[1])), MpfrNumber(static_cast<double>(at[2])));
+                if (std::isnan(value[0]) || !truth.defined) continue;
+                const double error =
+                    std::abs((truth.value - MpfrNumber(static_cast<double>(value[0]))).nearest());
+                const double unit = std::numeric_limits<TypeParam>::epsilon();
+                const double bound = unit * static_cast<double>(found[FieldForm::rounding]);
+                if (volume->options().outside == Outside::Constant) continue;  // may jump
+                ASSERT_LE(error, bound);
+                if (bound > 0) most = std::max(most, error / bound);
+            }
+        }
+    }
+    EXPECT_GT(most, 0.05);  // the bound is not far off
+}
+
+TYPED_TEST(VolumeEnclosures, AreExactInOneCell) {
+    const auto volume = linear_volume();
+    RandomNumbers random(34);
+    for (int i = 0; i < 200; ++i) {
+        WorldBox<TypeParam> box(*volume, random);
+        double lo = 0;
+        double hi = 0;
+        double per = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto cell = static_cast<TypeParam>(random.below(2));
+            const TypeParam a = cell + static_cast<TypeParam>(random.uniform(0.01, 0.98));
+            const TypeParam b = cell + static_cast<TypeParam>(random.uniform(0.01, 0.98));
+            box.lo[axis] = std::min(a, b);
+            box.hi[axis] = std::max(a, b);
+            lo += per * static_cast<double>(box.lo[axis]);
+            hi += per * static_cast<double>(box.hi[axis]);
+            per *= 10;
+        }
+        const auto found = TestFixture::range(*volume, box);
+        const double few = 128 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon());
+        EXPECT_NEAR(-static_cast<double>(found[0]), lo, few * (hi + 100));
+        EXPECT_NEAR(static_cast<double>(found[1]), hi, few * (hi + 100));
+        EXPECT_EQ(found[FieldRange::everywhere], 1);
+        const auto slope = TestFixture::range(*volume, box, derivative_by(0, 1, 0));
+        EXPECT_NEAR(static_cast<double>(slope[1]), 10, 1e-3);
+        EXPECT_NEAR(-static_cast<double>(slope[0]), 10, 1e-3);
+    }
+}
+
+TYPED_TEST(VolumeEnclosures, HoldDerivativesOfFirstAndSecondOrder) {
+    RandomNumbers random(35);
+    int proved = 0;
+    for (int n = 0; n < 60; ++n) {
+        const auto volume = random_volume(random);
+        for (int b = 0; b < 60; ++b) {
+            const WorldBox<TypeParam> box(*volume, random);
+            const auto at = box.point(random);
+            for (const int derivative :
+                 {derivative_by(1, 0, 0), derivative_by(0, 0, 1), derivative_by(1, 1, 0),
+                  derivative_by(0, 1, 1), derivative_by(2, 0, 0)}) {
+                const auto found = TestFixture::range(*volume, box, derivative);
+                if (found[FieldRange::everywhere] != 1) continue;
+                ++proved;
+                const double value = value_at(*volume, at, derivative)[0];
+                const double error = 1e-12 * (1 + std::abs(value));
+                ASSERT_GE(value, -static_cast<double>(found[0]) - error);
+                ASSERT_LE(value, static_cast<double>(found[1]) + error);
+            }
+        }
+    }
+    EXPECT_GT(proved, 500);
+}
+
+TEST(Volume, HasTheDerivativesOfDifferences) {
+    RandomNumbers random(36);
+    int compared = 0;
+    for (int n = 0; n < 40; ++n) {
+        const auto volume = random_volume(random);
+        if (volume->options().outside == Outside::Constant) continue;
+        for (int b = 0; b < 40; ++b) {
+            const auto at = WorldBox<double>(*volume, random).point(random);
+            constexpr double step = 1e-5;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                auto before = at;
+                auto after = at;
+                before[axis] -= step;
+                after[axis] += step;
+                const auto here = value_at(*volume, at);
+                const auto below = value_at(*volume, before);
+                const auto above = value_at(*volume, after);
+                // One smooth piece only.
+                const double bend = above[0] + below[0] - 2 * here[0];
+                if (std::isnan(bend) || std::abs(bend) > 1e-7) continue;
+                ++compared;
+                EXPECT_NEAR(here[1 + axis], (above[0] - below[0]) / (2 * step), 2e-2);
+                const int first = once_more_by(0, axis);
+                EXPECT_EQ(value_at(*volume, at, first)[0], here[1 + axis]);
+                const int second = once_more_by(first, (axis + 1) % 3);
+                const double mixed = value_at(*volume, at, first)[1 + (axis + 1) % 3];
+                EXPECT_EQ(value_at(*volume, at, second)[0], mixed);
+            }
+        }
+    }
+    EXPECT_GT(compared, 1000);
+}
+
+/// What is asked with ends that mean nothing answers so, and does not fail.
+TYPED_TEST(VolumeEnclosures, TakeUnboundedAndUnknownBoxes) {
+    const TypeParam inf = std::numeric_limits<TypeParam>::infinity();
+    const TypeParam nan = std::numeric_limits<TypeParam>::quiet_NaN();
+    const auto volume = linear_volume({.outside = Outside::Edge});
+    for (const TypeParam end : {inf, nan, std::numeric_limits<TypeParam>::max()}) {
+        const auto found = answers(FieldRange(), *volume, 0,
+                                   std::array<TypeParam, 6>{end, end, end, end, end, end});
+        EXPECT_LE(-found[0], 0);
+        EXPECT_GE(found[1], 423);
+        EXPECT_EQ(found[FieldRange::somewhere], 1);
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test

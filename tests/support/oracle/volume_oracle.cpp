@@ -1,0 +1,149 @@
+#include "tests/support/oracle/volume_oracle.hpp"
+
+#include "tests/support/oracle/polynomial_oracle.hpp"
+#include "tests/support/sample_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace zeroset::test {
+namespace {
+
+using Wide = long double;
+
+/// Index i along a ray: at its eye, and by t.
+std::array<Wide, 2> index_line(const IndexMap& map, std::size_t i, const RayQuestion& ray) {
+    Wide at = map.shift[i];
+    Wide by = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        at += Wide{map.index_from_world[i][c]} * ray.eye[c];
+        by += Wide{map.index_from_world[i][c]} * ray.direction[c];
+    }
+    return {at, by};
+}
+
+}  // namespace
+
+std::optional<VolumeOracle> VolumeOracle::of(const Expr& expr) {
+    const Node& root = expr.node(expr.root());
+    Node level{.op = Op::Constant};
+    if (root.op == Op::Subtract || root.op == Op::Add) {
+        const Node& number = expr.node(root.b);
+        if (number.op != Op::Constant) return std::nullopt;
+        const bool adds = root.op == Op::Add;
+        level.lo = adds ? -number.hi : number.lo;
+        level.hi = adds ? -number.lo : number.hi;
+    }
+    const Node& field = root.op == Op::Field ? root : expr.node(root.a);
+    if (field.op != Op::Field || field.number != 0) return std::nullopt;
+    int axis = 0;
+    for (const NodeId id : {field.a, field.b, field.c}) {
+        const Node& operand = expr.node(id);
+        if (operand.op != Op::Variable || operand.number != axis++) return std::nullopt;
+    }
+    auto volume = std::dynamic_pointer_cast<const Volume>(field.field);
+    const bool usable =
+        volume && volume->options().outside != Outside::Constant && !volume->data().range().holes;
+    if (!usable) return std::nullopt;
+    return VolumeOracle(std::move(volume), level);
+}
+
+/// Where the ray meets the planes of the grid, and its ends, in order.
+std::vector<double> VolumeOracle::crossings(const RayQuestion& ray) const {
+    std::vector<double> all{ray.outer_from, ray.outer_to};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto [at, by] = index_line(volume_->data().map(), i, ray);
+        if (by == 0) continue;
+        for (std::uint64_t plane = 0; plane < volume_->data().samples().size[i]; ++plane) {
+            const auto t = static_cast<double>((static_cast<Wide>(plane) - at) / by);
+            if (t > ray.outer_from && t < ray.outer_to) all.push_back(t);
+        }
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
+/// f in the cell of the point at `middle`, as a polynomial; nullopt where it is not defined there.
+std::optional<Expr> VolumeOracle::cubic(const RayQuestion& ray, double middle) const {
+    ExprBuilder builder;
+    const IndexMap& map = volume_->data().map();
+    const auto sum = [&](NodeId a, NodeId b) { return builder.apply(Op::Add, a, b); };
+    const auto product = [&](NodeId a, NodeId b) { return builder.apply(Op::Multiply, a, b); };
+    const auto number = [&](double value) { return builder.constant(value); };
+    std::array<std::uint64_t, 3> cell{};
+    std::array<std::array<NodeId, 2>, 3> share{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto [at, by] = index_line(map, i, ray);
+        const Wide index = at + by * middle;
+        const auto last = static_cast<std::int64_t>(volume_->data().samples().size[i]) - 2;
+        const bool beyond = index < 0 || index > static_cast<Wide>(last + 1);
+        if (beyond && volume_->options().outside == Outside::Undefined) return std::nullopt;
+        const auto own =
+            std::clamp(static_cast<std::int64_t>(std::floor(index)), std::int64_t{0}, last);
+        cell[i] = static_cast<std::uint64_t>(own);
+        NodeId above = number(index < 0 ? 0 : 1);
+        if (!beyond) {
+            above = sum(number(map.shift[i]), number(-static_cast<double>(own)));
+            for (std::size_t c = 0; c < 3; ++c) {
+                above = sum(above, product(number(map.index_from_world[i][c]),
+                                           builder.variable(static_cast<int>(c))));
+            }
+        }
+        share[i] = {builder.apply(Op::Subtract, number(1), above), above};
+    }
+    NodeId f = builder.apply(Op::Negate, builder.constant(level_.lo, level_.hi));
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const std::array<unsigned, 3> of{corner & 1U, corner >> 1U & 1U, corner >> 2U};
+        const double sample =
+            sample_at(volume_->data(), cell[0] + of[0], cell[1] + of[1], cell[2] + of[2]);
+        f = sum(f, product(product(number(sample), share[0][of[0]]),
+                           product(share[1][of[1]], share[2][of[2]])));
+    }
+    return builder.finish(f);
+}
+
+/// The sign of f at a point of the ray; 0 where it is 0 or not defined.
+int VolumeOracle::sign_at(const RayQuestion& ray, double t) const {
+    std::array<MpfrNumber, 3> point;
+    for (std::size_t i = 0; i < 3; ++i)
+        point[i] = MpfrNumber(ray.eye[i]) + MpfrNumber(ray.direction[i]) * MpfrNumber(t);
+    const Reference value = field_reference(*volume_, point[0], point[1], point[2]);
+    if (!value.defined) return 0;
+    const MpfrNumber level = (MpfrNumber(level_.lo) + MpfrNumber(level_.hi)) / MpfrNumber(2.0);
+    return (value.value - level).sign();
+}
+
+RayAnswer VolumeOracle::answer(const RayQuestion& ray) const {
+    const std::vector<double> ends = crossings(ray);
+    const double near = 1e-12 * (std::abs(ray.outer_from) + std::abs(ray.outer_to));
+    for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+        const double from = ends[n];
+        const double to = ends[n + 1];
+        if (to - from < 4 * near) {
+            // Too short a way through a cell: its neighbours tell of roots here.
+            continue;
+        }
+        const auto f = cubic(ray, from + 0.5 * (to - from));
+        if (!f) continue;
+        const auto oracle = PolynomialOracle::of(*f, {});
+        RayQuestion part = ray;
+        part.outer_from = from;
+        part.outer_to = to;
+        const auto roots = oracle->roots(part, 1);
+        if (!roots) return hit_between(ray, from - near, from + near, false);
+        if (roots->empty()) continue;
+        const RayRoot& root = roots->front();
+        if (root.from > from + near && root.to < to - near)
+            return hit_between(ray, root.from, root.to, root.crosses);
+        // Beside a border, where this cell's cubic is not surely the one that counts.
+        const int before = sign_at(ray, root.from - 4 * near);
+        const int after = sign_at(ray, root.to + 4 * near);
+        if (before * after >= 0) return {};
+        return hit_between(ray, root.from - 4 * near, root.to + 4 * near, true);
+    }
+    return {RayTruth::Empty, 0.0, 0.0, false};
+}
+
+}  // namespace zeroset::test

@@ -1,0 +1,81 @@
+#include "tests/support/sample_field.hpp"
+
+#include "tests/support/random_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace zeroset::test {
+namespace {
+
+std::shared_ptr<const Volume> made_field() {
+    RandomNumbers random(2004);
+    constexpr GridSize size{6, 5, 4};
+    auto numbers = std::make_shared<std::vector<double>>(size[0] * size[1] * size[2]);
+    for (double& number : *numbers)
+        number = random.uniform(-1, 1);
+    const Samples samples{.type = SampleType::Double,
+                          .size = size,
+                          .data = std::shared_ptr<const void>(numbers, numbers->data())};
+    const Geometry place{.world_from_index = {{{0.5, 0.1, 0}, {-0.1, 0.6, 0.2}, {0.05, -0.1, 0.9}}},
+                         .origin = {-1.4, -1.1, -1.2}};
+    return Volume::make(VolumeData::make(samples, place).value(), {.outside = Outside::Edge},
+                        "volume(\"sample\")");
+}
+
+}  // namespace
+
+const std::shared_ptr<const Volume>& sample_field() {
+    static const std::shared_ptr<const Volume> field = made_field();
+    return field;
+}
+
+Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrNumber& y,
+                          const MpfrNumber& z) {
+    const VolumeData& data = volume.data();
+    const IndexMap& map = data.map();
+    const std::array point{x, y, z};
+    std::array<std::uint64_t, 3> cell{};
+    std::array<MpfrNumber, 3> share;
+    for (std::size_t i = 0; i < 3; ++i) {
+        MpfrNumber index(map.shift[i]);
+        for (std::size_t c = 0; c < 3; ++c)
+            index = index + MpfrNumber(map.index_from_world[i][c]) * point[c];
+        const auto end = static_cast<double>(data.samples().size[i] - 1);
+        const bool below = index < 0.0;
+        if (below || index > end) {
+            if (volume.options().outside == Outside::Undefined) return {};
+            if (volume.options().outside == Outside::Constant)
+                return {.defined = true, .value = MpfrNumber(volume.options().constant)};
+            index = MpfrNumber(below ? 0.0 : end);
+        }
+        cell[i] = std::min(static_cast<std::uint64_t>(mpfr_get_d(index.get(), MPFR_RNDD)),
+                           data.samples().size[i] - 2);
+        share[i] = index - MpfrNumber(static_cast<double>(cell[i]));
+    }
+    MpfrNumber sum(0.0);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const std::array<std::uint64_t, 3> of{corner & 1U, corner >> 1U & 1U, corner >> 2U};
+        MpfrNumber term(sample_at(data, cell[0] + of[0], cell[1] + of[1], cell[2] + of[2]));
+        if (!term.is_finite()) return {};
+        for (std::size_t i = 0; i < 3; ++i)
+            term = term * (of[i] == 1 ? share[i] : MpfrNumber(1.0) - share[i]);
+        sum = sum + term;
+    }
+    return {.defined = true, .value = sum};
+}
+
+NodeId applied(ExprBuilder& builder, Op op, NodeId a, NodeId b, NodeId c, int number) {
+    if (op == Op::Field) return builder.look_up(sample_field(), a, b, c, number);
+    return builder.apply(op, a, b, c, number);
+}
+
+Node node_of(Op op, int number) {
+    Node node{.op = op, .number = number};
+    if (op == Op::Field) node.field = sample_field();
+    return node;
+}
+
+}  // namespace zeroset::test

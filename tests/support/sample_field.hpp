@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+#include "engine/volume/volume.hpp"
+#include "tests/support/mpfr_number.hpp"
+
+#include <memory>
+
+namespace zeroset::test {
+
+/// The field of the tables of operators: 6 x 5 x 4 numbers about -1 to 1 in a turned, unequally
+/// spaced grid about the origin, that goes on beyond it as at its edge. The same object each time.
+const std::shared_ptr<const Volume>& sample_field();
+
+/// The value of a volume at a point, but for the rounding of MpfrNumber.
+Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrNumber& y,
+                          const MpfrNumber& z);
+
+/// The sample as a double.
+inline double sample_at(const VolumeData& data, std::uint64_t i, std::uint64_t j, std::uint64_t k) {
+    const GridSize& size = data.samples().size;
+    return visit_samples(data.samples(), [&](const auto* samples) {
+        return static_cast<double>(samples[(k * size[1] + j) * size[0] + i]);
+    });
+}
+
+/// The operator; a field is `sample_field`.
+NodeId applied(ExprBuilder& builder, Op op, NodeId a, NodeId b = 0, NodeId c = 0, int number = 0);
+/// A node of the operator without operands; that of a field asks `sample_field`.
+Node node_of(Op op, int number = 0);
+
+}  // namespace zeroset::test
