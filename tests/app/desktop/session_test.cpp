@@ -119,6 +119,23 @@ TEST_F(Sessions, ProposeTheFolderThatWasChosenLast) {
     EXPECT_EQ(state_.shown.export_target, (folder_ / "pictures" / "picture.png").string());
 }
 
+TEST_F(Sessions, ShowAVolumeThatIsDropped) {
+    start();
+    write(file("a.nrrd"), "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n" +
+                              std::string("\0\1\2\3\4\5\6\7", 8));
+    session_->open({file("a.nrrd").string()});
+    frame();
+    ASSERT_EQ(state_.edited.document.statements.size(), 2);
+    EXPECT_EQ(text(), "scan = volume(\"" + file("a.nrrd").string() + "\")");
+    EXPECT_EQ(state_.edited.document.statements[1].text, "scan(x, y, z) = a");
+    EXPECT_EQ(slider_of(state_.edited.document, "a").hi, 7);
+    EXPECT_EQ(state_.edited.document.clip.hi, glm::dvec3(1));
+    write(file("b.nrrd"), "NRRD0004\ntype: uchar\n\n");
+    session_->open({file("b.nrrd").string()});
+    frame();
+    EXPECT_EQ(text(), "scan = volume(\"" + file("a.nrrd").string() + "\")") << "it stays";
+}
+
 TEST_F(Sessions, UndoAndRedo) {
     start();
     type("+y");
