@@ -106,16 +106,16 @@ TEST_F(VolumeTexts, MistakesAreShownAtTheirPlace) {
               "0: raw samples need their sizes; type size 256 256 109");
     EXPECT_EQ(error_of("volume(\"sample.nrrd\")(x, y) = 1"),
               "0: a volume takes 3 arguments, not 2; type (x, y, z)");
-    EXPECT_EQ(error_of("s = volume(\"sample.nrrd\"); s(x, y) = 1"),
-              "27: s takes 3 arguments, not 2");
+    EXPECT_EQ(error_of("s = volume(\"sample.nrrd\"); 2 s(x, y) = 1"),
+              "29: s takes 3 arguments, not 2");
     EXPECT_EQ(error_of("volume(\"sample.nrrd\") = 1"),
               "0: a volume is a function of a point; give it a name in a row of its own, scan = "
               "volume(\"sample.nrrd\"), and type scan(x, y, z)");
     EXPECT_EQ(error_of("volume(\"sample.nrrd"),
               "7: the file's name is not closed; add a \" where it ends");
     EXPECT_EQ(error_of("volume(\"sample.nrrd\"; x = 1"),
-              "26: a ')' is missing behind the file's name; add a ')'");
-    EXPECT_EQ(error_of("volume(x) = 1"),
+              "27: a ')' is missing behind the file's name; add a ')'");
+    EXPECT_EQ(error_of("volume(x) + 1"),
               "0: a volume is named by its file, in quotes; type volume(\"ct.nrrd\")");
     std::ofstream(folder_ / "a.tiff") << "II";
     EXPECT_EQ(error_of("volume(\"a.tiff\")(x, y, z) = 1").substr(0, 70),
