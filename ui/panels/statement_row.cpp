@@ -4,7 +4,6 @@
 #include "engine/annotate/shapes.hpp"
 #include "engine/base/translation.hpp"
 #include "ui/actions/errors.hpp"
-#include "ui/actions/errors.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"

@@ -55,9 +55,9 @@ std::vector<ComparedRow> rows_with_boxes() {
     std::vector<ComparedRow> rows{row_of("orthocircle", "mrfro", 100, 1'266'000),
                                   row_of("orthocircle", "florez-boxes", 50, 528'000)};
     rows[1].boxes = {.rejected = {.boxes = 10, .pixels = 45'000, .ms = 0},
-                                    .included = {.boxes = 20, .pixels = 36'000, .ms = 20},
-                                    .undefined = {.boxes = 30, .pixels = 9'000, .ms = 10},
-                                    .ms = 5};
+                     .included = {.boxes = 20, .pixels = 36'000, .ms = 20},
+                     .undefined = {.boxes = 30, .pixels = 9'000, .ms = 10},
+                     .ms = 5};
     return rows;
 }
 
