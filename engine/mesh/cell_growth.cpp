@@ -19,8 +19,8 @@ constexpr std::size_t cells_at_once = 256;
 double sagitta(double turn, double edge) { return 0.17 * turn * edge; }
 
 /// By how much normals of a part turn among values at a cell's corners and, the last, its middle.
-double turn_of(std::span<const FieldValue> values, std::uint32_t part) {
-    const FieldValue* first = nullptr;
+double turn_of(std::span<const SolidValue> values, std::uint32_t part) {
+    const SolidValue* first = nullptr;
     double turn = 0.0;
     for (std::size_t i = values.size(); i-- > 0;) {
         if (values[i].part != part) continue;
@@ -61,7 +61,7 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
         }
         points.push_back(tree_.point(tree_.middle(cell)));
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, limits_.work);
+    const std::vector<SolidValue> values = field_at(solid_, points, limits_.work);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         MeshCell& cell = tree_[cells[i]];
         const auto own = std::span(values).subspan(places * i, places);

@@ -38,11 +38,11 @@ void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, cons
             for (const std::uint32_t part : contour.creases[c].parts)
                 places.push_back({.part = part, .point = points[c]});
         }
-        const std::vector<FieldValue> values = parts_at(solid, places);
+        const std::vector<SolidValue> values = parts_at(solid, places);
         for (std::size_t c = 0; c < points.size(); ++c) {
             std::vector<FeatureSide> sides;
             for (const std::size_t k : {2 * c, 2 * c + 1}) {
-                const FieldValue& value = values[k];
+                const SolidValue& value = values[k];
                 sides.push_back({.base = points[c],
                                  .point = points[c] - value.level * value.normal,
                                  .normal = value.normal});
@@ -50,7 +50,7 @@ void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, cons
             points[c] = meeting_point(sides, points[c]).value_or(points[c]);
         }
     }
-    const std::vector<FieldValue> values = field_at(solid, points, work);
+    const std::vector<SolidValue> values = field_at(solid, points, work);
     for (std::size_t c = 0; c < points.size(); ++c) {
         const std::uint32_t v = contour.creases[c].vertex;
         MeshVertex& vertex = contour.mesh.vertices[v];

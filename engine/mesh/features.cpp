@@ -136,7 +136,7 @@ void FeatureMaker::approach(double share) {
             sides.push_back(&side);
         }
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, work_);
+    const std::vector<SolidValue> values = field_at(solid_, points, work_);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const glm::dvec3& normal = values[i].normal;
         // A gradient of another side tells nothing of this one.
@@ -203,7 +203,7 @@ void FeatureMaker::turn_sides() {
         middle(t[1], t[2]);
         middle(t[0], mesh.triangles[other->second][0]);
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, work_);
+    const std::vector<SolidValue> values = field_at(solid_, points, work_);
     for (std::size_t i = 0; i < shared.size(); ++i) {
         if (!(values[2 * i + 1].distance() < values[2 * i].distance())) continue;
         Triangle& s = mesh.triangles[shared[i].first];

@@ -12,8 +12,8 @@ constexpr std::size_t points_at_once = 512;
 // A level where the gradient vanishes: farther than anything.
 constexpr double far = 1e30;
 
-FieldValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
-    FieldValue value{.part = static_cast<std::uint32_t>(part)};
+SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
+    SolidValue value{.part = static_cast<std::uint32_t>(part)};
     const double slope = glm::length(gradient);
     if (std::isnan(f)) {
         value.level = std::numeric_limits<double>::infinity();
@@ -31,12 +31,12 @@ class PartValues {
 public:
     void evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points);
     /// What the nodes make of them at point i.
-    [[nodiscard]] FieldValue at(const MeshSolid& solid, std::size_t i);
+    [[nodiscard]] SolidValue at(const MeshSolid& solid, std::size_t i);
 
 private:
     PointBatch<double> batch_;
-    std::vector<FieldValue> values_;  ///< of part p and point i at p * points_at_once + i
-    std::vector<FieldValue> nodes_;
+    std::vector<SolidValue> values_;  ///< of part p and point i at p * points_at_once + i
+    std::vector<SolidValue> nodes_;
 };
 
 void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points) {
@@ -55,7 +55,7 @@ void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> po
     }
 }
 
-FieldValue PartValues::at(const MeshSolid& solid, std::size_t i) {
+SolidValue PartValues::at(const MeshSolid& solid, std::size_t i) {
     nodes_.resize(solid.nodes.size());
     for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
         const SolidNode& node = solid.nodes[n];
@@ -67,30 +67,30 @@ FieldValue PartValues::at(const MeshSolid& solid, std::size_t i) {
             }
             continue;
         }
-        const FieldValue& a = nodes_[node.a];
-        const FieldValue& b = nodes_[node.b];
+        const SolidValue& a = nodes_[node.a];
+        const SolidValue& b = nodes_[node.b];
         const bool takes_a = (a.level >= b.level) == (node.kind == SolidNode::Kind::Max);
         nodes_[n] = takes_a ? a : b;
     }
     return nodes_.back();
 }
 
-void take_cuts(const MeshSolid& solid, const glm::dvec3& point, FieldValue& value) {
+void take_cuts(const MeshSolid& solid, const glm::dvec3& point, SolidValue& value) {
     for (std::size_t c = 0; c < solid.cuts.size(); ++c) {
         const SolidCut& cut = solid.cuts[c];
         const double f = cut.value(point);
         // A plane's slope is 1, so that its value is its level.
         if (!cut.is_ball && !(f > value.level)) continue;
-        const FieldValue own = value_of(f, cut.gradient(point), solid.parts.size() + c);
+        const SolidValue own = value_of(f, cut.gradient(point), solid.parts.size() + c);
         if (own.level > value.level) value = own;
     }
 }
 
 }  // namespace
 
-std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
+std::vector<SolidValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
                                  const MeshWork& work) {
-    std::vector<FieldValue> values(points.size());
+    std::vector<SolidValue> values(points.size());
     parallel_upward(points.size(), points_at_once, work, [&](std::size_t first, std::size_t last) {
         static thread_local PartValues parts;
         parts.evaluate(solid, points.subspan(first, last - first));
@@ -102,8 +102,8 @@ std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dv
     return values;
 }
 
-std::vector<FieldValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places) {
-    std::vector<FieldValue> values(places.size());
+std::vector<SolidValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places) {
+    std::vector<SolidValue> values(places.size());
     PointBatch<double> batch;
     for (std::size_t p = 0; p < solid.parts.size(); ++p) {
         std::vector<std::size_t> own;

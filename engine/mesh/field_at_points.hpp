@@ -14,7 +14,7 @@
 namespace zeroset {
 
 /// The solid's function at a point, each part and cut divided by the length of its gradient.
-struct FieldValue {
+struct SolidValue {
     /// About the distance from the surface, below 0 inside; +inf where it is not defined.
     double level = 0.0;
     glm::dvec3 normal{0.0};  ///< the gradient's direction, of length 1; 0 where it vanishes
@@ -26,7 +26,7 @@ struct FieldValue {
 };
 
 /// Values at points, any number of them, on all cores.
-std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
+std::vector<SolidValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
                                  const MeshWork& work);
 
 /// The part's or the cut's own value at a point, with the sign of its first leaf.
@@ -34,6 +34,6 @@ struct PartPlace {
     std::uint32_t part;
     glm::dvec3 point;
 };
-std::vector<FieldValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places);
+std::vector<SolidValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places);
 
 }  // namespace zeroset

@@ -34,7 +34,7 @@ struct BoxFacts {
     bool graded = false;
     bool kinked = false;  ///< whether it may have a kink near its zeros
     std::uint8_t count = 0;
-    std::uint32_t part = 0;  ///< FieldValue::part of the last of `gradients`
+    std::uint32_t part = 0;  ///< SolidValue::part of the last of `gradients`
     /// Of each part and cut whose zeros may be the function's in the box.
     std::array<GradientBox, most_gradients> gradients{};
 

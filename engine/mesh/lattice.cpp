@@ -134,7 +134,7 @@ int Lattice::count_inside(const Tetrahedron& tetrahedron) const {
         tetrahedron.vertices, [&](std::uint32_t vertex) { return inside(vertex); }));
 }
 
-double lattice_level(const FieldValue& value, double step) {
+double lattice_level(const SolidValue& value, double step) {
     const double level = std::clamp(value.distance(), 1e-9 * step, 1e6 * step);
     return value.inside() ? -level : level;
 }
@@ -154,7 +154,7 @@ Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves
     points.reserve(lattice.vertices.size());
     for (const LatticeVertex& vertex : lattice.vertices)
         points.push_back(vertex.point);
-    const std::vector<FieldValue> values = field_at(solid, points, work);
+    const std::vector<SolidValue> values = field_at(solid, points, work);
     lattice.step = tree.step();
     for (std::size_t i = 0; i < values.size(); ++i) {
         lattice.vertices[i].level = lattice_level(values[i], lattice.step);

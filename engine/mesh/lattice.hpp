@@ -29,7 +29,7 @@ struct LatticeVertex {
 
     glm::dvec3 point{0.0};
     double level = 0.0;      ///< about the distance from the surface, below 0 inside; never 0
-    std::uint32_t part = 0;  ///< FieldValue::part
+    std::uint32_t part = 0;  ///< SolidValue::part
     /// The parts that change there, of a vertex that split_at_kinks made.
     std::array<std::uint32_t, 2> kink{no_part, no_part};
 
@@ -48,7 +48,7 @@ struct Lattice {
 };
 
 /// The value's level, neither 0 nor so large that differences lose the small ones.
-double lattice_level(const FieldValue& value, double step);
+double lattice_level(const SolidValue& value, double step);
 
 /// In upward rounding.
 Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, const MeshWork& work);

@@ -116,7 +116,7 @@ void KinkSplitter::find_changes() {
     for (int step = 0; step < steps; ++step) {
         for (std::size_t i = 0; i < count; ++i)
             points[i] = point_at(i, 0.5 * (lo[i] + hi[i]));
-        const std::vector<FieldValue> values = field_at(solid_, points, work_);
+        const std::vector<SolidValue> values = field_at(solid_, points, work_);
         for (std::size_t i = 0; i < count; ++i) {
             const bool first = values[i].part == lattice_.vertices[ends(i).first].part;
             (first ? lo[i] : hi[i]) = 0.5 * (lo[i] + hi[i]);
@@ -216,7 +216,7 @@ void KinkSplitter::find_levels(std::size_t first) {
     std::vector<glm::dvec3> points;
     for (std::size_t i = first; i < lattice_.vertices.size(); ++i)
         points.push_back(lattice_.vertices[i].point);
-    const std::vector<FieldValue> values = field_at(solid_, points, work_);
+    const std::vector<SolidValue> values = field_at(solid_, points, work_);
     for (std::size_t i = 0; i < values.size(); ++i) {
         LatticeVertex& vertex = lattice_.vertices[first + i];
         vertex.level = lattice_level(values[i], lattice_.step);

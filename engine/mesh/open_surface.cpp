@@ -34,7 +34,7 @@ glm::dvec3 middle_of(const TriangleMesh& mesh, const Triangle& t) {
 /// How well a triangle lies on the zeros of a part: the cosine between their normals, less the
 /// distance in sizes of the triangle. A triangle between three points of the line where two parts
 /// meet is near both, so that its normal has to tell.
-double fit_of(const TriangleMesh& mesh, const Triangle& t, const FieldValue& value) {
+double fit_of(const TriangleMesh& mesh, const Triangle& t, const SolidValue& value) {
     const glm::dvec3& a = mesh.vertices[t[0]].point;
     const glm::dvec3 across =
         glm::cross(mesh.vertices[t[1]].point - a, mesh.vertices[t[2]].point - a);
@@ -108,7 +108,7 @@ void keep_surface(TriangleMesh& mesh, const MeshSolid& solid) {
     for (std::size_t part = 0; part < parts; ++part) {
         for (PartPlace& place : places)
             place.part = static_cast<std::uint32_t>(part);
-        const std::vector<FieldValue> values = parts_at(solid, places);
+        const std::vector<SolidValue> values = parts_at(solid, places);
         for (std::size_t i = 0; i < count; ++i) {
             const double fit = fit_of(mesh, mesh.triangles[i], values[i]);
             if (!(fit > best[i])) continue;

@@ -28,7 +28,7 @@ double next_place(const Search& search, double level, double slope) {
 }
 
 /// Takes in the value at t; returns whether the search is over.
-bool take_step(Search& search, const FieldValue& value, const glm::dvec3& along, int step) {
+bool take_step(Search& search, const SolidValue& value, const glm::dvec3& along, int step) {
     (value.inside() ? search.lo : search.hi) = search.t;
     if (value.level == 0.0 || search.hi - search.lo < narrow) return true;
     const double next = next_place(search, value.level, glm::dot(value.normal, along));
@@ -53,7 +53,7 @@ void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
     points.reserve(searches.size());
     for (const Search& search : searches)
         points.push_back(point_at(brackets[search.bracket], search.t));
-    const std::vector<FieldValue> values = field_at(solid, points, work);
+    const std::vector<SolidValue> values = field_at(solid, points, work);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < searches.size(); ++i) {
         Search search = searches[i];
@@ -65,7 +65,7 @@ void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
     searches.resize(kept);
 }
 
-MeshVertex vertex_at(const glm::dvec3& point, const FieldValue& value) {
+MeshVertex vertex_at(const glm::dvec3& point, const SolidValue& value) {
     return {.point = point,
             .normal = value.normal,
             .kind = VertexKind::Smooth,
@@ -86,7 +86,7 @@ std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<Roo
     std::vector<glm::dvec3> points(brackets.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = point_at(brackets[i], places[i]);
-    const std::vector<FieldValue> values = field_at(solid, points, work);
+    const std::vector<SolidValue> values = field_at(solid, points, work);
     std::vector<MeshVertex> vertices(brackets.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         vertices[i] = vertex_at(points[i], values[i]);

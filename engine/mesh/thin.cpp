@@ -274,14 +274,14 @@ std::size_t Thinner::apply(const std::vector<Move>& moves) {
             add_samples(change.after, points);
         ends.push_back(points.size());
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, options_.work);
+    const std::vector<SolidValue> values = field_at(solid_, points, options_.work);
     std::size_t made = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < moves.size(); ++i) {
         const auto own = std::span(values).subspan(first, ends[i] - first);
         first = ends[i];
         const bool near = std::ranges::all_of(
-            own, [&](const FieldValue& value) { return value.distance() <= options_.tolerance; });
+            own, [&](const SolidValue& value) { return value.distance() <= options_.tolerance; });
         if (near && (options_.most_triangles == 0 || mesh_.triangles() > options_.most_triangles)) {
             make(moves[i]);
             ++made;

@@ -19,7 +19,7 @@ struct MeshVertex {
     glm::dvec3 point{0.0};
     glm::dvec3 normal{0.0};  ///< of length 1, outward; 0 where it is not known
     VertexKind kind = VertexKind::Smooth;
-    std::uint32_t part = 0;  ///< FieldValue::part there
+    std::uint32_t part = 0;  ///< SolidValue::part there
     float error = 0.0F;      ///< about how far the surface is, world units
 };
 

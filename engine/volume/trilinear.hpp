@@ -17,15 +17,15 @@
 namespace zeroset {
 
 /// [lo, hi].
-struct Bounds {
+struct ValueBounds {
     double lo = 0, hi = 0;
 
     [[nodiscard]] double size() const { return std::max(std::abs(lo), std::abs(hi)); }
-    void add(const Bounds& other) {
+    void add(const ValueBounds& other) {
         lo = std::min(lo, other.lo);
         hi = std::max(hi, other.hi);
     }
-    [[nodiscard]] Bounds widened(double by) const { return {lo - by, hi + by}; }
+    [[nodiscard]] ValueBounds widened(double by) const { return {lo - by, hi + by}; }
 };
 
 /// Roundings of values and slopes between samples, amply counted.
@@ -47,17 +47,17 @@ public:
 
     /// The range in the part of the box in the grid.
     struct Range {
-        Bounds value{};
-        double largest = 0;              ///< the largest sample about the box, in size
-        bool somewhere = true;           ///< false: no sample about it is a number
-        bool holes = false;              ///< whether the box may meet a hole
-        bool exact = false;              ///< whether the samples were taken one by one
-        std::array<Bounds, 3> slopes{};  ///< by the indices; only if asked for
+        ValueBounds value{};
+        double largest = 0;                   ///< the largest sample about the box, in size
+        bool somewhere = true;                ///< false: no sample about it is a number
+        bool holes = false;                   ///< whether the box may meet a hole
+        bool exact = false;                   ///< whether the samples were taken one by one
+        std::array<ValueBounds, 3> slopes{};  ///< by the indices; only if asked for
     };
     [[nodiscard]] Range range(const IndexBox& box, bool with_slopes) const;
 
     /// The second derivatives by two different indices, over the box.
-    [[nodiscard]] std::array<Bounds, 3> bends(const IndexBox& box) const;
+    [[nodiscard]] std::array<ValueBounds, 3> bends(const IndexBox& box) const;
 
     /// Value and derivatives by the indices in the cell of a point; not a number in holes.
     template <class Wide>
@@ -84,9 +84,9 @@ private:
         values.narrow(axis, box.from[axis] - static_cast<double>(box.cells.first[axis]),
                       box.to[axis] - static_cast<double>(box.cells.last[axis]));
     }
-    static Bounds bounds(const CornerValues& values, double error) {
+    static ValueBounds bounds(const CornerValues& values, double error) {
         const SampleRange range = values.range();
-        return Bounds{range.lo, range.hi}.widened(error);
+        return ValueBounds{range.lo, range.hi}.widened(error);
     }
 
     const Sample* data_;
@@ -133,17 +133,17 @@ inline BoxCorners narrowed(const BoxCorners& values, std::size_t axis, double fr
     }
     return result;
 }
-inline Bounds hull_of(const BoxCorners& values) {
-    Bounds hull{values[0], values[0]};
+inline ValueBounds hull_of(const BoxCorners& values) {
+    ValueBounds hull{values[0], values[0]};
     for (const double value : values) {
         hull.lo = value < hull.lo ? value : hull.lo;
         hull.hi = value > hull.hi ? value : hull.hi;
     }
     return hull;
 }
-inline Bounds hull_of_differences(const BoxCorners& values, std::size_t axis) {
+inline ValueBounds hull_of_differences(const BoxCorners& values, std::size_t axis) {
     const std::size_t step = std::size_t{1} << axis;
-    Bounds hull{values[step] - values[0], values[step] - values[0]};
+    ValueBounds hull{values[step] - values[0], values[step] - values[0]};
     for (std::size_t i = 0; i < 8; ++i) {
         if ((i & step) != 0) continue;
         const double difference = values[i | step] - values[i];
@@ -175,10 +175,10 @@ auto Trilinear<Sample>::range_in_cell(const IndexBox& box) const -> std::optiona
     const BoxCorners in_yz = cut(in_z, 1);
     Range result;
     result.exact = true;
-    const Bounds samples = hull_of(values);
+    const ValueBounds samples = hull_of(values);
     result.largest = samples.size();
     const double error = mixing_roundings * unit_of<double> * result.largest;
-    const Bounds mixed = hull_of(cut(in_yz, 0));
+    const ValueBounds mixed = hull_of(cut(in_yz, 0));
     result.value = {std::max(mixed.lo, samples.lo) - error, std::min(mixed.hi, samples.hi) + error};
     result.slopes = {hull_of_differences(in_yz, 0).widened(error),
                      hull_of_differences(cut(in_z, 0), 1).widened(error),
@@ -214,7 +214,7 @@ auto Trilinear<Sample>::range(const IndexBox& box, bool with_slopes) const -> Ra
     CornerValues narrow_in_all = narrow_in_yz;
     narrow(narrow_in_all, box, 0);
     // Between samples nothing is beyond them.
-    const Bounds mixed = bounds(narrow_in_all, error);
+    const ValueBounds mixed = bounds(narrow_in_all, error);
     result.value = {std::max(mixed.lo, result.value.lo - error),
                     std::min(mixed.hi, result.value.hi + error)};
     if (!with_slopes) return result;
@@ -232,8 +232,8 @@ auto Trilinear<Sample>::range(const IndexBox& box, bool with_slopes) const -> Ra
 }
 
 template <class Sample>
-std::array<Bounds, 3> Trilinear<Sample>::bends(const IndexBox& box) const {
-    std::array<Bounds, 3> bends{};
+std::array<ValueBounds, 3> Trilinear<Sample>::bends(const IndexBox& box) const {
+    std::array<ValueBounds, 3> bends{};
     const auto values = corners(box);
     const SampleRange samples = values ? values->range() : pyramid_.range(box.cells);
     if (!samples.any()) return bends;

@@ -20,7 +20,7 @@ public:
 
     void set(std::size_t column, double value) { place(column) = static_cast<Real>(value); }
     void set_above(std::size_t column, double bound) { place(column) = upper_end(Real{}, bound); }
-    void set(std::size_t column, const Bounds& bounds) {
+    void set(std::size_t column, const ValueBounds& bounds) {
         set_above(column, -bounds.lo);
         set_above(column + 1, bounds.hi);
     }
@@ -96,19 +96,20 @@ private:
     template <class Real>
     void forms_of(const Real* in, Real* out, int lanes) const;
 
-    /// Bounds over the box as it is seen from outside the grid, too.
+    /// ValueBounds over the box as it is seen from outside the grid, too.
     struct Seen {
         typename Trilinear<Sample>::Range range{};
         bool somewhere = true, everywhere = true, continuous = true;
         bool smooth = true;  ///< neither holes nor jumps
     };
     [[nodiscard]] Seen seen(const IndexBox& box, bool with_slopes) const;
-    [[nodiscard]] Bounds derivative_bounds(const IndexBox& box, const Seen& over,
-                                           int derivative) const;
-    [[nodiscard]] Bounds world_slope(const std::array<Bounds, 3>& slopes, std::size_t axis) const;
+    [[nodiscard]] ValueBounds derivative_bounds(const IndexBox& box, const Seen& over,
+                                                int derivative) const;
+    [[nodiscard]] ValueBounds world_slope(const std::array<ValueBounds, 3>& slopes,
+                                          std::size_t axis) const;
     template <class Wide>
-    [[nodiscard]] Bounds at_middle(const std::array<double, 3>& middle, const IndexBox& box,
-                                   const Seen& over) const;
+    [[nodiscard]] ValueBounds at_middle(const std::array<double, 3>& middle, const IndexBox& box,
+                                        const Seen& over) const;
 
     Trilinear<Sample> trilinear_;
     IndexMap map_;
@@ -129,11 +130,11 @@ inline std::array<std::size_t, 2> axes_of(int derivative) {
 }
 
 /// a + b, where both are sums of products that were rounded: widened by that.
-inline Bounds scaled_sum(const Bounds& sum, double factor, const Bounds& term) {
+inline ValueBounds scaled_sum(const ValueBounds& sum, double factor, const ValueBounds& term) {
     if (factor == 0) return sum;
     const double a = factor * (factor > 0 ? term.lo : term.hi);
     const double b = factor * (factor > 0 ? term.hi : term.lo);
-    Bounds result{sum.lo + a, sum.hi + b};
+    ValueBounds result{sum.lo + a, sum.hi + b};
     return result.widened(4 * unit_of<double> *
                           (result.size() + std::max(std::abs(a), std::abs(b))));
 }
@@ -245,14 +246,14 @@ auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen
         result.everywhere = false;
         result.somewhere = result.somewhere && !box.surely_outside();
     } else {
-        const Bounds beyond{constant_, constant_};
+        const ValueBounds beyond{constant_, constant_};
         if (result.somewhere) {
             result.range.value.add(beyond);
         } else {
             result.range.value = beyond;
         }
         result.range.largest = std::max(result.range.largest, std::abs(constant_));
-        for (Bounds& slope : result.range.slopes)
+        for (ValueBounds& slope : result.range.slopes)
             slope.add({});
         result.somewhere = true;
         result.continuous = result.smooth = false;
@@ -261,29 +262,30 @@ auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen
 }
 
 template <class Sample>
-Bounds VolumeOf<Sample>::world_slope(const std::array<Bounds, 3>& slopes, std::size_t axis) const {
-    Bounds sum;
+ValueBounds VolumeOf<Sample>::world_slope(const std::array<ValueBounds, 3>& slopes,
+                                          std::size_t axis) const {
+    ValueBounds sum;
     for (std::size_t i = 0; i < 3; ++i)
         sum = scaled_sum(sum, map_.index_from_world[i][axis], slopes[i]);
     return sum;
 }
 
 template <class Sample>
-Bounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen& over,
-                                           int derivative) const {
+ValueBounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen& over,
+                                                int derivative) const {
     const auto axes = axes_of(derivative);
     const int order = order_of(derivative);
     if (order == 1) return world_slope(over.range.slopes, axes[0]);
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (order > highest_order) return {-unbounded, unbounded};
     if (box.surely_outside() && outside_ != Outside::Edge) return {};
-    std::array<Bounds, 3> bends = trilinear_.bends(box);
+    std::array<ValueBounds, 3> bends = trilinear_.bends(box);
     if (!box.surely_inside()) {
-        for (Bounds& bend : bends)
+        for (ValueBounds& bend : bends)
             bend.add({});
     }
     const auto& m = map_.index_from_world;
-    Bounds sum;
+    ValueBounds sum;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
         const std::size_t k = (i + 2) % 3;
@@ -316,8 +318,8 @@ void VolumeOf<Sample>::ranges_of(int derivative, const Real* in, Real* out, int 
 
 template <class Sample>
 template <class Wide>
-Bounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
-                                   const Seen& over) const {
+ValueBounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
+                                        const Seen& over) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (!over.smooth) return {-unbounded, unbounded};
     const auto value = static_cast<double>(place<Wide>(middle, 0).value);
@@ -326,8 +328,8 @@ Bounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, const In
     for (std::size_t i = 0; i < 3; ++i)
         error += index_roundings * box.terms[i] * over.range.slopes[i].size();
     constexpr auto wide_unit = static_cast<double>(unit_of<Wide>);
-    return Bounds{value, value}.widened(2 * wide_unit * error +
-                                        2 * unit_of<double> * std::abs(value));
+    return ValueBounds{value, value}.widened(2 * wide_unit * error +
+                                             2 * unit_of<double> * std::abs(value));
 }
 
 template <class Sample>

@@ -98,7 +98,7 @@ private:
     glm::dvec3 lo_{};
     double step_ = 0.0;
     KeyIndex edges_;
-    std::vector<FieldValue> values_;
+    std::vector<SolidValue> values_;
     TriangleMesh mesh_;
 };
 

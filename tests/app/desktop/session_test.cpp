@@ -84,7 +84,9 @@ protected:
 
 TEST_F(Sessions, ProposeAFileForWhatIsSavedThatIsNotThereYet) {
     const fs::path path = folder_ / "cone.zeroset.json";
-    start({.path = path.string()});
+    SessionOptions options;
+    options.path = path.string();
+    start(options);
     ui::ExportPage& page = state_.pages.exports;
     page.endings = {".png", ".mp4", ".stl", ".svg"};
     frame();

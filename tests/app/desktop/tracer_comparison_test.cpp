@@ -70,7 +70,7 @@ TEST_F(Comparison, DrawsTheSamePictureByAnotherTracer) {
     std::size_t hits = 0;
     for (std::size_t i = 0; i < other.frame->surface.size(); ++i) {
         EXPECT_EQ(other.frame->surface[i], state_.shown.picture.frame->surface[i]);
-        hits += other.frame->surface[i] != no_surface ? 1 : 0;
+        hits += other.frame->surface[i] != no_surface ? 1U : 0U;
     }
     EXPECT_GT(hits, 500U);
 }

@@ -55,11 +55,12 @@ protected:
         frame->depth.assign(frame->depth.size(), 1.0F);
         other_ = std::make_unique<Texture>();
         other_->upload(*frame, 0);
-        state_.shown.other = {.tracer = "newton",
-                              .frame = frame,
-                              .texture = other_->name(),
-                              .frame_ms = 12.5,
-                              .complete = true};
+        OtherPicture& other = state_.shown.other;
+        other.tracer = "newton";
+        other.frame = frame;
+        other.texture = other_->name();
+        other.frame_ms = 12.5;
+        other.complete = true;
         wanted().other = "newton";
     }
 
