@@ -272,10 +272,11 @@ TEST(Parse, RefusesSumsWhoseIndexIsNoExactNumber) {
 }
 
 TEST(Parse, LimitsTheText) {
-    const std::string longest = std::string(1'999'999, ' ') + "x";
+    std::string longest(1'999'999, ' ');
+    longest.push_back('x');
     EXPECT_TRUE(parse(longest).has_value());
     std::string too_long = longest;
-    too_long += ' ';
+    too_long.push_back(' ');
     const auto longer = parse(too_long);
     ASSERT_FALSE(longer.has_value());
     EXPECT_EQ(longer.error().offset, 2'000'000);
