@@ -47,11 +47,11 @@ struct AnimationRow {
 class AnimatedScene {
 public:
     AnimatedScene(const PrintedAnimation& animation, Scene scene, const Camera& camera,
-                  const TraceSettings& settings, int size_px, int frames)
+                  TraceSettings settings, int size_px, int frames)
         : animation_(animation),
           scene_(std::move(scene)),
           camera_(camera),
-          settings_(settings),
+          settings_(std::move(settings)),
           frame_(size_px, size_px),
           frames_(frames) {}
 

@@ -329,6 +329,7 @@ OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan, bool
         auto subject = Subject::make(item, plan);
         if (!subject) return std::unexpected(subject.error());
         std::vector<ComparedRow> of_surface;
+        of_surface.reserve(plan.measurements.size());
         for (const Measurement& how : plan.measurements)
             of_surface.push_back(subject->measured(how, plan));
         set_times(of_surface);

@@ -176,7 +176,7 @@ CLI::App* add_traversal(CLI::App& app, TraversalCommand& traversal) {
 CLI::App* add_sample(CLI::App& app, SampleCommand& sample) {
     CLI::App* const sample_app =
         app.add_subcommand("sample", "write the values of f on a grid as a volume (NRRD)");
-    sample_app->footer("Draw it again with \"scan = volume(\\\"FILE.nrrd\\\"); scan(x,y,z) = 0\".");
+    sample_app->footer(R"(Draw it again with "scan = volume(\"FILE.nrrd\"); scan(x,y,z) = 0".)");
     add_equation(*sample_app, sample.equation);
     add_value(*sample_app, "-o,--output", sample.output, "FILE.nrrd to write")->required();
     add_value(*sample_app, "--size", sample.size,

@@ -2,6 +2,7 @@
 
 #include "engine/volume/samples.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,8 +25,8 @@ struct SampleRange {
 
     [[nodiscard]] bool any() const { return lo <= hi; }
     void add(const SampleRange& other) {
-        if (other.lo < lo) lo = other.lo;
-        if (other.hi > hi) hi = other.hi;
+        lo = std::min(lo, other.lo);
+        hi = std::max(hi, other.hi);
         holes = holes || other.holes;
     }
 };

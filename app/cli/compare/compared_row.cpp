@@ -27,6 +27,7 @@ std::vector<ComparedMean> means_of(const std::vector<ComparedRow>& rows) {
         ++count;
     }
     std::vector<ComparedMean> means;
+    means.reserve(sums.size());
     for (const auto& [key, sum] : sums)
         means.push_back({.wanted_d_stop = std::get<0>(key),
                          .reflections = std::get<1>(key),

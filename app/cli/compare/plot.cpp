@@ -213,7 +213,7 @@ std::expected<void, std::string> write_plot(const std::string& path, PlotFormat 
     const auto width = [&](std::string_view words, double size) {
         return font->width(words, size);
     };
-    ComparisonPlot plot = comparison_plot(comparison, rows, width);
+    const ComparisonPlot plot = comparison_plot(comparison, rows, width);
     std::expected<void, FileError> written;
     if (format == PlotFormat::Svg) {
         written = write_text(path, svg_of(plot.shapes, plot.size, ground));
