@@ -61,6 +61,13 @@ SyntaxParser::Parsed SyntaxParser::volume(const Token& token) {
     return add(SyntaxKind::Volume, token.offset, std::move(*point), {}, token.text);
 }
 
+/// Refuses a call of what is no function.
+SyntaxParser::Parsed SyntaxParser::refuse_call(const Token& token, const std::string& full) {
+    if (full != "volume") return refuse(no_function(token));
+    return fail(token, tr("a volume is named by its file, in quotes"),
+                filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
+}
+
 SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (token.text == "and" || token.text == "or") return refuse(missing_operand());
     if (token.text == "not")
@@ -89,11 +96,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
-    if (called && full == "volume" && !defined) {
-        return fail(token, tr("a volume is named by its file, in quotes"),
-                    filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
-    }
-    if (called && !defined && !is_letter_name) return refuse(no_function(token));
+    if (called && !defined && !is_letter_name) return refuse_call(token, full);
     const bool means_call = std::string_view("fghFGH").contains(full) && next_is("(");
     if (means_call && !defined_.defines_value(full) && adjacent(token, next())) {
         tree_.notes.add(token.offset,

@@ -93,6 +93,7 @@ private:
     // syntax_operand.cpp
     Parsed operand();
     Parsed name(const Token& token);
+    Parsed refuse_call(const Token& token, const std::string& full);
     Parsed volume(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);

@@ -60,12 +60,7 @@ Done Lexer::step() {
         push(TokenKind::Symbol, "~", 1);
         return {};
     }
-    if (is_space(c)) {
-        ++at_;
-        return {};
-    }
-    // In MATLAB x.^2 applies to each element; every operator does so here.
-    if (c == '.' && (peek(1) == '^' || peek(1) == '*' || peek(1) == '/')) {
+    if (is_space(c) || is_elementwise_dot()) {
         ++at_;
         return {};
     }
@@ -90,6 +85,11 @@ Done Lexer::step() {
         return other_character();
     }
     return {};
+}
+
+/// In MATLAB x.^2 applies to each element; every operator does so here.
+bool Lexer::is_elementwise_dot() const {
+    return peek() == '.' && (peek(1) == '^' || peek(1) == '*' || peek(1) == '/');
 }
 
 bool Lexer::starts_remark() const {

@@ -41,6 +41,7 @@ private:
     Done command();
     [[nodiscard]] bool starts_volume() const;
     Done volume();
+    [[nodiscard]] bool is_elementwise_dot() const;
     [[nodiscard]] bool starts_remark() const;
     Done remark();
     bool declaration();
