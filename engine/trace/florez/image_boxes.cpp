@@ -108,7 +108,7 @@ std::size_t ImageBoxes<Real>::push(const Beam& beam, double from, double to) {
 
 template <class Real>
 void ImageBoxes<Real>::ask(Beam& beam) {
-    End& end = beam.ends[beam.count - 1];
+    const End& end = beam.ends[beam.count - 1];
     beam.range = push(beam, beam.from, end.at);
     beam.from_range = no_range;
     beam.to_range = no_range;
