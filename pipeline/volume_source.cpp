@@ -31,7 +31,7 @@ AllowedFiles& allowed() {
 
 fs::path real_path(const fs::path& file) {
     std::error_code error;
-    fs::path path = fs::weakly_canonical(fs::absolute(file, error), error);
+    const fs::path path = fs::weakly_canonical(fs::absolute(file, error), error);
     return error ? file : path;
 }
 

@@ -111,27 +111,30 @@ void Pyramid<Sample>::find_holes(const Samples& samples) {
     });
     if (std::ranges::none_of(found, [](std::uint8_t any) { return any != 0; })) return;
     level.holes.assign(level.bricks.size(), false);
-    // Bricks that meet in a sample share it.
-    const auto bricks_of = [&](std::int64_t index, std::size_t axis) {
-        const std::int64_t last = level.count[axis] - 1;
-        return std::pair{std::max<std::int64_t>(0, (index - 1) >> brick_shift),
-                         std::min(last, index >> brick_shift)};
-    };
     for (std::int64_t k = 0; k <= cells[2]; ++k) {
         if (found[static_cast<std::size_t>(k)] == 0) continue;
         for (std::int64_t j = 0; j <= cells[1]; ++j) {
             for (std::int64_t i = 0; i <= cells[0]; ++i) {
-                if (!is_hole(data[((k * (cells[1] + 1)) + j) * (cells[0] + 1) + i])) continue;
-                const auto [x0, x1] = bricks_of(i, 0);
-                const auto [y0, y1] = bricks_of(j, 1);
-                const auto [z0, z1] = bricks_of(k, 2);
-                for (std::int64_t z = z0; z <= z1; ++z) {
-                    for (std::int64_t y = y0; y <= y1; ++y) {
-                        for (std::int64_t x = x0; x <= x1; ++x)
-                            level.holes[place(level, x, y, z)] = true;
-                    }
-                }
+                if (is_hole(data[((k * (cells[1] + 1)) + j) * (cells[0] + 1) + i]))
+                    mark_hole(level, {i, j, k});
             }
+        }
+    }
+}
+
+/// Marks the bricks that have this sample: those that meet in it share it.
+template <class Sample>
+void Pyramid<Sample>::mark_hole(Level& level, const std::array<std::int64_t, 3>& sample) {
+    std::array<std::int64_t, 3> first{};
+    std::array<std::int64_t, 3> last{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        first[axis] = std::max<std::int64_t>(0, (sample[axis] - 1) >> brick_shift);
+        last[axis] = std::min(level.count[axis] - 1, sample[axis] >> brick_shift);
+    }
+    for (std::int64_t z = first[2]; z <= last[2]; ++z) {
+        for (std::int64_t y = first[1]; y <= last[1]; ++y) {
+            for (std::int64_t x = first[0]; x <= last[0]; ++x)
+                level.holes[place(level, x, y, z)] = true;
         }
     }
 }
@@ -185,7 +188,8 @@ SampleRange Pyramid<Sample>::range(const CellSpan& cells) const {
                 const Brick& brick = level.bricks[index];
                 if (!level.holes.empty() && level.holes[index]) range.holes = true;
                 if (brick.lo > brick.hi) continue;
-                range.add({static_cast<double>(brick.lo), static_cast<double>(brick.hi), false});
+                range.add(
+                    {.lo = static_cast<double>(brick.lo), .hi = static_cast<double>(brick.hi)});
             }
         }
     }

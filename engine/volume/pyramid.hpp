@@ -58,6 +58,7 @@ private:
                   std::vector<Brick>& row) const;
     void add_level();
     void find_holes(const Samples& samples);
+    static void mark_hole(Level& level, const std::array<std::int64_t, 3>& sample);
     [[nodiscard]] static std::size_t place(const Level& level, std::int64_t i, std::int64_t j,
                                            std::int64_t k);
 

@@ -25,7 +25,7 @@ struct ValueBounds {
         lo = std::min(lo, other.lo);
         hi = std::max(hi, other.hi);
     }
-    [[nodiscard]] ValueBounds widened(double by) const { return {lo - by, hi + by}; }
+    [[nodiscard]] ValueBounds widened(double by) const { return {.lo = lo - by, .hi = hi + by}; }
 };
 
 /// Roundings of values and slopes between samples, amply counted.
@@ -86,7 +86,7 @@ private:
     }
     static ValueBounds bounds(const CornerValues& values, double error) {
         const SampleRange range = values.range();
-        return ValueBounds{range.lo, range.hi}.widened(error);
+        return ValueBounds{.lo = range.lo, .hi = range.hi}.widened(error);
     }
 
     const Sample* data_;
@@ -134,7 +134,7 @@ inline BoxCorners narrowed(const BoxCorners& values, std::size_t axis, double fr
     return result;
 }
 inline ValueBounds hull_of(const BoxCorners& values) {
-    ValueBounds hull{values[0], values[0]};
+    ValueBounds hull{.lo = values[0], .hi = values[0]};
     for (const double value : values) {
         hull.lo = value < hull.lo ? value : hull.lo;
         hull.hi = value > hull.hi ? value : hull.hi;
@@ -143,7 +143,8 @@ inline ValueBounds hull_of(const BoxCorners& values) {
 }
 inline ValueBounds hull_of_differences(const BoxCorners& values, std::size_t axis) {
     const std::size_t step = std::size_t{1} << axis;
-    ValueBounds hull{values[step] - values[0], values[step] - values[0]};
+    const double first = values[step] - values[0];
+    ValueBounds hull{.lo = first, .hi = first};
     for (std::size_t i = 0; i < 8; ++i) {
         if ((i & step) != 0) continue;
         const double difference = values[i | step] - values[i];
@@ -203,7 +204,7 @@ auto Trilinear<Sample>::range(const IndexBox& box, bool with_slopes) const -> Ra
     if (!values || samples.holes) {
         const double apart = samples.hi - samples.lo + error;
         result.value = result.value.widened(error);
-        result.slopes.fill({-apart, apart});
+        result.slopes.fill({.lo = -apart, .hi = apart});
         return result;
     }
     result.exact = true;
@@ -240,7 +241,7 @@ std::array<ValueBounds, 3> Trilinear<Sample>::bends(const IndexBox& box) const {
     const double error =
         mixing_roundings * unit_of<double> * std::max(std::abs(samples.lo), std::abs(samples.hi));
     const double apart = 2 * (samples.hi - samples.lo) + error;
-    bends.fill({-apart, apart});
+    bends.fill({.lo = -apart, .hi = apart});
     if (!values || samples.holes) return bends;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         CornerValues bend = *values;

@@ -21,7 +21,7 @@ std::expected<std::shared_ptr<const VolumeData>, std::string> VolumeData::make(
     }
     const auto map = index_map(geometry);
     if (!map) return std::unexpected("its axes lie in one plane or are no finite numbers");
-    const std::shared_ptr<VolumeData> data(new VolumeData);
+    std::shared_ptr<VolumeData> data(new VolumeData);
     data->samples_ = samples;
     data->geometry_ = geometry;
     data->map_ = *map;

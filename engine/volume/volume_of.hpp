@@ -134,7 +134,7 @@ inline ValueBounds scaled_sum(const ValueBounds& sum, double factor, const Value
     if (factor == 0) return sum;
     const double a = factor * (factor > 0 ? term.lo : term.hi);
     const double b = factor * (factor > 0 ? term.hi : term.lo);
-    ValueBounds result{sum.lo + a, sum.hi + b};
+    const ValueBounds result{.lo = sum.lo + a, .hi = sum.hi + b};
     return result.widened(4 * unit_of<double> *
                           (result.size() + std::max(std::abs(a), std::abs(b))));
 }
@@ -246,7 +246,7 @@ auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen
         result.everywhere = false;
         result.somewhere = result.somewhere && !box.surely_outside();
     } else {
-        const ValueBounds beyond{constant_, constant_};
+        const ValueBounds beyond{.lo = constant_, .hi = constant_};
         if (result.somewhere) {
             result.range.value.add(beyond);
         } else {
@@ -277,7 +277,7 @@ ValueBounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen&
     const int order = order_of(derivative);
     if (order == 1) return world_slope(over.range.slopes, axes[0]);
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    if (order > highest_order) return {-unbounded, unbounded};
+    if (order > highest_order) return {.lo = -unbounded, .hi = unbounded};
     if (box.surely_outside() && outside_ != Outside::Edge) return {};
     std::array<ValueBounds, 3> bends = trilinear_.bends(box);
     if (!box.surely_inside()) {
@@ -321,15 +321,15 @@ template <class Wide>
 ValueBounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
                                         const Seen& over) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    if (!over.smooth) return {-unbounded, unbounded};
+    if (!over.smooth) return {.lo = -unbounded, .hi = unbounded};
     const auto value = static_cast<double>(place<Wide>(middle, 0).value);
-    if (std::isnan(value)) return {-unbounded, unbounded};
+    if (std::isnan(value)) return {.lo = -unbounded, .hi = unbounded};
     double error = mixing_roundings * over.range.largest;
     for (std::size_t i = 0; i < 3; ++i)
         error += index_roundings * box.terms[i] * over.range.slopes[i].size();
     constexpr auto wide_unit = static_cast<double>(unit_of<Wide>);
-    return ValueBounds{value, value}.widened(2 * wide_unit * error +
-                                             2 * unit_of<double> * std::abs(value));
+    return ValueBounds{.lo = value, .hi = value}.widened(2 * wide_unit * error +
+                                                         2 * unit_of<double> * std::abs(value));
 }
 
 template <class Sample>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 
 namespace zeroset::ui {
 namespace {
@@ -96,8 +97,8 @@ std::size_t plain_place(const WrappedText& shown, std::size_t place) {
 
 std::string plain_part(const WrappedText& shown, std::size_t begin, std::size_t end) {
     std::string part = shown.text.substr(begin, end - begin);
-    for (auto at = shown.breaks.rbegin(); at != shown.breaks.rend(); ++at) {
-        if (*at >= begin && *at < end) part.erase(*at - begin, 1);
+    for (const std::size_t at : std::views::reverse(shown.breaks)) {
+        if (at >= begin && at < end) part.erase(at - begin, 1);
     }
     return part;
 }

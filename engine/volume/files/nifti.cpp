@@ -132,32 +132,54 @@ Matrix3 turn_of(double b, double c, double d) {
              {2 * (b * d - a * c), 2 * (c * d + a * b), a * a + d * d - b * b - c * c}}};
 }
 
-/// Method 3 (sform), else method 2 (qform), else method 1 of the format; in millimetres.
-Geometry geometry_of(const Header& header) {
-    const Layout& at = header.at();
+double spacing_of(const Header& header, std::size_t axis) {
+    const double size = std::abs(header.real(header.at().pixdim, axis + 1));
+    return size > 0 && std::isfinite(size) ? size : 1.0;
+}
+
+/// Method 3 of the format: rows of a map.
+Geometry by_rows(const Header& header) {
     Geometry geometry;
-    const auto spacing = [&](std::size_t i) {
-        const double size = std::abs(header.real(at.pixdim, i + 1));
-        return size > 0 && std::isfinite(size) ? size : 1.0;
-    };
-    const bool by_quaternion = header.whole(at.sform) <= 0 && header.whole(at.qform) > 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 3; ++c)
+            geometry.world_from_index[r][c] = header.real(header.at().rows, 4 * r + c);
+        geometry.origin[r] = header.real(header.at().rows, 4 * r + 3);
+    }
+    return geometry;
+}
+
+/// Method 2: a quaternion and a shift.
+Geometry by_quaternion(const Header& header) {
+    const Layout& at = header.at();
     const Matrix3 turn = turn_of(header.real(at.quaternion, 0), header.real(at.quaternion, 1),
                                  header.real(at.quaternion, 2));
     const double handed = header.real(at.pixdim, 0) < 0 ? -1.0 : 1.0;
+    Geometry geometry;
     for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            double& m = geometry.world_from_index[r][c];
-            if (header.whole(at.sform) > 0) {
-                m = header.real(at.rows, 4 * r + c);
-            } else if (by_quaternion) {
-                m = turn[r][c] * spacing(c) * (c == 2 ? handed : 1.0);
-            } else {
-                m = r == c ? spacing(c) : 0.0;
-            }
-        }
-        if (header.whole(at.sform) > 0) geometry.origin[r] = header.real(at.rows, 4 * r + 3);
-        if (by_quaternion) geometry.origin[r] = header.real(at.shift, r);
+        for (std::size_t c = 0; c < 3; ++c)
+            geometry.world_from_index[r][c] =
+                turn[r][c] * spacing_of(header, c) * (c == 2 ? handed : 1.0);
+        geometry.origin[r] = header.real(at.shift, r);
     }
+    return geometry;
+}
+
+/// Method 1: spacings alone.
+Geometry by_spacing(const Header& header) {
+    Geometry geometry;
+    for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 3; ++c)
+            geometry.world_from_index[r][c] = r == c ? spacing_of(header, c) : 0.0;
+    }
+    return geometry;
+}
+
+/// Method 3 (sform), else method 2 (qform), else method 1 of the format; in millimetres.
+Geometry geometry_of(const Header& header) {
+    const Layout& at = header.at();
+    Geometry geometry = header.whole(at.sform) > 0   ? by_rows(header)
+                        : header.whole(at.qform) > 0 ? by_quaternion(header)
+                                                     : by_spacing(header);
     const int unit = header.units() & 7;
     const double millimetres = unit == 1 ? 1e3 : unit == 3 ? 1e-3 : 1.0;
     for (std::size_t r = 0; r < 3; ++r) {

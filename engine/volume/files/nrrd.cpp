@@ -112,6 +112,39 @@ Expected<std::array<std::size_t, 3>> grid_axes(const std::vector<std::uint64_t>&
                            "each point");
 }
 
+/// The spacings and first places of axes without directions.
+void take_spacings(const Header& header, const std::array<std::size_t, 3>& axes,
+                   std::size_t dimension, Geometry& geometry) {
+    const std::string spacing_text = header.field("spacings");
+    const std::string min_text = header.field("axis mins", "axismins");
+    const auto spacings = words_of(spacing_text);
+    const auto mins = words_of(min_text);
+    const auto number = [&](const std::vector<std::string_view>& words, std::size_t axis,
+                            double otherwise) {
+        if (words.size() != dimension) return otherwise;
+        const double value = number_from<double>(words[axis]).value_or(otherwise);
+        return std::isfinite(value) ? value : otherwise;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        geometry.world_from_index[i][i] = number(spacings, axes[i], 1.0);
+        geometry.origin[i] = number(mins, axes[i], 0.0);
+    }
+}
+
+/// The axes' directions; false where they are not three vectors.
+bool take_directions(const std::string& directions, const std::array<std::size_t, 3>& axes,
+                     std::size_t dimension, Geometry& geometry) {
+    const auto vectors = vectors_of(directions);
+    if (vectors.size() != dimension) return false;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto vector = vector_in(vectors[axes[c]]);
+        if (!vector) return false;
+        for (std::size_t r = 0; r < 3; ++r)
+            geometry.world_from_index[r][c] = (*vector)[r];
+    }
+    return true;
+}
+
 Expected<Geometry> geometry_of(const Header& header, const std::array<std::size_t, 3>& axes,
                                std::size_t dimension) {
     Geometry geometry;
@@ -123,31 +156,10 @@ Expected<Geometry> geometry_of(const Header& header, const std::array<std::size_
                                            "left-anterior-superior, left-posterior-superior"));
     }
     if (directions.empty()) {
-        const std::string spacing_text = header.field("spacings");
-        const std::string min_text = header.field("axis mins", "axismins");
-        const auto spacings = words_of(spacing_text);
-        const auto mins = words_of(min_text);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto number = [&](const std::vector<std::string_view>& words, double otherwise) {
-                if (words.size() != dimension) return otherwise;
-                const double value = number_from<double>(words[axes[i]]).value_or(otherwise);
-                return std::isfinite(value) ? value : otherwise;
-            };
-            geometry.world_from_index[i][i] = number(spacings, 1.0);
-            geometry.origin[i] = number(mins, 0.0);
-        }
-    } else {
-        const auto vectors = vectors_of(directions);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto vector =
-                vectors.size() == dimension ? vector_in(vectors[axes[c]]) : std::nullopt;
-            if (!vector) {
-                return std::unexpected(wrong_field("space directions", directions,
-                                                   "a volume has three vectors of three numbers"));
-            }
-            for (std::size_t r = 0; r < 3; ++r)
-                geometry.world_from_index[r][c] = (*vector)[r];
-        }
+        take_spacings(header, axes, dimension, geometry);
+    } else if (!take_directions(directions, axes, dimension, geometry)) {
+        return std::unexpected(wrong_field("space directions", directions,
+                                           "a volume has three vectors of three numbers"));
     }
     const std::string origin = header.field("space origin");
     if (!origin.empty()) {

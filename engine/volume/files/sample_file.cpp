@@ -215,7 +215,7 @@ Read written_out(const SampleBlock& block, std::string_view text, std::uint64_t 
     }
     const auto room = room_for(needed);
     if (!room) return no_memory(needed);
-    const Samples samples = samples_of(block, room);
+    Samples samples = samples_of(block, room);
     std::string problem;
     visit_samples(samples, [&](const auto* first) {
         using Sample = std::remove_cvref_t<decltype(*first)>;

@@ -19,10 +19,14 @@ struct Format {
     std::string_view ending;
     Read (*read)(const std::filesystem::path& file);
 };
-constexpr std::array formats{Format{".nrrd", read_nrrd},      Format{".nhdr", read_nrrd},
-                             Format{".mhd", read_meta_image}, Format{".mha", read_meta_image},
-                             Format{".nii", read_nifti},      Format{".nii.gz", read_nifti},
-                             Format{".hdr", read_nifti},      Format{".vti", read_vtk_image}};
+constexpr std::array formats{Format{.ending = ".nrrd", .read = read_nrrd},
+                             Format{.ending = ".nhdr", .read = read_nrrd},
+                             Format{.ending = ".mhd", .read = read_meta_image},
+                             Format{.ending = ".mha", .read = read_meta_image},
+                             Format{.ending = ".nii", .read = read_nifti},
+                             Format{.ending = ".nii.gz", .read = read_nifti},
+                             Format{.ending = ".hdr", .read = read_nifti},
+                             Format{.ending = ".vti", .read = read_vtk_image}};
 
 const Format* format_of(const std::filesystem::path& file) {
     const std::string name = lower_case(file.filename().string());

@@ -184,8 +184,8 @@ private:
         return place;
     }
 
-    Expected<Samples> samples_of(const pugi::xml_node& array,
-                                 const std::vector<std::int64_t>& extent) const {
+    [[nodiscard]] Expected<Samples> samples_of(const pugi::xml_node& array,
+                                               const std::vector<std::int64_t>& extent) const {
         SampleBlock block{.file = file_};
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int64_t samples = extent[2 * i + 1] - extent[2 * i];
@@ -211,7 +211,7 @@ private:
     }
 
     /// Samples behind the XML, `offset` bytes from their beginning.
-    Expected<Samples> appended(std::uint64_t offset, SampleBlock block) const {
+    [[nodiscard]] Expected<Samples> appended(std::uint64_t offset, SampleBlock block) const {
         if (text_.appended == 0) return std::unexpected("its header announces data that it lacks");
         block.offset = text_.appended + offset;
         if (text_.appended_raw && !coding_.packed) {
@@ -230,7 +230,7 @@ private:
     }
 
     /// Samples from an array's bytes; packed ones begin with their header.
-    Expected<Samples> coded(std::string_view bytes, const SampleBlock& block) const {
+    [[nodiscard]] Expected<Samples> coded(std::string_view bytes, const SampleBlock& block) const {
         if (!coding_.packed) return samples_of_bytes(bytes, block);
         const std::size_t width = coding_.width();
         if (bytes.size() < 3 * width) return std::unexpected(damaged);
