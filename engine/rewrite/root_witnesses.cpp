@@ -84,7 +84,7 @@ std::optional<Expr> domain_witness(const Expr& f) {
     };
     for (NodeId id = 0; id <= f.root(); ++id) {
         if (!facts.is_partial(id)) continue;
-        const Node node = f.node(id);
+        const Node& node = f.node(id);
         if (node.op == Op::Where) return std::nullopt;
         if (is_any_of(node.op, {Op::Atan2, Op::Angle, Op::AngleSin, Op::AngleCos})) {
             add(reciprocal(builder.apply(Op::Add, square(node.a), square(node.b))));
