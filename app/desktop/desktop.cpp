@@ -7,8 +7,6 @@
 #include "engine/base/language.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-#include "engine/image/cost_picture.hpp"
-#include "engine/image/rgba_image.hpp"
 #include "engine/language/help.hpp"
 #include "engine/render/render_request.hpp"
 #include "engine/render/tracers.hpp"
@@ -315,13 +313,7 @@ void Desktop::upload_frame() {
     uploaded_ = wanted_look();
     const auto tint = uploaded_.marks_undecided ? std::optional(ui::undecided_tint(uploaded_.theme))
                                                 : std::nullopt;
-    const Framebuffer& frame = *state_.shown.picture.frame;
-    if (!frame.cost.empty()) {
-        texture_.upload(
-            RgbaImage{.width = frame.width, .height = frame.height, .pixels = cost_colors(frame)});
-        return;
-    }
-    texture_.upload(frame, ui::behind_picture(uploaded_.theme), tint);
+    texture_.upload(*state_.shown.picture.frame, ui::behind_picture(uploaded_.theme), tint);
 }
 
 /// True while the picture of the last step of a playing slider is still to come.

@@ -1,12 +1,12 @@
 #include "app/desktop/session.hpp"
 
-#include "app/desktop/export_target.hpp"
 #include "app/platform/folders.hpp"
 #include "document/camera_text.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/volume/files/volume_file.hpp"
 #include "pipeline/volume_document.hpp"
 #include "pipeline/volume_source.hpp"
@@ -65,16 +65,12 @@ std::pair<std::string, std::string> names_of(ExportKind kind) {
     return {};
 }
 
-const std::string& chosen_ending(const ui::ExportPage& page) {
-    return page.endings.at(static_cast<std::size_t>(page.wish.kind));
-}
-
 /// The name, cut where it is too long for a question.
 std::string shortened(const std::string& name) {
     constexpr std::size_t longest = 60;
     if (name.size() <= longest) return name;
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)
+    while (end > 0 && continues_character(name[end]))
         --end;
     return name.substr(0, end) + "\xE2\x80\xA6";
 }
@@ -113,7 +109,9 @@ void Session::follow(double now_s) {
     if (state_.wishes.command || state_.wishes.open_path) follow_command();
     history_.follow(current(), now_s, state_.input.gesture, state_.input.held);
     keep(now_s);
-    propose_export();
+    export_target_.follow(
+        state_, export_folder(),
+        path_.empty() ? names_of(state_.pages.exports.wish.kind).second : bare_name(path_));
     refresh();
 }
 
@@ -322,24 +320,10 @@ std::string Session::export_folder() const {
     return export_folder_.empty() ? first_folder(path_) : export_folder_;
 }
 
-void Session::propose_export() {
-    const ui::ExportPage& page = state_.pages.exports;
-    const std::string& ending = chosen_ending(page);
-    const std::string name = path_.empty() ? names_of(page.wish.kind).second : bare_name(path_);
-    const bool saving = !state_.shown.export_progress.name.empty();
-    // Numbered pictures are many files: their name is asked for.
-    Proposal now;
-    if (page.open && ending.starts_with('.') && !saving)
-        now = {.folder = export_folder(), .name = name, .ending = ending};
-    if (now == proposed_) return;
-    proposed_ = now;
-    state_.shown.export_target =
-        now.ending.empty() ? "" : unused_file(now.folder, now.name, now.ending);
-}
-
 void Session::choose_export() {
     const ui::ExportPage& page = state_.pages.exports;
-    const std::string& ending = chosen_ending(page);
+    const auto kind = static_cast<std::size_t>(page.wish.kind);
+    const std::string& ending = page.endings.at(kind);
     const std::string ending_of_files = ending.substr(ending.find('.'));
     const auto [title, usual_name] = names_of(page.wish.kind);
     ui::FileChoice choice;

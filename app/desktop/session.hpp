@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/desktop/autosave.hpp"
+#include "app/desktop/export_target.hpp"
 #include "app/desktop/recent_files.hpp"
 #include "document/document.hpp"
 #include "document/history.hpp"
@@ -79,8 +80,6 @@ private:
     void save_as();
     /// Asks for the name of the file that the export page wishes.
     void choose_export();
-    /// Keeps up with the file that the export page would save without asking.
-    void propose_export();
     [[nodiscard]] std::string export_folder() const;
     void write(const std::string& path);
     void undo(bool back);
@@ -115,13 +114,7 @@ private:
     double kept_s_ = 0.0;
     bool closed_ = false;
     std::string export_folder_;  ///< chosen last for what is saved; empty: none yet
-    /// Of what Shown::export_target was made.
-    struct Proposal {
-        std::string folder, name, ending;
-
-        bool operator==(const Proposal&) const = default;
-    };
-    Proposal proposed_;
+    ExportTarget export_target_;
 };
 
 }  // namespace zeroset

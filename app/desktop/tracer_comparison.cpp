@@ -1,6 +1,5 @@
 #include "app/desktop/tracer_comparison.hpp"
 
-#include "engine/image/cost_picture.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "engine/measure/wrong_pixels.hpp"
 #include "engine/render/tracers.hpp"
@@ -17,11 +16,12 @@ bool proves(const std::string& tracer) { return find_tracer(tracer)->proves; }
 
 }  // namespace
 
-TracerComparison::TracerComparison(std::function<void()> wake) : job_(std::move(wake)) {}
+TracerComparison::TracerComparison(std::function<void()> wake) : wake_(std::move(wake)) {}
 
 void TracerComparison::show(ui::UiState& state) {
     ui::OtherPicture& other = state.shown.other;
-    if (auto result = job_.take(); result && submitted_) {
+    auto result = job_ == nullptr ? std::nullopt : job_->take();
+    if (result && submitted_) {
         other.tracer = submitted_->settings.tracer;
         other.frame = std::move(result->frame);
         other.camera = result->camera;
@@ -60,14 +60,10 @@ void TracerComparison::upload(ui::UiState& state) {
     texture_->set_filter(ui::Filter::Nearest);
     other.texture = texture_->name();
     other.wrong.reset();
-    const Framebuffer& frame = *other.frame;
     if (now.difference) {
         upload_difference(state.shown, other, proves(wanted.tracer));
-    } else if (!frame.cost.empty()) {
-        texture_->upload(
-            RgbaImage{.width = frame.width, .height = frame.height, .pixels = cost_colors(frame)});
     } else {
-        texture_->upload(frame, ui::behind_picture(now.theme), std::nullopt);
+        texture_->upload(*other.frame, ui::behind_picture(now.theme), std::nullopt);
     }
 }
 
@@ -104,7 +100,8 @@ void TracerComparison::follow(const ui::UiState& state, const PictureRequest* on
     if (submitted_ == wanted && (preview || !previews_)) return;
     RenderRequest request = render_request(wanted);
     request.preview = preview;
-    newest_ = job_.submit(std::move(request));
+    if (job_ == nullptr) job_ = std::make_unique<RenderJob>(wake_);
+    newest_ = job_->submit(std::move(request));
     submitted_ = std::move(wanted);
     previews_ = preview;
 }

@@ -25,10 +25,10 @@ public:
     /// `on_screen`: its request, nullptr while a newer one is on its way. While its full picture is
     /// still to come there are only first ones of the other tracer, so that their times are fair.
     void follow(const ui::UiState& state, const PictureRequest* on_screen);
-    [[nodiscard]] bool settled() const { return !job_.busy(); }
+    [[nodiscard]] bool settled() const { return job_ == nullptr || !job_->busy(); }
 
 private:
-    /// What the texture shows.
+    /// The pictures that the texture was made of, and how.
     struct Uploaded {
         std::shared_ptr<const Framebuffer> first, other;
         ui::Theme theme = ui::Theme::Dark;
@@ -46,7 +46,9 @@ private:
     Precision precision_ = Precision::Float;
     std::optional<ui::Texture> texture_;
     Uploaded uploaded_;
-    RenderJob job_;  // its thread wakes the window: it ends first
+    std::function<void()> wake_;
+    /// Since a first picture was wanted. Its thread wakes the window: it ends first.
+    std::unique_ptr<RenderJob> job_;
 };
 
 }  // namespace zeroset

@@ -2,6 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/image/cost_picture.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ std::string fitting(std::string text, double room, const CardStyle& style) {
     while (!text.empty() && !fits(text + ellipsis)) {
         do
             text.pop_back();
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U);
+        while (!text.empty() && continues_character(text.back()));
     }
     return text + ellipsis;
 }

@@ -5,17 +5,12 @@
 #include <vector>
 
 namespace zeroset::ui {
-namespace {
-
-/// The error of a row, as its text is now; nullptr: none.
 const RowError* error_of(const UiState& state, const Statement& statement) {
     const auto report = state.shown.reading.reports.find(statement.id);
     if (report == state.shown.reading.reports.end()) return nullptr;
     if (report->second.text != statement.text || !report->second.error) return nullptr;
     return &*report->second.error;
 }
-
-}  // namespace
 
 bool has_errors(const UiState& state) {
     return std::ranges::any_of(state.edited.document.statements, [&](const Statement& statement) {

@@ -4,6 +4,8 @@
 
 namespace zeroset::ui {
 
+/// The error of a row, as its text is now; nullptr: there is none, or it is not read yet.
+const RowError* error_of(const UiState& state, const Statement& statement);
 /// Whether a row has an error at a place of its text.
 bool has_errors(const UiState& state);
 /// Puts the caret where the row is wrong.

@@ -1,27 +1,13 @@
 #include "ui/model/soft_wrap.hpp"
 
+#include "engine/base/utf8.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <ranges>
 
 namespace zeroset::ui {
 namespace {
-
-bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
-
-/// The end of the character that begins at `at`.
-std::size_t end_of(std::string_view text, std::size_t at) {
-    ++at;
-    while (at < text.size() && continues(text[at]))
-        ++at;
-    return std::min(at, text.size());
-}
-
-std::size_t start_before(std::string_view text, std::size_t at) {
-    while (at > 0 && continues(text[--at])) {
-    }
-    return at;
-}
 
 /// Whether a line may well end behind this character.
 bool ends_well(std::string_view character) {
@@ -56,7 +42,7 @@ WrappedText wrapped(std::string_view plain, float width,
         good = line;
     };
     for (std::size_t at = 0; at < plain.size();) {
-        const std::size_t end = end_of(plain, at);
+        const std::size_t end = end_of_character(plain, at);
         const std::string_view character = plain.substr(at, end - at);
         if (character == "\n") {
             end_line(end);
@@ -126,8 +112,8 @@ PlainEdit plain_edit(const WrappedText& shown, std::string_view after, std::size
     }
     PlainEdit edit{.text = plain_part(now, 0, now.text.size()), .caret = plain_place(now, caret)};
     if (!only_break) return edit;
-    const std::size_t from = ahead ? edit.caret : start_before(edit.text, edit.caret);
-    const std::size_t to = ahead ? end_of(edit.text, edit.caret) : edit.caret;
+    const std::size_t from = ahead ? edit.caret : character_before(edit.text, edit.caret);
+    const std::size_t to = ahead ? end_of_character(edit.text, edit.caret) : edit.caret;
     if (from < edit.text.size()) edit.text.erase(from, to - from);
     edit.caret = from;
     return edit;

@@ -50,10 +50,7 @@ struct Row {
                state.shown.reading.surface_rows.end();
     }
     /// Error of the row's current text; nullptr if there is none or it is not read yet.
-    [[nodiscard]] const RowError* error() const {
-        const bool known = report != nullptr && report->error && report->text == statement.text;
-        return known ? &*report->error : nullptr;
-    }
+    [[nodiscard]] const RowError* error() const { return error_of(state, statement); }
 };
 
 RowEvent event_of(FieldEvent event) {

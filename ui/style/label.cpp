@@ -1,5 +1,6 @@
 #include "ui/style/label.hpp"
 
+#include "engine/base/utf8.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>
@@ -49,7 +50,7 @@ std::string elided(const std::string& text, float width) {
     while (end > 0) {
         do {
             --end;
-        } while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U);
+        } while (end > 0 && continues_character(text[end]));
         const char* const begin = text.c_str();
         if (ImGui::CalcTextSize(begin, begin + end).x <= room) break;
     }

@@ -1,5 +1,6 @@
 #include "ui/widgets/error_mark.hpp"
 
+#include "engine/base/utf8.hpp"
 #include "ui/style/theme.hpp"
 
 #include <algorithm>
@@ -8,15 +9,6 @@
 
 namespace zeroset::ui {
 namespace {
-
-/// Index of the byte after the UTF-8 character at `at`; at most the text's size.
-std::size_t next_character(const std::string& text, std::size_t at) {
-    ++at;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) {
-        ++at;
-    }
-    return std::min(at, text.size());
-}
 
 /// Rectangle of the character at byte `at`, window coordinates; a line's end is as wide as "0".
 ImRect character_place(const FieldView& view, const std::string& text, std::size_t at) {
@@ -28,8 +20,9 @@ ImRect character_place(const FieldView& view, const std::string& text, std::size
     const bool visible = at < text.size() && text[at] != '\n';
     const char* bytes = text.c_str();
     const float x = view.text_pos.x + ImGui::CalcTextSize(bytes + begin, bytes + at).x;
-    const float wide = visible ? ImGui::CalcTextSize(bytes + at, bytes + next_character(text, at)).x
-                               : ImGui::CalcTextSize("0").x;
+    const float wide = visible
+                           ? ImGui::CalcTextSize(bytes + at, bytes + end_of_character(text, at)).x
+                           : ImGui::CalcTextSize("0").x;
     const float y = view.text_pos.y + static_cast<float>(line) * ImGui::GetFontSize();
     return {x, y, x + wide, y + ImGui::GetFontSize()};
 }

@@ -2,6 +2,7 @@
 
 #include "engine/image/background.hpp"
 #include "engine/image/blend.hpp"
+#include "engine/image/cost_picture.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "ui/window/gl.hpp"
 
@@ -35,6 +36,10 @@ Texture::~Texture() { gl().delete_textures(1, &name_); }
 
 void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
                      const std::optional<Tint>& tint) {
+    if (!frame.cost.empty()) {
+        pixels_ = cost_colors(frame);
+        return upload(pixels_, frame.width, frame.height);
+    }
     constexpr std::uint32_t opaque = 0xFF000000U;
     pixels_.resize(frame.color.size());
     const auto columns = static_cast<std::size_t>(frame.width);

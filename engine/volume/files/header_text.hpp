@@ -16,6 +16,13 @@
 
 namespace zeroset {
 
+/// A value, or what is wrong with a file in one line without its name.
+template <class Value>
+using Expected = std::expected<Value, std::string>;
+
+/// Headers of text are not looked for beyond this many bytes.
+inline constexpr std::size_t longest_text_header = std::size_t{1} << 20U;
+
 /// The first bytes of a file, at most `most`. An error is one line without the file's name.
 std::expected<std::string, std::string> first_bytes(const std::filesystem::path& file,
                                                     std::size_t most);

@@ -11,11 +11,6 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t longest_header = 1U << 20U;
-
-template <class Value>
-using Expected = std::expected<Value, std::string>;
-
 struct Header {
     std::map<std::string, std::string> fields;  ///< names in lower case
     std::size_t end = 0;
@@ -38,7 +33,7 @@ Expected<Header> read_header(const std::string& text) {
     std::size_t at = 0;
     while (at < text.size()) {
         const std::size_t end = text.find('\n', at);
-        if (end == std::string::npos && text.size() == longest_header) break;
+        if (end == std::string::npos && text.size() == longest_text_header) break;
         const std::string_view line =
             std::string_view(text).substr(at, std::min(end, text.size()) - at);
         at = end == std::string::npos ? text.size() : end + 1;
@@ -132,7 +127,7 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
 }  // namespace
 
 Expected<VolumeFile> read_meta_image(const std::filesystem::path& file) {
-    const auto text = first_bytes(file, longest_header);
+    const auto text = first_bytes(file, longest_text_header);
     if (!text) return std::unexpected(text.error());
     const auto header = read_header(*text);
     if (!header) return std::unexpected(header.error());

@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::size_t longest_header = 540;
 
-template <class Value>
-using Expected = std::expected<Value, std::string>;
-
 /// Where the header's numbers stand in the two versions of the format.
 struct Layout {
     std::size_t dim, datatype, pixdim, vox_offset, slope, inter, units, qform, sform, quaternion,

@@ -13,11 +13,6 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t longest_header = 1U << 20U;
-
-template <class Value>
-using Expected = std::expected<Value, std::string>;
-
 struct Header {
     std::map<std::string, std::string> fields;  ///< names in lower case
     std::size_t end = 0;                        ///< where the header's last line ends
@@ -38,7 +33,7 @@ Expected<Header> read_header(const std::string& text) {
     ++at;
     while (at < text.size()) {
         const std::size_t end = text.find('\n', at);
-        if (end == std::string::npos && text.size() == longest_header)
+        if (end == std::string::npos && text.size() == longest_text_header)
             return std::unexpected("its header does not end within a megabyte");
         const std::string_view line =
             without_spaces(std::string_view(text).substr(at, std::min(end, text.size()) - at));
@@ -190,7 +185,7 @@ Expected<SampleEncoding> encoding_of(const std::string& name) {
 Expected<std::uint64_t> after_lines(const std::filesystem::path& file, std::uint64_t from,
                                     std::uint64_t lines) {
     if (lines == 0) return from;
-    const auto text = first_bytes(file, longest_header);
+    const auto text = first_bytes(file, longest_text_header);
     if (!text) return std::unexpected(text.error());
     std::size_t at = from;
     for (std::uint64_t line = 0; line < lines; ++line) {
@@ -243,7 +238,7 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
 }  // namespace
 
 Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
-    const auto text = first_bytes(file, longest_header);
+    const auto text = first_bytes(file, longest_text_header);
     if (!text) return std::unexpected(text.error());
     const auto header = read_header(*text);
     if (!header) return std::unexpected(header.error());

@@ -19,9 +19,6 @@
 namespace zeroset {
 namespace {
 
-template <class Value>
-using Expected = std::expected<Value, std::string>;
-
 /// The XML of a file, without what is appended to it.
 struct VtkText {
     std::string xml;
