@@ -41,6 +41,25 @@ void fit_to_volumes(const Program& program, Document& document) {
     document.camera.reset();
 }
 
+std::map<std::string, std::shared_ptr<const Volume>> isovalues(const Program& program) {
+    std::map<std::string, std::shared_ptr<const Volume>> found;
+    for (const Expr& surface : program.surfaces) {
+        const auto add = [&](const Node& value, const Node& level) {
+            if (value.op != Op::Field || value.number != 0) return;
+            if (level.op != Op::Variable || level.number <= variable_w) return;
+            auto volume = std::dynamic_pointer_cast<const Volume>(value.field);
+            const auto name = variable_name(level.number, surface.parameters());
+            if (volume != nullptr) found.try_emplace(std::string(name), std::move(volume));
+        };
+        for (const Node& node : surface.nodes()) {
+            if (node.op != Op::Subtract) continue;
+            add(surface.node(node.a), surface.node(node.b));
+            add(surface.node(node.b), surface.node(node.a));
+        }
+    }
+    return found;
+}
+
 OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
     allow_volume(file);
     const std::string name = file.string();

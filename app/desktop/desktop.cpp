@@ -158,12 +158,14 @@ void Desktop::draw_frame() {
     if (latency_ != nullptr && events.input) latency_->input(*events.input);
     if (events.close) session_.close();
     session_.open(events.dropped);
+    state_.input.pinch = events.pinch;
     take_language(state_, desktop_language_);
     const std::uint64_t before = feed_.newest();
     take_formula();
     feed_.take_double();
     take_frame();
     comparison_.show(state_);
+    histograms_.show(state_.shown.reading);
     cards_.show(state_);
     look_cards_.show(state_);
     view_cards_.show(state_);
@@ -203,7 +205,7 @@ bool Desktop::settled() const {
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
            !snap_.runs() && comparison_.settled() && cards_.settled() && look_cards_.settled() &&
-           view_cards_.settled() && exports_.settled();
+           view_cards_.settled() && exports_.settled() && histograms_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
@@ -214,6 +216,7 @@ std::optional<double> Desktop::due_s() const {
     };
     if (search_.runs()) due_in(ExtentSearch::poll_s);
     if (snap_.runs()) due_in(MarkerSnap::poll_s);
+    if (!histograms_.settled()) due_in(Histograms::poll_s);
     if (exports_.moves()) due_in(export_shown_s);
     due_in(wait_notice_.due_s(now_s()));
     due_in(inspector_.due_s(now_s()));
@@ -247,6 +250,7 @@ void Desktop::show(const FormulaResult& result) {
     reading.parameters = result.reading.program->parameters;
     reading.uses_w = feed_.formula()->uses_w();
     reading.calls_w_t = result.reading.program->calls_w_t;
+    histograms_.follow(*result.reading.program);
     state_.shown.status.note = note_of(feed_.formula()->code);
     session_.amend(
         [&result](Document& document) { choose_colors(document, result.reading.surface_rows); });

@@ -2,6 +2,7 @@
 
 #include "app/desktop/desktop_portal.hpp"
 #include "app/desktop/extent_search.hpp"
+#include "app/desktop/histograms.hpp"
 #include "app/desktop/latency_log.hpp"
 #include "app/desktop/marker_snap.hpp"
 #include "app/desktop/picture_feed.hpp"
@@ -143,6 +144,7 @@ private:
     ViewCards view_cards_;
     PictureFeed feed_;
     TracerComparison comparison_;
+    Histograms histograms_;
     ExportDesk exports_;
 };
 

@@ -67,6 +67,7 @@ public:
                                               const VolumeOptions& options, std::string text);
 
     [[nodiscard]] const VolumeData& data() const { return *data_; }
+    [[nodiscard]] std::shared_ptr<const VolumeData> shared_data() const { return data_; }
     [[nodiscard]] const VolumeOptions& options() const { return options_; }
     [[nodiscard]] std::string text() const override { return text_; }
     [[nodiscard]] bool is_total() const override;

@@ -154,7 +154,10 @@ void draw_save(UiState& state) {
     }
     if (state.pages.exports.wish.kind != ExportKind::Picture) return;
     ImGui::SameLine();
-    if (ImGui::Button(tr("Copy the picture"))) state.wishes.copy_picture = true;
+    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
+    const std::string copy =
+        elided(tr("Copy the picture"), ImGui::GetContentRegionAvail().x - padding);
+    if (ImGui::Button((copy + "###copy").c_str())) state.wishes.copy_picture = true;
     draw_tooltip(tr("The window's picture to the clipboard (Ctrl+Shift+C)"));
 }
 

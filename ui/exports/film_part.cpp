@@ -33,7 +33,10 @@ constexpr std::array<const char*, 2> easings{marked("at an even speed"),
 /// Draws a list from which one of `names` is chosen.
 template <std::size_t count>
 void draw_choice(const char* id, const std::array<const char*, count>& names, std::size_t& chosen) {
-    if (!ImGui::BeginCombo(id, tr(names.at(chosen)))) return;
+    const std::string shown = elided_in_combo(tr(names.at(chosen)));
+    const bool open = ImGui::BeginCombo(id, shown.c_str());
+    if (shown != tr(names.at(chosen))) draw_tooltip(tr(names.at(chosen)));
+    if (!open) return;
     for (std::size_t i = 0; i < count; ++i) {
         if (ImGui::Selectable(tr(names.at(i)), i == chosen)) chosen = i;
     }
@@ -50,14 +53,16 @@ void draw_enum(const char* id, const std::array<const char*, count>& names, Enum
 
 void draw_turn(FilmExport& film) {
     draw_export_label(tr("turn"), tr("The camera goes around what it looks at."));
+    const float column = ImGui::GetCursorPosX();
     ImGui::Checkbox("##turns", &film.turns);
     if (!film.turns) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em(5.0F));
     draw_number_field("##degrees", film.degrees, -36000.0, 36000.0);
     draw_tooltip(tr("Degrees, against the clock seen from the axis' end."));
-    ImGui::SameLine(0.0F, em(0.4F));
-    ImGui::TextUnformatted(tr("\xC2\xB0 about"));
+    const char* const about = tr("\xC2\xB0 about");
+    flow(ImGui::CalcTextSize(about).x + em(6.0F), em(0.4F), column);
+    ImGui::TextUnformatted(about);
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::SetNextItemWidth(-1.0F);
     auto axis = static_cast<std::size_t>(film.axis);
@@ -168,23 +173,27 @@ void draw_way(UiState& state) {
 /// Draws how long the film is: seconds, frames and frames a second, of which any two make the
 /// third.
 void draw_time(FilmExport& film) {
-    const auto text = [](const char* words) {
-        ImGui::SameLine(0.0F, em(0.4F));
-        ImGui::TextUnformatted(words);
-        ImGui::SameLine(0.0F, em(0.4F));
-    };
+    constexpr float gap_em = 0.4F;
     draw_export_label(tr("time"), tr("How long it plays, in seconds or frames, and how fast."));
+    const float column = ImGui::GetCursorPosX();
+    const auto next = [column](float field_em, const char* unit) {
+        flow(em(field_em + gap_em) + ImGui::CalcTextSize(unit).x, em(gap_em), column);
+        ImGui::SetNextItemWidth(em(field_em));
+    };
+    const auto end = [](const char* unit) {
+        ImGui::SameLine(0.0F, em(gap_em));
+        ImGui::TextUnformatted(unit);
+    };
     ImGui::SetNextItemWidth(em(3.0F));
     draw_number_field("##seconds", film.seconds, 0.01, longest_s);
-    text("s,");
-    ImGui::SetNextItemWidth(em(3.2F));
+    end("s,");
+    next(3.2F, tr("frames,"));
     int frames = film.frames();
     if (draw_integer_field("##frames", frames, 1, most_frames)) film.take_frames(frames);
-    text(tr("frames,"));
-    ImGui::SetNextItemWidth(-em(2.6F));
+    end(tr("frames,"));
+    next(2.6F, tr("fps"));
     draw_integer_field("##rate", film.plan.rate.frames, 1, 240);
-    ImGui::SameLine(0.0F, em(0.4F));
-    ImGui::TextUnformatted(tr("fps"));
+    end(tr("fps"));
 }
 
 void draw_blur(FilmPlan& plan) {

@@ -32,6 +32,7 @@ struct Input {
     std::optional<ViewPoint> pointer;  ///< resting over the picture
     std::optional<HandleDrag> handle_drag;  ///< while a handle of the clip region is held
     std::optional<ViewMove> move;           ///< while one is under way
+    double pinch = 1.0;                     ///< two fingers moved apart by this factor, this frame
     unsigned gesture = 0;                   ///< grows with each press of a button
     bool held = false;                      ///< a button is down
     int typing_row = 0;                     ///< the row whose field has the keyboard; 0: none

@@ -9,6 +9,7 @@
 #include "engine/scene/lighting.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/view/camera.hpp"
+#include "engine/volume/histogram.hpp"
 #include "ui/model/export_page.hpp"
 #include "ui/model/inspection.hpp"
 
@@ -35,6 +36,8 @@ struct ReadingFacts {
     std::map<int, RowReport> reports;     ///< how each row was read, by its id
     std::vector<int> surface_rows;        ///< the row of each surface
     std::vector<std::string> parameters;  ///< that have a slider
+    /// Of the volumes of which sliders choose a value, by the slider's name.
+    std::map<std::string, std::shared_ptr<const Histogram>> histograms;
     bool uses_w = false;
     bool calls_w_t = false;     ///< the rows say t for w
     std::string color_error;    ///< what is wrong with the expression of the colours; or empty

@@ -48,9 +48,10 @@ Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& 
                                              -orbit_rad * motion.orbit.y);
     }
     if (motion.pan != ViewShift()) moved = pan(moved, -motion.pan);
-    if (motion.wheel != 0.0) {
+    if (motion.wheel != 0.0 || motion.pinch != 1.0) {
         const glm::dvec3 plane = point_under(moved, motion.cursor);
-        moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel), motion.surface.value_or(plane));
+        moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel) / motion.pinch,
+                     motion.surface.value_or(plane));
     }
     moved.fov_rad = camera.fov_rad;
     return camera_defect(moved) == nullptr ? moved : camera;

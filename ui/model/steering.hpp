@@ -15,6 +15,7 @@ struct PointerMotion {
     ViewShift orbit;
     ViewShift pan;
     double wheel = 0.0;   ///< notches; positive comes nearer
+    double pinch = 1.0;   ///< how far apart two fingers have moved, a factor; above 1 comes nearer
     double aspect = 1.0;  ///< the picture's width over its height
     ViewPoint cursor;
     /// Point that the picture shows under the cursor, world units; nothing: the background.

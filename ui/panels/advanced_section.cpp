@@ -96,7 +96,10 @@ void draw_switches(UiState& state) {
         draw_action_switch(state, tr("Difference"), "Difference of two tracers");
         ImGui::SameLine(0.0F, em(1.0F));
     }
-    draw_action_switch(state, tr("Cost of each pixel"), "Cost of each pixel");
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::string label =
+        elided(tr("Cost of each pixel"), ImGui::GetContentRegionAvail().x - box);
+    draw_action_switch(state, label.c_str(), "Cost of each pixel");
 }
 
 /// Height of the lines as they wrap.

@@ -39,7 +39,8 @@ std::string row_text(const Marker& marker, const Marker* selected, const ShownPi
     if (selected == nullptr || selected == &marker) return text;
     const double distance = glm::distance(marker.at, selected->at);
     return text + "   " +
-           filled(tr("{0} from {1}"), {number_text(distance, resolution), name_of(*selected)});
+           filled(tr("{0} from {1}"),
+                  {localized(number_text(distance, resolution)), name_of(*selected)});
 }
 
 void draw_number(const Marker& marker, bool selected, const ImVec2& lo, float height,
@@ -70,15 +71,15 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected,
     ImFont* const small = font(FontRole::SmallFormula);
     ImGui::PushFont(small);
     const float room = width - 2.0F * height - em(2.2F);
-    const bool cut = ImGui::CalcTextSize(text.c_str()).x > room;
+    const std::string shown = elided(text, room);
+    const bool cut = shown != text;
     draw_tooltip((cut ? text + "\n" : std::string()) +
                  tr("Select: Ctrl+C copies it, Delete removes it; the others show how far they "
                     "are."));
-    const ImVec4 clip(lo.x, lo.y, lo.x + em(2.2F) + room, lo.y + height);
     ImGui::GetWindowDrawList()->AddText(
         small, ImGui::GetFontSize(),
         ImVec2(lo.x + em(2.2F), lo.y + 0.5F * (height - ImGui::GetTextLineHeight())), colors.text,
-        text.c_str(), nullptr, 0.0F, &clip);
+        shown.c_str());
     ImGui::PopFont();
     draw_number(marker, is_selected, lo, height, colors);
     const IconLook look{.size = height, .color = colors.quiet};

@@ -7,6 +7,7 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/histogram_strip.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/slider_row.hpp"
 #include "ui/widgets/typed_slider.hpp"
@@ -123,6 +124,12 @@ void draw_row(Edited& edited, const ReadingFacts& reading, const std::string& na
     Slider usual = first_slider(name);
     usual.presented = slider.presented;
     const bool settings = parts == RowParts::All;
+    if (const auto histogram = reading.histograms.find(name);
+        histogram != reading.histograms.end()) {
+        draw_histogram("##histogram", *histogram->second, slider,
+                       slider_width(settings ? size : 0.0F), colors);
+        ImGui::SetCursorPosX(left + size + em(2.5F));
+    }
     draw_slider("##value", slider, usual, settings ? size : 0.0F);
     if (settings) {
         ImGui::SameLine(0.0F, 0.0F);

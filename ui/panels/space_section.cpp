@@ -25,17 +25,22 @@ struct Button {
     const char* action;
 };
 
-/// Draws the buttons in one row with equal widths.
+/// Draws the buttons in one row, each as wide as its text wants it.
 void draw_buttons(UiState& state, std::span<const Button> buttons) {
     const float gap = em(0.35F);
+    const float pad = em(0.1F);
     const auto count = static_cast<float>(buttons.size());
-    const float width = (ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap) / count;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        ImVec2(em(0.1F), ImGui::GetStyle().FramePadding.y));
+    float texts = 0.0F;
+    for (const Button& button : buttons)
+        texts += ImGui::CalcTextSize(tr(button.label)).x;
+    const float room = ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap - texts;
+    const float more = room / count;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(pad, ImGui::GetStyle().FramePadding.y));
     for (const Button& button : buttons) {
+        const float width = ImGui::CalcTextSize(tr(button.label)).x + more;
         if (&button != buttons.data()) ImGui::SameLine(0.0F, gap);
         const Action& action = action_named(button.action);
-        const std::string id = std::string(tr(button.label)) + "###" + button.action;
+        const std::string id = elided(tr(button.label), width - 2.0F * pad) + "###" + button.action;
         if (ImGui::Button(id.c_str(), ImVec2(width, 0.0F))) action.run(state);
         draw_tooltip(described(action));
     }

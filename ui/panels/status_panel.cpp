@@ -94,7 +94,7 @@ void draw_pointed(const PointedFacts& pointed, const std::vector<Statement>& row
     if (facts.normal != glm::dvec3(0.0))
         add_text(colors.quiet, filled(tr("normal {0}"), {coordinates_text(facts.normal, 1e-3)}));
     add_text(colors.quiet,
-             filled(tr("{0} from the eye"), {number_text(facts.distance, resolution)}));
+             filled(tr("{0} from the eye"), {localized(number_text(facts.distance, resolution))}));
     add_text(colors.quiet, small_number("f = %.2g", facts.f));
 }
 

@@ -153,7 +153,7 @@ void draw_axis_gizmo(UiState& state) {
         const auto under =
             hovered ? ball_under(balls, ImGui::GetIO().MousePos) : std::optional<GizmoBall>();
         follow_pointer(state, clicked, under);
-        if (hovered) follow_wheel(state.edited, state.shown.picture);
+        if (hovered) follow_wheel(state);
         if (under && !ImGui::IsItemActive())
             draw_tooltip(filled(tr("View from {0}"), {std::string(under->positive ? "+" : "-") +
                                                       static_cast<char>('x' + under->axis)}));

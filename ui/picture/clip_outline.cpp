@@ -73,7 +73,7 @@ std::string section_text(const Section& section, double resolution) {
         return std::string(1, static_cast<char>('x' + axis)) + (side > 0 ? " < " : " > ") +
                number_text(side * section.offset, resolution);
     }
-    return filled(tr("distance {0}"), {number_text(section.offset, resolution)});
+    return filled(tr("distance {0}"), {localized(number_text(section.offset, resolution))});
 }
 
 }  // namespace

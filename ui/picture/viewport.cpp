@@ -96,8 +96,7 @@ void follow_view_pointer(UiState& state, const PointerMotion& motion) {
 void follow_pointer(UiState& state, const PictureArea& area) {
     const PointerMotion motion = pointer_motion(area);
     const std::optional<Handle> handle = follow_clip_handles(state, area, motion.cursor);
-    if (ImGui::IsItemHovered() && !state.input.handle_drag)
-        follow_wheel(state.edited, state.shown.picture);
+    if (ImGui::IsItemHovered() && !state.input.handle_drag) follow_wheel(state);
     if (handle) {
         state.input.pointer.reset();
     } else {
@@ -109,16 +108,20 @@ void follow_pointer(UiState& state, const PictureArea& area) {
 
 }  // namespace
 
-void follow_wheel(Edited& edited, const ShownPicture& shown) {
+void follow_wheel(UiState& state) {
     const ImGuiIO& io = ImGui::GetIO();
+    Edited& edited = state.edited;
     std::optional<Camera>& camera = edited.document.camera;
-    if ((io.MouseWheel == 0.0F && io.MouseWheelH == 0.0F) || !camera) return;
+    const double pinch = state.input.pinch;
+    const bool turned = io.MouseWheel != 0.0F || io.MouseWheelH != 0.0F;
+    if ((!turned && pinch == 1.0) || !camera) return;
     PointerMotion motion = scrolled(edited.layout.wheel, static_cast<double>(io.MouseWheelH),
                                     static_cast<double>(io.MouseWheel), io.KeyCtrl, io.KeyShift);
     const PictureArea area = viewport_area(edited.layout);
     motion.cursor = area.place(io.MousePos);
     motion.aspect = aspect_of(area);
-    motion.surface = surface_under(shown, motion.cursor);
+    motion.pinch = pinch;
+    motion.surface = surface_under(state.shown.picture, motion.cursor);
     camera = steer(*camera, motion, turn_mode_of(edited.document));
 }
 

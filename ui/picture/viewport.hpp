@@ -11,9 +11,10 @@
 
 namespace zeroset::ui {
 
-/// Zooms towards the pointer, orbits or pans as the wheel was turned in this frame. For whatever is
+/// Zooms towards the pointer, orbits or pans as the wheel was turned in this frame, or as two fingers
+/// pinched. For whatever is
 /// over the picture and has no use for the wheel, while the pointer is over it.
-void follow_wheel(Edited& edited, const ShownPicture& shown);
+void follow_wheel(UiState& state);
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const ViewPoint& cursor);

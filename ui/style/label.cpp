@@ -57,6 +57,20 @@ std::string elided(const std::string& text, float width) {
     return text.substr(0, end) + ellipsis;
 }
 
+std::string elided_in_combo(const std::string& text) {
+    return elided(text, ImGui::CalcItemWidth() - ImGui::GetFrameHeight() -
+                            2.0F * ImGui::GetStyle().FramePadding.x);
+}
+
+void flow(float width, float gap, float column) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + width <= right) {
+        ImGui::SameLine(0.0F, gap);
+    } else {
+        ImGui::SetCursorPosX(column);
+    }
+}
+
 std::string in_one_line(const std::string& text) {
     std::string line;
     for (const char character : text) {

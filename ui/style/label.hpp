@@ -23,6 +23,13 @@ bool draw_elided(const std::string& text, float width);
 /// coordinates).
 std::string elided(const std::string& text, float width);
 
+/// The text of a list's closed box that fills the next item's width, as `elided`.
+std::string elided_in_combo(const std::string& text);
+
+/// Goes on in the line of the last item, `gap` behind it, where `width` is left there; else in the
+/// next line, at `column` (as of ImGui::SetCursorPosX).
+void flow(float width, float gap, float column);
+
 /// Returns the text in one line: each line break becomes "; ".
 std::string in_one_line(const std::string& text);
 

@@ -62,6 +62,10 @@ void draw_label(const std::string& label, const std::string& explanation, float 
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+float slider_width(float right) {
+    return ImGui::GetContentRegionAvail().x - em(value_width) - right;
+}
+
 bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown) {
     begin_slider(0.0F);
     const bool moved = slide(id, value, lo, hi, "##%d", ImGuiSliderFlags_AlwaysClamp);

@@ -17,6 +17,9 @@ void draw_label(const std::string& label, const std::string& explanation,
 /// its right. Returns true when it was moved.
 bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown);
 
+/// The width of draw_slider's slider itself, in window coordinates.
+float slider_width(float right);
+
 /// A slider with its value, which fills the rest of the line except `right` (window coordinates) at
 /// its end. Ctrl+click or double-click on the slider, or a click on the value, lets one type a
 /// number; a number beyond an end moves that end. A right click sets the whole slider to `usual`.

@@ -31,6 +31,8 @@ struct WindowEvents {
     std::optional<InputEvent> input;   ///< the first input since then
     bool close = false;                ///< the user asked to close the window
     std::vector<std::string> dropped;  ///< paths of files dropped on the window
+    /// By how much two fingers that pinch a touchpad have moved apart: a factor; 1: not at all.
+    double pinch = 1.0;
 };
 
 /// Size of a window at scale 1.

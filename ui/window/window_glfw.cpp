@@ -1,12 +1,13 @@
 #include "ui/model/theme.hpp"
 #include "ui/window/full_screen.hpp"
 #include "ui/window/gl.hpp"
+#include "ui/window/glfw_handle.hpp"
 #include "ui/window/gui_context.hpp"
 #include "ui/window/input_queue.hpp"
+#include "ui/window/pinch.hpp"
 #include "ui/window/window.hpp"
 
 #include <GLFW/glfw3.h>
-#include <dlfcn.h>
 #include <glm/ext/vector_double2.hpp>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
@@ -18,6 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <expected>
 #include <memory>
@@ -30,78 +32,7 @@ namespace zeroset::ui {
 namespace {
 
 constexpr double cursor_blink_s = 0.5;
-constexpr float max_scale = 4.0F;
 constexpr int mouse_buttons = 5;  ///< as many as Dear ImGui knows
-
-std::optional<float> scale_override() {
-    const char* text = std::getenv("ZEROSET_SCALE");
-    if (text == nullptr) return std::nullopt;
-    char* end = nullptr;
-    const float scale = std::strtof(text, &end);
-    if (end == text || !(scale >= 1.0F) || !(scale <= max_scale)) return std::nullopt;
-    return scale;
-}
-
-/// GLFW's description of its last error.
-std::string glfw_reason() {
-    const char* reason = nullptr;
-    glfwGetError(&reason);
-    return reason == nullptr ? "unknown reason" : reason;
-}
-
-/// Calls glfwInit and, at the end of its life, glfwTerminate.
-class GlfwLibrary {
-public:
-    GlfwLibrary() : ready_(glfwInit() == GLFW_TRUE) {}
-    ~GlfwLibrary() {
-        if (ready_) glfwTerminate();
-    }
-    GlfwLibrary(const GlfwLibrary&) = delete;
-    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
-    explicit operator bool() const { return ready_; }
-
-private:
-    bool ready_;
-};
-
-struct DestroyWindow {
-    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
-};
-using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
-
-/// The requested size, limited to the work area of the primary monitor.
-std::pair<int, int> fitting_size(const WindowOptions& options) {
-    const float scale = scale_override().value_or(1.0F);
-    int width = static_cast<int>(static_cast<float>(options.size.width) * scale);
-    int height = static_cast<int>(static_cast<float>(options.size.height) * scale);
-    if (GLFWmonitor* screen = glfwGetPrimaryMonitor(); screen != nullptr) {
-        int left = 0;
-        int top = 0;
-        int free_width = 0;
-        int free_height = 0;
-        glfwGetMonitorWorkarea(screen, &left, &top, &free_width, &free_height);
-        if (free_width > 0) width = std::min(width, free_width);
-        if (free_height > 0) height = std::min(height, free_height);
-    }
-    return {width, height};
-}
-
-WindowHandle open_window(const WindowOptions& options) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    // Lets the driver report a reset of the graphics card.
-    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale_override() ? GLFW_FALSE : GLFW_TRUE);
-    // A full screen stays while another window, on another screen, has the keyboard.
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
-    glfwWindowHint(GLFW_MAXIMIZED, options.size.maximized ? GLFW_TRUE : GLFW_FALSE);
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "zeroset");
-    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "zeroset");
-    const auto [width, height] = fitting_size(options);
-    return WindowHandle(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
-}
 
 class GlfwWindow final : public Window {
 public:
@@ -116,7 +47,7 @@ public:
     void begin_frame(Theme theme) override;
     void end_frame() override;
     [[nodiscard]] bool is_lost() const override { return lost_; }
-    WindowEvents take_events() override { return std::exchange(events_, {}); }
+    WindowEvents take_events() override;
     void hold_keys(bool hold) override { holds_keys_ = hold; }
     [[nodiscard]] WindowSize size() const override;
     [[nodiscard]] std::string portal_name() const override;
@@ -163,6 +94,7 @@ private:
     float limited_scale_ = 0.0F;  ///< content scale for which the least size was last set
     std::atomic<bool> changed_{true};
     int frames_due_ = 0;
+    std::unique_ptr<PinchListener> pinches_;  ///< nullptr: not on X11; it wakes the window
 };
 
 GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
@@ -175,6 +107,8 @@ GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     glfwSetWindowUserPointer(handle_.get(), this);
     install_callbacks();
+    if (const auto id = x11_window(handle_.get()); id != 0)
+        pinches_ = std::make_unique<PinchListener>(id, [this] { wake(); });
 }
 
 /// Sets the least size, which is the same in design units on every screen.
@@ -299,6 +233,16 @@ void GlfwWindow::wait(std::optional<double> at_most_s) {
     --frames_due_;
 }
 
+WindowEvents GlfwWindow::take_events() {
+    WindowEvents events = std::exchange(events_, {});
+    if (pinches_ == nullptr) return events;
+    events.pinch = pinches_->take();
+    if (events.pinch != 1.0 && !events.input)
+        events.input =
+            InputEvent{.kind = InputEvent::Kind::Wheel, .at = std::chrono::steady_clock::now()};
+    return events;
+}
+
 void GlfwWindow::wake() {
     changed_ = true;
     glfwPostEmptyEvent();
@@ -370,10 +314,7 @@ void GlfwWindow::end_frame() {
 /// Returns the X11 id. A Wayland surface would have to be exported through xdg-foreign, by requests
 /// that GLFW does not make.
 std::string GlfwWindow::portal_name() const {
-    // GLFW built for Wayland only lacks this function.
-    using GetX11Window = unsigned long (*)(GLFWwindow*);
-    const auto get = reinterpret_cast<GetX11Window>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
-    const unsigned long id = get == nullptr ? 0 : get(handle_.get());
+    const std::uint32_t id = x11_window(handle_.get());
     if (id == 0) return {};
     std::array<char, 16> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), id, 16).ptr;

@@ -36,6 +36,18 @@ TEST(Fitting, LeavesTheFieldOfViewWhenTheViewIsSteered) {
     EXPECT_NEAR(glm::distance(moved.eye, camera.eye), 0.1 * height, 1e-9);
 }
 
+TEST(Steer, PinchComesNearerByItsFactor) {
+    const Camera camera = default_camera(Box::cube(2));
+    PointerMotion motion;
+    motion.pinch = 2.0;
+    const Camera moved = steer(camera, motion, {});
+    EXPECT_NEAR(glm::distance(moved.eye, moved.look_at),
+                0.5 * glm::distance(camera.eye, camera.look_at), 1e-12);
+    motion.pinch = 0.5;
+    EXPECT_NEAR(glm::distance(steer(moved, motion, {}).eye, camera.eye), 0.0, 1e-12)
+        << "and back by the other";
+}
+
 TEST(Scrolled, ZoomsAsAWheelDoes) {
     const PointerMotion motion = scrolled(WheelUse::Zoom, 3.0, 2.0, false, false);
     EXPECT_EQ(motion.wheel, 2.0);
