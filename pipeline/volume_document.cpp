@@ -4,7 +4,9 @@
 #include "pipeline/prepare.hpp"
 #include "pipeline/volume_source.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +62,15 @@ std::map<std::string, std::shared_ptr<const Volume>> isovalues(const Program& pr
     return found;
 }
 
+Slider isovalue_slider(const Volume& volume) {
+    const SampleRange range = volume.data().range();
+    const double lo = std::clamp(range.lo, -largest_number, largest_number);
+    const double hi = std::clamp(range.hi, -largest_number, largest_number);
+    Slider slider{.value = 0.5 * (lo + hi), .lo = lo, .hi = hi};
+    if (!(lo < hi)) slider.hi = lo + std::max(1.0, 1e-6 * std::abs(lo));
+    return slider;
+}
+
 OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
     allow_volume(file);
     const std::string name = file.string();
@@ -67,10 +78,7 @@ OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
     if (!read.rows) return std::unexpected(read.rows.error());
     const Program& program = *read.rows->program;
     fit_to_volumes(program, read.document);
-    const SampleRange range = volumes_of(program).front()->data().range();
-    Slider level{.value = 0.5 * (range.lo + range.hi), .lo = range.lo, .hi = range.hi};
-    if (!(level.lo < level.hi)) level.hi = level.lo + 1;
-    read.document.parameters["a"] = level;
+    read.document.parameters["a"] = isovalue_slider(*volumes_of(program).front());
     return std::move(read.document);
 }
 

@@ -20,6 +20,9 @@ void fit_to_volumes(const Program& program, Document& document);
 /// = a` is the one called a.
 std::map<std::string, std::shared_ptr<const Volume>> isovalues(const Program& program);
 
+/// A slider over all values of a volume.
+Slider isovalue_slider(const Volume& volume);
+
 /// A document of two rows that shows a volume: the file as a function, and the surface where that
 /// is a, whose slider goes over its samples' range. Allows the file from now on (allow_volume).
 OrInputError<Document> document_of_volume(const std::filesystem::path& file);

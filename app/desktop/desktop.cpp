@@ -15,6 +15,7 @@
 #include "pipeline/gallery.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/export_formats.hpp"
+#include "pipeline/volume_document.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/picture/draw_shapes.hpp"
@@ -252,8 +253,11 @@ void Desktop::show(const FormulaResult& result) {
     reading.calls_w_t = result.reading.program->calls_w_t;
     histograms_.follow(*result.reading.program);
     state_.shown.status.note = note_of(feed_.formula()->code);
-    session_.amend(
-        [&result](Document& document) { choose_colors(document, result.reading.surface_rows); });
+    session_.amend([&](Document& document) {
+        choose_colors(document, result.reading.surface_rows);
+        for (const auto& [name, volume] : histograms_.wanted())
+            document.parameters.try_emplace(name, isovalue_slider(*volume));
+    });
     std::erase_if(state_.edited.playing, [&reading](const auto& entry) {
         const std::string& name = entry.first;
         return name == ui::w_name

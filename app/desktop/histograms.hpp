@@ -27,6 +27,10 @@ public:
 
     /// Which volumes are asked for from now on.
     void follow(const Program& program);
+    /// The volumes of which sliders choose a value, by the slider's name.
+    [[nodiscard]] const std::map<std::string, std::shared_ptr<const Volume>>& wanted() const {
+        return wanted_;
+    }
     /// To be called before each frame of the panels.
     void show(ui::ReadingFacts& reading);
     [[nodiscard]] bool settled() const { return !counting_.valid(); }

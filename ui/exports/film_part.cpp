@@ -61,7 +61,9 @@ void draw_turn(FilmExport& film) {
     draw_number_field("##degrees", film.degrees, -36000.0, 36000.0);
     draw_tooltip(tr("Degrees, against the clock seen from the axis' end."));
     const char* const about = tr("\xC2\xB0 about");
-    flow(ImGui::CalcTextSize(about).x + em(6.0F), em(0.4F), column);
+    const float list = ImGui::CalcTextSize(tr(axes.front())).x + ImGui::GetFrameHeight() +
+                       2.0F * ImGui::GetStyle().FramePadding.x;
+    flow(ImGui::CalcTextSize(about).x + em(0.4F) + list, em(0.4F), column);
     ImGui::TextUnformatted(about);
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::SetNextItemWidth(-1.0F);
@@ -176,22 +178,21 @@ void draw_time(FilmExport& film) {
     constexpr float gap_em = 0.4F;
     draw_export_label(tr("time"), tr("How long it plays, in seconds or frames, and how fast."));
     const float column = ImGui::GetCursorPosX();
-    const auto next = [column](float field_em, const char* unit) {
-        flow(em(field_em + gap_em) + ImGui::CalcTextSize(unit).x, em(gap_em), column);
-        ImGui::SetNextItemWidth(em(field_em));
-    };
-    const auto end = [](const char* unit) {
+    const auto end = [](const char* name) {
         ImGui::SameLine(0.0F, em(gap_em));
-        ImGui::TextUnformatted(unit);
+        ImGui::TextUnformatted(name);
     };
     ImGui::SetNextItemWidth(em(3.0F));
     draw_number_field("##seconds", film.seconds, 0.01, longest_s);
     end("s,");
-    next(3.2F, tr("frames,"));
+    flow(em(3.2F + gap_em) + ImGui::CalcTextSize(tr("frames,")).x, em(gap_em), column);
+    ImGui::SetNextItemWidth(em(3.2F));
     int frames = film.frames();
     if (draw_integer_field("##frames", frames, 1, most_frames)) film.take_frames(frames);
     end(tr("frames,"));
-    next(2.6F, tr("fps"));
+    const float unit = std::max(em(2.6F), em(gap_em) + ImGui::CalcTextSize(tr("fps")).x);
+    flow(em(2.2F) + unit, em(gap_em), column);
+    ImGui::SetNextItemWidth(-unit);
     draw_integer_field("##rate", film.plan.rate.frames, 1, 240);
     end(tr("fps"));
 }
