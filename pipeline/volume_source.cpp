@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 struct AllowedFiles {
     std::mutex mutex;
     std::set<fs::path> files;
+    std::set<fs::path> refused;  ///< since they were last taken
+    std::uint64_t count = 0;     ///< of all that were ever allowed
 };
 
 AllowedFiles& allowed() {
@@ -180,7 +182,9 @@ private:
         const fs::path real = real_path(file);
         if (is_within(real, real_path(folder_.folder))) return true;
         const std::scoped_lock lock(allowed().mutex);
-        return allowed().files.contains(real);
+        const bool may = allowed().files.contains(real);
+        if (!may) allowed().refused.insert(real);
+        return may;
     }
 
     /// Equal texts get the same function, so that code made for it is found again.
@@ -220,6 +224,18 @@ void use_volume_folder(const VolumeFolder& folder) { set_field_source(volume_sou
 void allow_volume(const std::filesystem::path& file) {
     const std::scoped_lock lock(allowed().mutex);
     allowed().files.insert(real_path(file));
+    ++allowed().count;
+}
+
+std::uint64_t volumes_allowed() {
+    const std::scoped_lock lock(allowed().mutex);
+    return allowed().count;
+}
+
+std::vector<std::filesystem::path> take_refused_volumes() {
+    const std::scoped_lock lock(allowed().mutex);
+    const std::set<fs::path> refused = std::exchange(allowed().refused, {});
+    return {refused.begin(), refused.end()};
 }
 
 }  // namespace zeroset

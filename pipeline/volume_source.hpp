@@ -2,8 +2,10 @@
 
 #include "engine/language/vocabulary/field_source.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace zeroset {
 
@@ -23,6 +25,12 @@ void use_volume_folder(const VolumeFolder& folder);
 
 /// Allows a file that someone has chosen, wherever it lies.
 void allow_volume(const std::filesystem::path& file);
+
+/// Grows with each file that is allowed: texts that were refused may be readable then.
+std::uint64_t volumes_allowed();
+
+/// The files that texts have named and were refused for where they lie, since the last call.
+std::vector<std::filesystem::path> take_refused_volumes();
 
 /// The volumes of the given folder.
 std::shared_ptr<const FieldSource> volume_source(const VolumeFolder& folder);

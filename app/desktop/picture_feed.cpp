@@ -1,6 +1,7 @@
 #include "app/desktop/picture_feed.hpp"
 
 #include "engine/base/translation.hpp"
+#include "pipeline/volume_source.hpp"
 #include "ui/model/steering.hpp"
 
 #include <utility>
@@ -29,18 +30,23 @@ PictureFeed::PictureFeed(std::function<void()> on_formula, std::function<void()>
 void PictureFeed::read(const Document& document) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
-    // Rows are read again in another language: their errors and notes are written in it.
-    const bool told_otherwise = given_.language != language();
+    // Rows are read again in another language: their errors and notes are written in it; and when
+    // more files may be read.
+    const std::uint64_t volumes = volumes_allowed();
+    const bool told_otherwise = given_.language != language() || given_.volumes != volumes;
     if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
     if (told_otherwise) answered_ = {};
-    given_ = {.rows = sheet, .choice = choice, .language = language()};
+    given_ = {.rows = sheet, .choice = choice, .language = language(), .volumes = volumes};
     formulas_.submit(std::move(sheet), document.clip, choice);
 }
 
 std::optional<FormulaResult> PictureFeed::take_reading() {
     std::optional<FormulaResult> result = formulas_.take();
     if (!result) return std::nullopt;
-    answered_ = {.rows = result->sheet, .choice = result->choice, .language = given_.language};
+    answered_ = {.rows = result->sheet,
+                 .choice = result->choice,
+                 .language = given_.language,
+                 .volumes = given_.volumes};
     if (result->formula) adopt(*result);
     return result;
 }

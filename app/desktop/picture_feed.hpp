@@ -78,6 +78,7 @@ private:
         std::optional<Sheet> rows;
         ColorChoice choice;
         Language language = Language::English;  ///< of what is told of them
+        std::uint64_t volumes = 0;              ///< volumes_allowed() then
     };
     /// The picture on the screen.
     struct OnScreen {

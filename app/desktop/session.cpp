@@ -109,6 +109,7 @@ void Session::follow(double now_s) {
     if (state_.wishes.command || state_.wishes.open_path) follow_command();
     history_.follow(current(), now_s, state_.input.gesture, state_.input.held);
     keep(now_s);
+    ask_for_volumes();
     export_target_.follow(
         state_, export_folder(),
         path_.empty() ? names_of(state_.pages.exports.wish.kind).second : bare_name(path_));
@@ -275,6 +276,7 @@ void Session::begin(Document document, const std::string& path) {
     history_ = History(current());
     saved_ = kept_ = current();
     path_ = path;
+    volumes_.forget();
     autosave_.forget();
     if (path.empty()) {
         state_.wishes.focus = ui::RowFocus{.row = current().statements.front().id, .caret = {}};
@@ -369,42 +371,6 @@ void Session::follow_file_choice() {
             export_folder_ = first_folder(choice.path);
             state_.wishes.export_path = choice.path;
     }
-}
-
-void Session::ask(Subject what, std::string text, std::vector<std::string> answers) {
-    asked_ = what;
-    state_.pages.dialogs.question = ui::Question{
-        .text = std::move(text), .answers = std::move(answers), .chosen = std::nullopt};
-}
-
-void Session::follow_question() {
-    std::optional<ui::Question>& question = state_.pages.dialogs.question;
-    if (!question || !question->chosen) return;
-    const std::size_t answer = *question->chosen;
-    question.reset();
-    const Subject asked = std::exchange(asked_, Subject::Nothing);
-    if (asked == Subject::Restore) answer_restore(answer);
-    if (asked == Subject::LoseWork) answer_lose_work(answer);
-}
-
-void Session::answer_restore(std::size_t answer) {
-    if (!lost_) return;
-    if (answer == 0) {
-        const Document untouched = current();
-        begin(std::move(lost_->document), {});
-        saved_ = untouched;
-        state_.wishes.focus.reset();
-        autosave_.keep(current());
-    }
-    autosave_.discard(*lost_);
-    lost_.reset();
-}
-
-void Session::answer_lose_work(std::size_t answer) {
-    if (!waiting_) return;
-    if (answer == 0) return save();
-    const Action action = *std::exchange(waiting_, std::nullopt);
-    if (answer == 1) perform(action);
 }
 
 }  // namespace zeroset

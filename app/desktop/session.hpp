@@ -3,6 +3,7 @@
 #include "app/desktop/autosave.hpp"
 #include "app/desktop/export_target.hpp"
 #include "app/desktop/recent_files.hpp"
+#include "app/desktop/volume_permission.hpp"
 #include "document/document.hpp"
 #include "document/history.hpp"
 #include "ui/model/ui_state.hpp"
@@ -62,7 +63,7 @@ private:
         std::string path;
     };
     /// The subject of the question on the screen.
-    enum class Subject { Nothing, LoseWork, Restore, Message };
+    enum class Subject { Nothing, LoseWork, Restore, Volumes, Message };
 
     void follow_command();
     void follow_question();
@@ -93,6 +94,8 @@ private:
     void say(const std::string& text) { ask(Subject::Message, text, {"OK"}); }
     /// Says what the window failed to do: "cannot open 'a.json': it is too large", for example.
     void say_failure(const std::string& predicate);
+    /// Asks about volumes outside of the document's folder.
+    void ask_for_volumes();
     void answer_restore(std::size_t answer);
     void answer_lose_work(std::size_t answer);
     void refresh();
@@ -115,6 +118,7 @@ private:
     bool closed_ = false;
     std::string export_folder_;  ///< chosen last for what is saved; empty: none yet
     ExportTarget export_target_;
+    VolumePermission volumes_;
 };
 
 }  // namespace zeroset

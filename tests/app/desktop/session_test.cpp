@@ -7,6 +7,8 @@
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "engine/export/file.hpp"
+#include "engine/language/parse.hpp"
+#include "pipeline/volume_source.hpp"
 #include "tests/support/test_folder.hpp"
 #include "ui/style/theme.hpp"
 
@@ -14,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -427,6 +430,38 @@ TEST(Recent, KeepsTheNewestFirst) {
     EXPECT_EQ(recent.paths()[0], "/d/7");
     EXPECT_EQ(recent.paths()[1], "/d/11");
     EXPECT_EQ(RecentFiles(folder.path()).paths(), recent.paths());
+}
+
+TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
+    const std::string text = "s = volume(\"../elsewhere/v.nrrd\"); s(x,y,z) = 1";
+    const auto reason = [&text] { return read_program(text).error().reason; };
+    fs::create_directories(file("elsewhere"));
+    fs::create_directories(file("document"));
+    write(file("elsewhere/v.nrrd"), "no volume");
+    write(file("document/d.zeroset.json"), text_of(with_text("x = 1")));
+    start();
+    const auto open = [&] {
+        state_.wishes.open_path = file("document/d.zeroset.json").string();
+        frame();
+    };
+    open();
+    EXPECT_TRUE(reason().contains("lies outside the document's folder")) << reason();
+    frame();
+    ASSERT_TRUE(state_.pages.dialogs.question);
+    EXPECT_TRUE(state_.pages.dialogs.question->text.contains(file("elsewhere/v.nrrd").string()));
+    answer(1);
+    EXPECT_TRUE(reason().contains("lies outside the document's folder")) << reason();
+    frame();
+    EXPECT_FALSE(state_.pages.dialogs.question) << "it was asked already";
+
+    open();
+    (void)reason();
+    frame();
+    const std::uint64_t before = volumes_allowed();
+    answer(0);
+    EXPECT_EQ(volumes_allowed(), before + 1) << "rows are read again";
+    EXPECT_FALSE(reason().contains("lies outside")) << reason();
+    use_volume_folder({});
 }
 
 }  // namespace
