@@ -12,16 +12,19 @@ namespace zeroset {
 namespace {
 
 /// Returns the surfaces whose rows are visible.
-std::vector<ShownSurface> visible_surfaces(const Document& document,
-                                           const std::vector<int>& surface_rows) {
+std::vector<ShownSurface> visible_surfaces(const Document& document, const Formula& formula) {
+    const std::vector<int>& surface_rows = formula.surface_rows;
+    const std::vector<bool>& solids = formula.program->solids;
     std::vector<ShownSurface> shown;
     for (std::size_t i = 0; i < surface_rows.size(); ++i) {
         const auto row = std::ranges::find(document.statements, surface_rows[i], &Statement::id);
         if (row == document.statements.end() || !row->visible) continue;
+        const bool bounds = row->solid == SolidSide::Automatic && i < solids.size() && solids[i];
+        const SolidSide side = bounds ? SolidSide::Below : row->solid;
         shown.push_back({.index = i,
                          .row = row->id,
                          .color = row->color,
-                         .solid = row->solid,
+                         .solid = side,
                          .opacity = row->opacity});
     }
     return shown;
@@ -58,7 +61,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
     request.settings.shadows = document.shadows;
     request.settings.antialias = document.antialias;
     request.settings.reflections = document.light.reflections;
-    request.surfaces = visible_surfaces(document, request.formula->surface_rows);
+    request.surfaces = visible_surfaces(document, *request.formula);
     request.uniforms.push_back(request.formula->uses_w() ? document.w.value : 0.0);
     for (const std::string& name : request.formula->program->parameters)
         request.uniforms.push_back(slider_of(document, name).value);

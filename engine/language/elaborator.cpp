@@ -40,14 +40,12 @@ std::string_view spelled_out(std::string_view name) {
 }
 
 constexpr const char* no_surface = marked("a condition alone is no surface");
-constexpr const char* no_surface_hint =
-    marked("type = for its boundary, or put it behind a surface and a comma: x^2 + y^2 = 1, z < 1");
 
 }  // namespace
 
 std::expected<Program, ParseError> Elaborator::program() {
     if (!error_) error_ = error_for_parametric();
-    if (error_ || !build_statements()) return std::unexpected(*error_);
+    if (error_ || !build_statements() || !build_graphs()) return std::unexpected(*error_);
     if (surfaces_.empty() && !without_surface_.empty())
         return std::unexpected(no_place_error(without_surface_.front()));
     if (surfaces_.empty()) {
@@ -69,6 +67,8 @@ std::string Elaborator::hint_without_surface() {
     }
     if (is_function && last->arguments == std::vector<std::string>{"x", "y", "z"})
         return filled(tr("type {0} on the next line"), {last->name + "(x, y, z) = 0"});
+    if (is_function && last->arguments == std::vector<std::string>{"x"})
+        return filled(tr("type {0} on the next line"), {"y = " + last->name + "(x)"});
     return filled(tr("type an equation such as {0} on the next line"), {"x^2 + y^2 + z^2 = 1"});
 }
 
@@ -163,6 +163,7 @@ bool Elaborator::note_unreadable(const Definition& definition) {
 
 bool Elaborator::build_surface(std::size_t index) {
     statement_ = index;
+    is_solid_ = false;
     const Number root = equation(tree_.statements[index]);
     if (!root) return false;
     if (defines_nothing_else(index, *root)) {
@@ -215,21 +216,13 @@ Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
     } else if (relation.kind == SyntaxKind::Compare && relation.marks == "n") {
         return fail(relation.offset, tr(no_surface),
                     tr("compare with = for the surface where both sides are equal"));
-    } else if (is_condition(relation.kind)) {
-        return fail(relation.offset, tr(no_surface), tr(no_surface_hint));
     } else {
-        f = expression(statement.relation);
+        const Built value = build(statement.relation, nullptr);
+        if (!value) return std::nullopt;
+        if (value->condition) return solid(*value, statement);
+        f = value->id;
     }
-    if (!f) return std::nullopt;
     return restricted(*f, statement);
-}
-
-/// Builds a statement without "=".
-Elaborator::Number Elaborator::expression(SyntaxId id) {
-    const Built value = build(id, nullptr);
-    if (!value) return std::nullopt;
-    if (!value->condition) return value->id;
-    return fail(tree_[id].offset, tr(no_surface), tr(no_surface_hint));
 }
 
 Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
@@ -291,7 +284,7 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
                                                         {std::to_string(ProgramLimits::surfaces)}));
         return false;
     }
-    surfaces_.push_back({.statement = statement, .root = root});
+    surfaces_.push_back({.statement = statement, .root = root, .solid = is_solid_});
     return true;
 }
 
@@ -367,6 +360,7 @@ std::expected<Program, ParseError> Elaborator::result() {
                                         .offset = tree_.statements[surface.statement].offset,
                                         .text = equation_text(expr, longest)};
         program.surfaces.push_back(std::move(expr));
+        program.solids.push_back(surface.solid);
     }
     for (auto& [statement, reading] : readings_)
         program.readings.push_back(std::move(reading));

@@ -51,6 +51,7 @@ private:
     struct Surface {
         std::size_t statement;
         NodeId root;
+        bool solid;  ///< the root is below 0 where a condition holds
     };
 
     // elaborator.cpp: statements
@@ -60,7 +61,6 @@ private:
     [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
     bool keep_without_surface(std::size_t statement);
     Number equation(const StatementSyntax& statement);
-    Number expression(SyntaxId id);
     Number restricted(NodeId f, const StatementSyntax& statement);
     bool build_definition(Definition& definition);
     bool note_unreadable(const Definition& definition);
@@ -74,6 +74,15 @@ private:
     std::optional<std::string> function_text(Definition& definition);
     std::expected<Program, ParseError> result();
     [[nodiscard]] std::size_t longest_definition();
+
+    // elaborator_solids.cpp: conditions that stand alone
+    Number solid(const Value& condition, const StatementSyntax& statement);
+    Number boundary(NodeId condition, std::size_t offset);
+    Number boundary_of(const Node& condition, std::size_t offset);
+
+    // elaborator_graphs.cpp: functions that stand alone
+    bool build_graphs();
+    bool build_graph(Definition& definition);
 
     // elaborator_value.cpp: expressions
     Built build(SyntaxId id, const Binding* scope);
@@ -150,9 +159,11 @@ private:
                                                 ///< used
     std::map<std::size_t, Reading> readings_;   ///< by statement
     std::optional<ParseError> error_;
-    std::size_t statement_ = 0;  ///< the statement in which names are looked up
-    bool says_w_ = false;        ///< the text has w for the fourth coordinate
-    bool says_t_ = false;        ///< and t
+    std::size_t statement_ = 0;                      ///< the statement in which names are looked up
+    bool is_solid_ = false;                          ///< of the surface that is being built
+    std::unordered_map<NodeId, Number> boundaries_;  ///< of conditions
+    bool says_w_ = false;                            ///< the text has w for the fourth coordinate
+    bool says_t_ = false;                            ///< and t
     bool refuses_undefined_ = true;
     int depth_ = 0;
     std::size_t steps_ = 0;

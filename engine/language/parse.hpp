@@ -15,6 +15,7 @@ namespace zeroset {
 struct Program {
     std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
                                  ///< one
+    std::vector<bool> solids;    ///< of each surface: f < 0 is where its conditions hold
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
     bool calls_w_t = false;               ///< it says t for the fourth coordinate, and never w
