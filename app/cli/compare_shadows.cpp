@@ -181,6 +181,7 @@ std::vector<ShadowRow> rows_of(const ShadowScene& scene, const ComparedScene& co
                                const ComparedSettings& settings) {
     ShadowedPicture picture(compared, settings);
     std::vector<ShadowRow> rows;
+    rows.reserve(ways.size());
     for (const auto& [way, name] : ways)
         rows.push_back(picture.measured(std::string(scene.name), way, name));
     for (ShadowRow& row : rows)
