@@ -18,10 +18,4 @@ void trace_tile_florez_trimming(const TraceFrame& frame, const Tile& tile, TileH
 void trace_tile_regular_grid(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                              Counters& counters);
 
-/// A solid by the roots of its parts; see csg_by_roots.cpp.
-void trace_tile_csg_by_roots(const TraceFrame& frame, const Tile& tile, TileHits& hits,
-                             Counters& counters);
-/// Makes the code of the parts. nullptr when stopped.
-std::shared_ptr<const PreparedSurface> prepare_csg_parts(const TraceFrame& surface, int threads);
-
 }  // namespace zeroset

@@ -6,7 +6,7 @@
 // along the axis of which its rays' directions have most; of each row it looks at the cells that
 // X, Y or Z cover, and its rays are searched in the TV of those that the surface may cross.
 // CSG is of point sets (section 6.3): min and max of formulas, whose F is tested in each
-// subdivision of T; the other way, by roots of the parts, is csg_by_roots.cpp. n-surfaces (section
+// subdivision of T; the other way, by roots of the parts, is csg-by-roots. n-surfaces (section
 // 6.4): a grid for w and parameters in intervals serves all frames in these, and so does a beam's
 // way through it while the view stays.
 //

@@ -22,7 +22,7 @@
 #include "engine/trace/along_rays/mrfro.hpp"
 #include "engine/trace/along_rays/root_decision.hpp"
 #include "engine/trace/along_rays/stretch_stacks.hpp"
-#include "engine/trace/florez/florez_tracers.hpp"
+#include "engine/trace/along_rays/tracers_along_rays.hpp"
 #include "engine/trace/in_precision.hpp"
 
 #include <algorithm>
