@@ -6,6 +6,7 @@
 #include "engine/rewrite/root_witnesses.hpp"
 #include "engine/rewrite/traceable.hpp"
 #include "engine/rewrite/unrestricted.hpp"
+#include "pipeline/csg_code.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/sample_region.hpp"
 
@@ -53,6 +54,12 @@ void add_witnesses(Formula& formula) {
     }
 }
 
+/// Tells each kernel of the parts of its function.
+void add_csg_parts(Formula& formula) {
+    for (std::size_t i = 0; i < formula.drawn.size(); ++i)
+        set_csg_parts(formula.kernels[i], formula.drawn[i], formula.code == CodeState::Machine);
+}
+
 /// Returns the formula with the interpreter's code, which always evaluates in float and in double.
 Formula interpreted(Formula formula) {
     formula.kernels.clear();
@@ -62,6 +69,7 @@ Formula interpreted(Formula formula) {
         if (!has_many_choices(surface)) kernel.specializer = nullptr;
     }
     add_witnesses(formula);
+    add_csg_parts(formula);
     return formula;
 }
 
@@ -101,6 +109,7 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
         add_witnesses(formula);
+        add_csg_parts(formula);
     }
     formula.compile_ms = ms_since(start);
     return formula;
@@ -119,6 +128,7 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
     }
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;
+    add_csg_parts(result);
     result.compile_ms += ms_since(start);
     return result;
 }

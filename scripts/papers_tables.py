@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """Prints the results of `zeroset compare --json FILE` as Markdown tables for resources/docs/papers.md:
-a table for each file, a row for each tracer, a column for each surface and tolerance."""
+a table for each file, a row for each tracer, a column for each surface and tolerance. With --means
+one table of all files together, a row for each tracer: its times over those of beams on the same
+surface at the same tolerance in the same file."""
 
 import json
+import math
 import sys
 
 
@@ -36,12 +39,58 @@ def table(answer):
     return lines
 
 
+def ratios_to_beams(answers):
+    """Returns for each tracer and d_stop the rows, each with its time over that of beams."""
+    found = {}
+    for answer in answers:
+        beams = {case(row): row["frame_ms"]["median"] for row in answer["rows"]
+                 if row["tracer"] == "beams"}
+        for row in answer["rows"]:
+            if row["tracer"] != "beams" and case(row) in beams:
+                ratio = row["frame_ms"]["median"] / beams[case(row)]
+                key = row["tracer"], row["wanted_d_stop"]
+                found.setdefault(key, []).append((ratio, row))
+    return found
+
+
+def means(answers):
+    """Returns the lines of the table of means."""
+    found = ratios_to_beams(answers)
+    d_stops = sorted({d_stop for _, d_stop in found})
+    heads = " | ".join(f"2^-{d_stop}: mean | least | most | pixels missed, added, refuted"
+                       for d_stop in d_stops)
+    lines = [f"| | {heads} |", "|---|" + "--:|--:|--:|--:|" * len(d_stops)]
+    for tracer in dict.fromkeys(tracer for tracer, _ in found):
+        cells = []
+        for d_stop in d_stops:
+            rows = found.get((tracer, d_stop), [])
+            if not rows:
+                cells.append(" |  |  | ")
+                continue
+            mean = math.exp(sum(math.log(ratio) for ratio, _ in rows) / len(rows))
+            ends = [end(rows, key=lambda pair: pair[0]) for end in (min, max)]
+            wrong = [sum(row[kind] for _, row in rows) for kind in ("missed", "added", "refuted")]
+            cut = sum(row.get("cut", False) for _, row in rows)
+            cells.append(f"{mean:.3g} | "
+                         + " | ".join(f'{ratio:.3g} ({row["surface"]})' for ratio, row in ends)
+                         + " | " + ", ".join(map(str, wrong)) + (f" ({cut} cut)" if cut else ""))
+        lines.append(f"| `{tracer}` | " + " | ".join(cells) + " |")
+    return lines
+
+
 def main():
-    if len(sys.argv) < 2:
-        sys.exit("usage: papers_tables.py COMPARE.json... (of zeroset compare --json)")
-    for name in sys.argv[1:]:
+    names = [name for name in sys.argv[1:] if name != "--means"]
+    if not names:
+        sys.exit("usage: papers_tables.py [--means] COMPARE.json... (of zeroset compare --json)")
+    answers = []
+    for name in names:
         with open(name, encoding="utf-8") as file:
-            print("\n".join(table(json.load(file))) + "\n")
+            answers.append(json.load(file))
+    if "--means" in sys.argv:
+        print("\n".join(means(answers)))
+        return
+    for answer in answers:
+        print("\n".join(table(answer)) + "\n")
 
 
 if __name__ == "__main__":

@@ -1,13 +1,12 @@
 #include "app/cli/compare_animation.hpp"
 
 #include "app/cli/compare/animations.hpp"
+#include "app/cli/compare_scene.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/export/file.hpp"
 #include "engine/render/render.hpp"
 #include "engine/trace/florez/cell_grid.hpp"
-#include "pipeline/picture_request.hpp"
-#include "pipeline/prepare.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -149,56 +148,23 @@ Json json_of(const PrintedAnimation& animation, const std::vector<AnimationRow>&
             {"rows", json_rows}};
 }
 
-/// The first option that tables alone have, as it is typed.
-const char* unfit_option(const CompareCommand& command) {
-    const std::array<std::pair<const std::optional<std::string>*, const char*>, 5> options{
-        {{&command.surfaces, "--surface"},
-         {&command.tracers, "--tracer"},
-         {&command.repeat, "--repeat"},
-         {&command.budget, "--budget"},
-         {&command.plot, "--plot"}}};
-    for (const auto& [value, name] : options) {
-        if (*value) return name;
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 int run_compare_animation(const CompareCommand& command, const PrintedAnimation& animation) {
-    if (const char* const option = unfit_option(command)) {
-        return report({.reason = std::string(option) + ": " + std::string(animation.name) +
-                                 " is an animation; leave the option out"});
-    }
-    TraceText text;
-    text.d_stop = command.d_stop.value_or("16");
-    text.threads = command.threads.value_or("1");
-    const auto settings = read_trace_settings(text);
+    const auto settings = read_compared_settings(
+        command, std::string(animation.name) + " is an animation", "16", 300);
     if (!settings) return report(settings.error());
-    const auto size = read_size("--size", command.size.value_or("300"));
-    if (!size) return report(size.error());
-    if (size->width != size->height)
-        return report(
-            {.reason = "--size " + *command.size + ": the animations are squares; type N"});
-    ReadDocument read = read_document_text(animation.formula);
-    if (!read.rows) return report(read.rows.error());
-    read.document.clip = Box::cube(animation.domain);
-    read.document.camera = suite_camera(animation.domain);
-    read.document.light = {};
-    const auto prepared = prepare(read.document, *read.rows, Preparation::Compiled);
-    if (!prepared) return report(prepared.error());
-    PictureRequest request = picture_request(prepared->formula, prepared->colors, read.document,
-                                             *settings, {size->width, size->height});
-    add_needed_code(request);
+    auto compared = compared_scene(animation.formula, animation.domain, *settings);
+    if (!compared) return report(compared.error());
     const bool prints = command.json != "-";
     if (command.json && prints) {
         if (auto writable = check_writable(*command.json); !writable)
             return report_run_time(writable.error().message);
     }
     constexpr int frames = 20;
-    AnimatedScene animated(animation, scene_of(request), request.camera, *settings, size->width,
-                           frames);
-    if (prints) print_heading(animation, size->width, *settings);
+    AnimatedScene animated(animation, std::move(compared->scene), compared->camera,
+                           settings->settings, settings->size_px, frames);
+    if (prints) print_heading(animation, settings->size_px, settings->settings);
     std::vector<AnimationRow> rows;
     for (int first = 0; first < frames; first += animation.n) {
         rows.push_back(animated.measured(first));

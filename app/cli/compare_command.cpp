@@ -4,7 +4,9 @@
 #include "app/cli/compare/compared_row.hpp"
 #include "app/cli/compare/plot.hpp"
 #include "app/cli/compare/printed_tables.hpp"
+#include "app/cli/compare/shadow_scenes.hpp"
 #include "app/cli/compare_animation.hpp"
+#include "app/cli/compare_shadows.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/timing.hpp"
 #include "engine/base/clock.hpp"
@@ -86,6 +88,7 @@ OrInputError<const PrintedTable*> table_of(const CompareCommand& command) {
         names += " " + std::string(table.name);
     for (const PrintedAnimation& animation : printed_animations())
         names += " " + std::string(animation.name);
+    names += " " + std::string(shadow_table().name);
     return wrong_input(*command.table + ": there is no such table; type one of:" + names);
 }
 
@@ -260,6 +263,7 @@ public:
         row.certified_there = count_certificates(proved_).certified;
         row.printed_ms =
             plan.table->printed_ms(row.surface, row.tracer, row.wanted_d_stop, row.reflections);
+        row.of_table = plan.table->names(row.surface, row.tracer);
         return row;
     }
 
@@ -356,6 +360,7 @@ int run_compare(const CompareCommand& command) {
     if (command.table) {
         if (const PrintedAnimation* const animation = find_printed_animation(*command.table))
             return run_compare_animation(command, *animation);
+        if (*command.table == shadow_table().name) return run_compare_shadows(command);
     }
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());

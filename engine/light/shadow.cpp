@@ -123,6 +123,7 @@ void search_square(const ShadowSearch& search, const Square& square, ShadowBits&
     const ShadowSearch part = search.with(light, search.open);
     std::vector<LightRay> rest;
     search_beams(part, found, rest, counters);
+    found.single_rays += rest.size();
     search_rays(part, rest, found, counters);
 }
 
@@ -198,7 +199,7 @@ void search_members(const ShadowSearch& search, const std::vector<LitMember>& me
 
 /// Adds to `found` the hits among `open` that lie in the shadow of a surface.
 void search_surface(const TraceFrame& frame, const TraceFrame& light, const LightPlaces& places,
-                    const TileBits& open, const TileBits& roots, ShadowBits& found,
+                    const TileBits& open, const TileBits& roots, ShadowWay way, ShadowBits& found,
                     Counters& counters) {
     const TileRays rays(light, light_tile);
     const LightWalls walls(rays);
@@ -212,7 +213,8 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                         .roots = roots,
                         .is_member = false,
                         .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
-                        .bias = std::max(0x1p-12 * extent, 6 * cell)};
+                        .bias = std::max(0x1p-12 * extent, 6 * cell),
+                        .way = way};
     const std::vector<LitMember> members = members_of(light);
     if (!members.empty()) {
         search.open = outside_hits(search, members);
@@ -226,7 +228,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
 
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
-                        Counters& counters) {
+                        Counters& counters, ShadowWay way) {
     ShadowBits found;
     if (layers.empty()) return found;
     thread_local LightPlaces places;
@@ -248,7 +250,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
             if (layers[k].surface == i) roots = without_caps(layers[k], turned[k]);
         }
         search_surface(surfaces[i], light_frame(surfaces[i], light, limit), places, open, roots,
-                       found, counters);
+                       way, found, counters);
         open = without(open, proved_dark(found));
     }
     if (tile.places == nullptr) counters.unproved_shadows += count(found.unproved);

@@ -4,9 +4,18 @@
 #include "engine/trace/trace_frame.hpp"
 #include "engine/view/unit_vector.hpp"
 
+#include <cstdint>
 #include <span>
 
 namespace zeroset {
+
+/// How the ways from hits to the light are searched.
+enum class ShadowWay : std::uint8_t {
+    Beams,  ///< by beams, divided as far as it takes, down to single rays
+    Boxes,  ///< by beams of 8 x 8 hits, which only tell that all are lit; else single rays
+            ///< [Florez08]
+    Rays,   ///< by single rays
+};
 
 /// Finds which hits of a tile's layers a light does not reach, by beams from squares of them to the
 /// light [Knoll07 5.6, Florez08 5.4.4]: nothing that throws a shadow is missed, however thin. The
@@ -14,7 +23,7 @@ namespace zeroset {
 /// is lit. Counts what is not proved, but in parts of pixels. In upward rounding.
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
-                        Counters& counters);
+                        Counters& counters, ShadowWay way = ShadowWay::Beams);
 
 /// Takes the key light from the hits that do not have it.
 void darken(const TileBits& dark, std::span<LitLayer> layers);

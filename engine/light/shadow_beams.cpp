@@ -24,6 +24,12 @@ constexpr double growth = 4.0;
 /// widest groups have no bound.
 constexpr int width_groups = 16;
 
+Square square_at(int col, int row, int side) {
+    return {.col = static_cast<std::uint8_t>(col),
+            .row = static_cast<std::uint8_t>(row),
+            .side = static_cast<std::uint8_t>(side)};
+}
+
 /// The hits of a square that are asked about, in the light's view: u and v of its rays, and the
 /// depths of hits over a plane that is about the surface's tangent,
 /// h = s - by_u u - by_v v.
@@ -204,8 +210,15 @@ void BeamSearch<Real>::add_ray(const Beam& beam, std::size_t pixel) {
 
 template <class Real>
 void BeamSearch<Real>::divide(const Beam& beam) {
-    for (const Square& quarter : beam.square.quarters())
-        add(quarter, &beam);
+    const Square& square = beam.square;
+    if (search_.way == ShadowWay::Beams) {
+        for (const Square& quarter : square.quarters())
+            add(quarter, &beam);
+        return;
+    }
+    for (int row = square.row; row < square.row + square.side; ++row)
+        for (int col = square.col; col < square.col + square.side; ++col)
+            add(square_at(col, row, 1), nullptr);
 }
 
 template <class Real>
@@ -264,6 +277,7 @@ template <class Real>
 void BeamSearch<Real>::take(Beam& beam, const CellLine<Real>& line, std::vector<Beam>& group) {
     const double length = beam.length();
     const ShadeVerdict verdict = judge(line, beam.start, beam.sign);
+    if (verdict.shade == Shade::Dark && search_.way == ShadowWay::Boxes) return divide(beam);
     if (verdict.shade == Shade::Dark && beam.next() >= beam.entry.last) {
         darken(beam.square);
         return;
@@ -303,13 +317,10 @@ void BeamSearch<Real>::search_group(std::vector<Beam>& beams) {
 
 template <class Real>
 void BeamSearch<Real>::search() {
-    for (int row = 0; row < tile_size; row += first_side) {
-        for (int col = 0; col < tile_size; col += first_side) {
-            add({.col = static_cast<std::uint8_t>(col),
-                 .row = static_cast<std::uint8_t>(row),
-                 .side = first_side},
-                nullptr);
-        }
+    const int side = search_.way == ShadowWay::Rays ? 1 : first_side;
+    for (int row = 0; row < tile_size; row += side) {
+        for (int col = 0; col < tile_size; col += side)
+            add(square_at(col, row, side), nullptr);
     }
     for (std::vector<Beam>& group : groups_)
         search_group(group);

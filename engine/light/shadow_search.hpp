@@ -3,6 +3,7 @@
 #include "engine/light/light_places.hpp"
 #include "engine/light/light_walls.hpp"
 #include "engine/light/lit_tile.hpp"
+#include "engine/light/shadow.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/trace_frame.hpp"
@@ -25,6 +26,7 @@ struct ShadowSearch {
     double finest;          ///< a cell of a ray that is no longer is not divided
     /// From a hit that its surface only touches the search begins so far in front of it.
     double bias;
+    ShadowWay way = ShadowWay::Beams;
 
     /// This question about some of the hits, by another kernel in the light's view.
     [[nodiscard]] ShadowSearch with(const TraceFrame& other, const TileBits& hits) const {
@@ -36,7 +38,8 @@ struct ShadowSearch {
                 .roots = roots,
                 .is_member = is_member,
                 .finest = finest,
-                .bias = bias};
+                .bias = bias,
+                .way = way};
     }
 };
 
@@ -55,7 +58,8 @@ struct LightRay {
 };
 
 /// Searches by beams: the rays from squares of pixels to the light at once, divided until each
-/// square is lit, in the shadow, or single rays, which are added to `rest`. In upward rounding.
+/// square is lit, in the shadow, or single rays, which are added to `rest`: as far as
+/// ShadowSearch::way lets them. In upward rounding.
 void search_beams(const ShadowSearch& search, ShadowBits& found, std::vector<LightRay>& rest,
                   Counters& counters);
 

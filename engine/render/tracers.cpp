@@ -67,6 +67,11 @@ constexpr std::array table{
            .about = "a grid of cells walked by beams, then single rays (Florez 2008, section 6.2)",
            .trace_tile = trace_tile_regular_grid,
            .prepare = prepare_cell_grid},
+    Tracer{.name = "csg-by-roots",
+           .about = "min and max by the roots of their parts, one after another "
+                    "(Florez 2008, section 6.3)",
+           .trace_tile = trace_tile_csg_by_roots,
+           .prepare = prepare_csg_parts},
     Tracer{.name = "point-sampling",
            .about = "marching with sign changes; proves nothing and misses roots",
            .trace_tile = trace_tile_point_sampling,

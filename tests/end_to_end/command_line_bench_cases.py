@@ -185,6 +185,27 @@ class CompareTest(ProgramTest):
                     "--plot", "plot.png")
         self.assertTrue((self.folder / "plot.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_solids_both_ways(self):
+        answer = self.compare("florez-figure-6.2", "--dstop", 16)
+        for row in answer["rows"]:
+            self.assertEqual((row["missed"], row["refuted"]), (0, 0), row)
+            self.assertIsNone(row["printed_ms"])
+            self.assertIsNotNone(row["times"])
+        self.assertEqual({row["tracer"] for row in answer["rows"]},
+                         {"beams", "mrfro", "csg-by-roots"})
+
+    def test_shadows_by_three_ways(self):
+        answer = json.loads(self.run_ok("compare", "florez-figure-5.13", "--size", 80, "--json",
+                                        "-").out)
+        for beams, boxes, rays in zip(*[iter(answer["rows"])] * 3):
+            self.assertEqual([row["way"] for row in (beams, boxes, rays)],
+                             ["beams", "boxes", "rays"])
+            self.assertEqual(len({row["hits"] for row in (beams, boxes, rays)}), 1)
+            self.assertGreater(rays["hits"], 500)
+            self.assertLessEqual(boxes["single_rays"], rays["single_rays"])
+            self.assertLess(beams["single_rays"], boxes["single_rays"])
+            self.assertEqual((boxes["refuted"], rays["refuted"]), (0, 0))
+
     def test_animations_by_one_grid(self):
         for figure in ("florez-figure-6.8", "florez-figure-6.10", "florez-figure-6.12"):
             answer = json.loads(self.run_ok("compare", figure, "--size", 24, "--json", "-").out)

@@ -134,6 +134,8 @@ WRONG_COMMANDS = [
     (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
     (["compare", "--plot", "plot.gif"], ["--plot plot.gif", ".svg or .png"]),
     (["compare", "florez-figure-6.8", "--tracer", "beams"], ["--tracer", "animation"]),
+    (["compare", "florez-figure-5.13", "--plot", "a.svg"], ["--plot", "shadows"]),
+    (["compare", "florez-figure-5.13", "--threads", "2"], ["--threads", "leave"]),
     (["compare", "florez-figure-6.8", "--size", "20x10"], ["--size 20x10", "type N"]),
     (["compare", "knoll"], ["knoll: there is no such table", "knoll-table-1", "florez-table-4.1"]),
     (["compare", "--tracer", "beams,magic"], ["--tracer magic", "sphere-tracing"]),

@@ -6,6 +6,7 @@
 #include "engine/render/tracers.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/settings.hpp"
+#include "tests/support/csg_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,7 @@ inline Scene scene_of(const std::string& text, const Box& clip) {
         return {};
     }
     Scene scene{{interpret(*expr)}, clip, {}};
+    set_interpreted_parts(scene.surfaces[0], *expr);
     scene.uniforms.set(0, 0.0);
     return scene;
 }

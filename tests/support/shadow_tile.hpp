@@ -21,7 +21,8 @@ struct ShadowTile {
 };
 
 /// `frames`: one for each surface of a scene.
-inline ShadowTile shadow_tile(const std::vector<TraceFrame>& frames, const Tile& tile) {
+inline ShadowTile shadow_tile(const std::vector<TraceFrame>& frames, const Tile& tile,
+                              ShadowWay way = ShadowWay::Beams) {
     const UpwardRegisters upward;
     ShadowTile result;
     result.hits.resize(frames.size());
@@ -38,7 +39,7 @@ inline ShadowTile shadow_tile(const std::vector<TraceFrame>& frames, const Tile&
     LitTile lit;
     lit.begin(result.hits);
     result.shadows =
-        find_shadows(frames, key_light(frames.front().view), {}, tile, lit.layers(), counters);
+        find_shadows(frames, key_light(frames.front().view), {}, tile, lit.layers(), counters, way);
     return result;
 }
 

@@ -10,12 +10,12 @@ namespace zeroset {
 
 void set_times(std::vector<ComparedRow>& rows) {
     for (ComparedRow& row : rows) {
-        const auto base = std::ranges::find_if(rows, [&](const ComparedRow& other) {
-            return other.same_case(row) && other.printed_ms;
-        });
+        const auto base = std::ranges::find_if(
+            rows, [&](const ComparedRow& other) { return other.same_case(row) && other.of_table; });
         if (base == rows.end()) continue;
         row.times = row.median_ms / base->median_ms;
-        if (row.printed_ms) row.printed_times = *row.printed_ms / *base->printed_ms;
+        if (row.printed_ms && base->printed_ms)
+            row.printed_times = *row.printed_ms / *base->printed_ms;
     }
 }
 

@@ -34,8 +34,9 @@ struct ComparedRow {
     CertificateCounts counts{};
     WrongPixels wrong;
     std::size_t certified_there = 0;  ///< pixels that are certified in the finest picture by beams
+    bool of_table = false;            ///< whether the table names it, with a figure or without
     std::optional<double> printed_ms;
-    /// Times over those of the surface's first tracer of the paper, at this tolerance and with as
+    /// Times over those of the surface's first tracer of the table, at this tolerance and with as
     /// many reflections.
     std::optional<double> times, printed_times;
 

@@ -7,11 +7,11 @@
 
 namespace zeroset {
 
-/// A figure that a paper printed for a surface, a tracer and a tolerance.
+/// A row of a table: a surface, a tracer, a tolerance and the figure that a paper printed for them.
 struct PrintedValue {
     std::string_view surface, tracer;  ///< their names here: of the gallery, of `tracers()`
-    int d_stop;  ///< beyond max_d_stop: levels of an octree; other tracers go to max_d_stop
-    double value;
+    int d_stop;    ///< beyond max_d_stop: levels of an octree; other tracers go to max_d_stop
+    double value;  ///< 0: none is printed
     int reflections = 0;  ///< how often rays are mirrored
 };
 
@@ -48,6 +48,8 @@ struct PrintedTable {
     [[nodiscard]] std::optional<double> printed_ms(std::string_view surface,
                                                    std::string_view tracer, int d_stop,
                                                    int reflections = 0) const;
+    /// Whether the table is of this surface by this tracer.
+    [[nodiscard]] bool names(std::string_view surface, std::string_view tracer) const;
     /// nullptr where nothing is printed.
     [[nodiscard]] const PrintedBoxes* boxes_of(std::string_view surface) const;
 };

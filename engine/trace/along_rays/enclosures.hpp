@@ -35,6 +35,8 @@ public:
         counters_ = &counters;
         size_ = 0;
     }
+    /// Goes on with another function.
+    void look_at(const TraceFrame& frame) { frame_ = &frame; }
     void clear() { size_ = 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
     /// Adds [from, to] of a pixel's ray; its index.
@@ -115,6 +117,8 @@ public:
             v_[static_cast<std::size_t>(i)] = static_cast<Real>(rays.v(i));
         }
     }
+    /// Goes on with another function.
+    void look_at(const TraceFrame& frame) { frame_ = &frame; }
     void clear() { size_ = 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
     std::size_t push(std::uint32_t pixel, const Stretch& stretch) {

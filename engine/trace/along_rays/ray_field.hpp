@@ -28,6 +28,12 @@ struct RayField {
         forms.begin(of, rays, count);
     }
 
+    /// Goes on with another function on the same rays.
+    void look_at(const TraceFrame& of) {
+        frame = &of;
+        ranges.look_at(of);
+        forms.look_at(of);
+    }
     /// Tells who asks that f was evaluated so often for a pixel.
     void tell_cost(std::uint32_t pixel, double evaluations = 1.0) const {
         if (counters->costs != nullptr) counters->costs->add(pixel, evaluations);

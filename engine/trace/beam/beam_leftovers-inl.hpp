@@ -143,8 +143,8 @@ std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t lefto
         if (found) {
             const auto from = static_cast<double>(what.from);
             const auto to = static_cast<double>(what.to);
-            // Four of the finest cells, as certified_width promises.
-            const bool narrow = found->width <= 4 * static_cast<double>(settings.finest);
+            // Four of the cells that are asked for, as certified_width promises.
+            const bool narrow = found->width <= 4 * static_cast<double>(settings.asked);
             if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, found->width);
             nearest_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
                                  narrow ? Certificate::Certified : Certificate::Coarse,

@@ -51,9 +51,11 @@ struct Doubt {
 template <class Real>
 class RootFinder {
 public:
-    RootFinder(const TraceFrame& frame, const TileRays& rays, NearestRoots<Real>& nearest,
-               Counters& counters)
-        : frame_(frame), rays_(rays), nearest_(nearest), counters_(counters) {}
+    /// `asked`: the width of brackets that is asked for; they are sought no wider than the rays'
+    /// tolerance, which is not above it.
+    RootFinder(const TraceFrame& frame, const TileRays& rays, double asked,
+               NearestRoots<Real>& nearest, Counters& counters)
+        : frame_(frame), rays_(rays), asked_(asked), nearest_(nearest), counters_(counters) {}
 
     void push(const RootBracket& bracket) {
         if (size_ > 0 && brackets_[0].kernel != bracket.kernel) solve();
@@ -90,6 +92,7 @@ private:
 
     const TraceFrame& frame_;
     const TileRays& rays_;
+    double asked_;
     NearestRoots<Real>& nearest_;
     Counters& counters_;
     std::size_t size_ = 0;
@@ -151,7 +154,7 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
         if (hi < box.enter_lo || lo > box.exit_hi) return;
         proved = proved && lo >= box.enter_hi && hi <= box.exit_lo;
     }
-    const bool narrow = hi - lo <= rays_.tolerance();
+    const bool narrow = hi - lo <= asked_;
     if (bracket.again && !narrow) {
         open_.push_back(bracket);
         open_.back().from = lo;

@@ -47,6 +47,7 @@ struct MarchSettings {
     Real finest;     ///< segments are not made shorter
     Real margin;     ///< cells are longer than their part of the ray by this at both ends
     bool certifies;  ///< brackets of some `finest` are narrow enough to certify a root
+    Real asked = 0;  ///< the width of brackets that is asked for; not below `finest`
 };
 
 /// A part of a segment, as short as parts get, in which there may be a root.

@@ -33,15 +33,17 @@ struct BeamMemory {
 template <class Real>
 class BeamTile {
 public:
-    BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory, TileHits& hits,
-             Counters& counters)
+    /// `asked`: the width of brackets that is asked for, not below the tolerance of the frame.
+    BeamTile(const TraceFrame& frame, double asked, const Tile& tile, BeamMemory<Real>& memory,
+             TileHits& hits, Counters& counters)
         : frame_(frame),
+          asked_(asked),
           tile_(tile),
           hits_(hits),
           rays_(frame, tile),
           tree_(frame, tile, rays_, memory.tree, counters),
           nearest_(memory.nearest),
-          roots_(frame, rays_, nearest_, counters),
+          roots_(frame, rays_, asked, nearest_, counters),
           leaves_(frame, tile, rays_, nearest_, roots_, counters),
           small_leaves_(frame, tile, rays_, nearest_, roots_, counters),
           marcher_(frame, rays_, memory.march, nearest_, roots_, counters),
@@ -117,6 +119,7 @@ private:
     void write_row(int row);
 
     const TraceFrame& frame_;
+    double asked_;
     const Tile& tile_;
     TileHits& hits_;
     TileRays rays_;

@@ -164,8 +164,10 @@ void BeamTile<Real>::march_rays() {
                             .kernel = segment.kernel});
         return true;
     });
-    const MarchSettings<double> fine{
-        .finest = rays_.tolerance(), .margin = 0.25 * rays_.tolerance(), .certifies = true};
+    const MarchSettings<double> fine{.finest = rays_.tolerance(),
+                                     .margin = 0.25 * rays_.tolerance(),
+                                     .certifies = true,
+                                     .asked = asked_};
     const auto stop = [&](const RaySegment<double>& segment, bool continuous) {
         if (!continuous) {
             mark_unsettled(segment.pixel, segment.from);

@@ -25,6 +25,8 @@
 // - Cells are evaluated a margin longer than their slabs, so that the bracket of a root at the end
 //   of a slab is inside one cell.
 // - Rays go on in double where cells in float are not decided.
+// - The search goes to 2^-12 of the clip box at least, however coarse a one is asked for: where
+//   cells end before f is known to be monotone, their rays are searched one by one.
 
 #include "engine/trace/beam/beam_tracer.hpp"
 
@@ -41,15 +43,31 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-void trace_beam_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits,
+/// The frame, to be searched as fine as it takes least time.
+inline TraceFrame with_fair_depth(const TraceFrame& frame) {
+    const int fair_halvings = 12 + frame.depth.deeper;
+    TraceFrame fair = frame;
+    fair.depth.wanted = std::max(fair.depth.wanted, fair_halvings);
+    if (fair.stop.rule == StopRule::Epsilon)
+        fair.stop.value =
+            std::min(fair.stop.value, std::ldexp(frame.scene.clip.size(), -fair_halvings));
+    return fair;
+}
+
+void trace_beam_tile(const TraceFrame& asked, const Tile& tile, TileHits& hits,
                      Counters& counters) {
+    const TraceFrame frame = with_fair_depth(asked);
+    const double asked_width = TileRays(asked, tile).tolerance();
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
         thread_local BeamMemory<Real> memory;
-        BeamTile<Real>(frame, tile, memory, hits, counters).trace();
+        BeamTile<Real>(frame, asked_width, tile, memory, hits, counters).trace();
     });
 }
 

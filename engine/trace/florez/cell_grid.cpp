@@ -42,6 +42,15 @@ private:
     std::vector<Kept> kept_;
 };
 
+/// Whether w or a parameter takes more than one value.
+bool are_intervals(const TraceFrame& surface) {
+    const auto ends = surface.scene.uniforms.all_boxes<double>();
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        if (-ends[i] < ends[i + 1]) return true;
+    }
+    return false;
+}
+
 /// The cells of one z that the surface may cross, in rows of x.
 std::vector<bool> crossed_in_layer(const TraceFrame& frame, const CellGrid& grid, int z) {
     constexpr int side = CellGrid::side;
@@ -74,7 +83,7 @@ std::shared_ptr<const PreparedSurface> prepare_cell_grid(const TraceFrame& surfa
     const auto memory = surface.kernel.memory->of<GridMemory>();
     if (auto found = memory->find(surface)) return found;
     constexpr int side = CellGrid::side;
-    auto grid = std::make_shared<CellGrid>(surface.scene.clip);
+    auto grid = std::make_shared<CellGrid>(surface.scene.clip, are_intervals(surface));
     std::array<std::vector<bool>, side> layers;
     parallel_for(side, threads, [&](std::size_t z) {
         const UpwardRegisters upward;

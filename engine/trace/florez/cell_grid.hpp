@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/kernel/kernel_memory.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/trace/trace_frame.hpp"
 
@@ -15,7 +16,9 @@ class CellGrid : public PreparedSurface {
 public:
     static constexpr int side = 32;  ///< cells along each axis
 
-    explicit CellGrid(const Box& clip) : clip_(clip), crossed_(std::size_t{side} * side * side) {}
+    /// `of_frames`: w or a parameter takes several values.
+    CellGrid(const Box& clip, bool of_frames)
+        : clip_(clip), of_frames_(of_frames), crossed_(std::size_t{side} * side * side) {}
 
     /// The plane before cell i along an axis; that of cell `side` ends the grid.
     [[nodiscard]] double plane(int axis, int i) const {
@@ -26,13 +29,19 @@ public:
     void cross(int x, int y, int z) { crossed_[index(x, y, z)] = true; }
     [[nodiscard]] std::size_t crossed_cells() const;
     [[nodiscard]] const Box& clip() const { return clip_; }
+    /// Whether it serves several frames.
+    [[nodiscard]] bool of_frames() const { return of_frames_; }
+    /// What beams have found in it, kept from frame to frame.
+    [[nodiscard]] KernelMemory& memory() const { return memory_; }
 
 private:
     static std::size_t index(int x, int y, int z) {
         return static_cast<std::size_t>((z * side + y) * side + x);
     }
     Box clip_;
+    bool of_frames_;
     std::vector<bool> crossed_;
+    mutable KernelMemory memory_;
 };
 
 /// The grid of a surface for the uniforms of `frame`: that of a frame before, if its clip box is

@@ -6,9 +6,9 @@
 // along the axis of which its rays' directions have most; of each row it looks at the cells that
 // X, Y or Z cover, and its rays are searched in the TV of those that the surface may cross.
 // CSG is of point sets (section 6.3): min and max of formulas, whose F is tested in each
-// subdivision of T; the other way, by roots of the parts, is that of several surfaces, of which the
-// nearest root is shown. n-surfaces (section 6.4): a grid for w and parameters in intervals serves
-// all frames in these.
+// subdivision of T; the other way, by roots of the parts, is csg-by-roots. n-surfaces (section
+// 6.4): a grid for w and parameters in intervals serves all frames in these, and so does a beam's
+// way through it while the view stays.
 //
 // Differs from the thesis:
 // - A beam is that of 8 x 8 pixels, and its rays are searched one by one, by MRFro: the thesis goes
@@ -28,6 +28,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -185,6 +190,51 @@ private:
     std::array<std::vector<Stretch>, std::size_t{beams} * beams> of_beam_;
 };
 
+/// The walks of beams through a grid that serves n frames, for all of them while the view stays
+/// (CellGrid::memory). Any thread.
+class WalkMemory {
+public:
+    std::shared_ptr<const TileStretches> find(const TraceFrame& frame, const Tile& tile) {
+        const std::scoped_lock lock(mutex_);
+        if (!is_of(frame)) return nullptr;
+        const auto found = tiles_.find({tile.col, tile.row});
+        return found == tiles_.end() ? nullptr : found->second;
+    }
+    void keep(const TraceFrame& frame, const Tile& tile,
+              std::shared_ptr<const TileStretches> stretches) {
+        const std::scoped_lock lock(mutex_);
+        if (!is_of(frame)) tiles_.clear();
+        view_ = frame.view;
+        image_ = frame.image;
+        tiles_[{tile.col, tile.row}] = std::move(stretches);
+    }
+
+private:
+    [[nodiscard]] bool is_of(const TraceFrame& frame) const {
+        return view_ && is_same(*view_, frame.view) && image_ == frame.image;
+    }
+    static bool is_same(const ViewFrame& a, const ViewFrame& b) {
+        return a.eye == b.eye && a.right == b.right && a.up == b.up && a.forward == b.forward &&
+               a.look_distance == b.look_distance && a.half_height == b.half_height &&
+               a.projection == b.projection;
+    }
+    std::mutex mutex_;
+    std::optional<ViewFrame> view_;
+    ImageSize image_;
+    std::map<std::pair<int, int>, std::shared_ptr<const TileStretches>> tiles_;
+};
+
+/// The way of a tile's beams through the grid: of a frame before, if the grid serves both.
+std::shared_ptr<const TileStretches> walked(const CellGrid& grid, const TraceFrame& frame,
+                                            const TileRays& rays, const Tile& tile) {
+    if (!grid.of_frames()) return std::make_shared<const TileStretches>(grid, rays, tile);
+    const auto memory = grid.memory().of<WalkMemory>();
+    if (auto found = memory->find(frame, tile)) return found;
+    auto stretches = std::make_shared<const TileStretches>(grid, rays, tile);
+    memory->keep(frame, tile, stretches);
+    return stretches;
+}
+
 }  // namespace
 
 void trace_tile_regular_grid(const TraceFrame& frame, const Tile& tile, TileHits& hits,
@@ -194,12 +244,13 @@ void trace_tile_regular_grid(const TraceFrame& frame, const Tile& tile, TileHits
         using Real = decltype(real);
         thread_local RayMemory<Real> memory;
         const TileRays rays(frame, tile);
-        const TileStretches stretches(static_cast<const CellGrid&>(*frame.prepared), rays, tile);
+        const auto stretches =
+            walked(static_cast<const CellGrid&>(*frame.prepared), frame, rays, tile);
         memory.field.begin(frame, tile, rays, counters);
         MrfRo<Real> method(memory.field);
         RaySearch<Real, MrfRo<Real>>(rays, hits, memory, method)
             .run_from([&](std::uint32_t pixel, const RayLine& line, const auto& push) {
-                const std::vector<Stretch>& all = stretches.of(pixel);
+                const std::vector<Stretch>& all = stretches->of(pixel);
                 for (std::size_t i = all.size(); i > 0; --i) {
                     const Stretch part{.from = std::max(all[i - 1].from, line.from),
                                        .to = std::min(all[i - 1].to, line.to)};

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -79,12 +80,14 @@ double of_edge(const glm::dvec3& from, const glm::dvec3& to_light) {
 
 struct Counts {
     int lit = 0, dark = 0, unproved = 0;
+    std::uint64_t single_rays = 0;
 };
 
 /// Checks the hits of the plane, the frame's first surface, in a tile.
-void check(const Case& of, const std::vector<TraceFrame>& frames, const Tile& tile,
+void check(const Case& of, const std::vector<TraceFrame>& frames, const Tile& tile, ShadowWay way,
            Counts& counts) {
-    const ShadowTile found = shadow_tile(frames, tile);
+    const ShadowTile found = shadow_tile(frames, tile, way);
+    counts.single_rays += found.shadows.single_rays;
     const TraceFrame& plane = frames.front();
     const glm::dvec3 to_light = key_light(plane.view);
     for (std::size_t at = 0; at < found.hits[0].depth.size(); ++at) {
@@ -106,7 +109,7 @@ void check(const Case& of, const std::vector<TraceFrame>& frames, const Tile& ti
     }
 }
 
-void check_picture(const Case& of, Projection projection, double d_stop) {
+Counts check_picture(const Case& of, Projection projection, double d_stop, ShadowWay way) {
     Scene scene = scene_of("z = -1", Box::cube(2));
     scene.surfaces.push_back(scene_of(of.occluder, Box::cube(2)).surfaces[0]);
     Camera camera = default_camera(scene.clip);
@@ -120,12 +123,13 @@ void check_picture(const Case& of, Projection projection, double d_stop) {
     Counts counts;
     for (const int row : {0, tile_size}) {
         for (const int col : {0, tile_size})
-            check(of, frames, {.col = col, .row = row, .cols = tile_size, .rows = tile_size},
+            check(of, frames, {.col = col, .row = row, .cols = tile_size, .rows = tile_size}, way,
                   counts);
     }
     EXPECT_GT(counts.dark, 100);
     EXPECT_GT(counts.lit, 1000);
     EXPECT_LT(counts.unproved, 30);
+    return counts;
 }
 
 class ShadowProofs : public testing::TestWithParam<Case> {};
@@ -133,8 +137,20 @@ class ShadowProofs : public testing::TestWithParam<Case> {};
 TEST_P(ShadowProofs, HoldAndFailOnlyBesideTheEdge) {
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
         for (const double d_stop : {14.0, 24.0})
-            check_picture(GetParam(), projection, d_stop);
+            check_picture(GetParam(), projection, d_stop, ShadowWay::Beams);
     }
+}
+
+/// All ways promise the same; the more beams tell, the fewer rays are searched one by one.
+TEST_P(ShadowProofs, HoldBySingleRaysAndByBoxes) {
+    const auto rays_by = [&](ShadowWay way) {
+        return check_picture(GetParam(), Projection::Perspective, 14.0, way).single_rays;
+    };
+    const std::uint64_t by_rays = rays_by(ShadowWay::Rays);
+    const std::uint64_t by_boxes = rays_by(ShadowWay::Boxes);
+    EXPECT_GT(by_rays, 3000U);
+    EXPECT_LT(2 * by_boxes, by_rays);
+    EXPECT_LT(rays_by(ShadowWay::Beams), by_boxes);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShadowProofs,

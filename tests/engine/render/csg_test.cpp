@@ -56,6 +56,7 @@ TEST_P(Solid, IsTheSameWithSpecializedKernels) {
     EXPECT_GT(counts.certified, 1000U);
     EXPECT_LE(differences(picture_of(scene, "beams", camera), expected), 40);
     EXPECT_LE(differences(picture_of(scene, "k-bisection", camera), expected), 80);
+    EXPECT_LE(differences(picture_of(scene, "csg-by-roots", camera), expected), 80);
 }
 
 std::string spheres(const char* function, int count) {

@@ -23,6 +23,7 @@ ComparedRow row_of(const std::string& surface, const std::string& tracer, double
     row.d_stop = 22;
     row.median_ms = ms;
     row.printed_ms = printed_ms;
+    row.of_table = printed_ms.has_value();
     return row;
 }
 
@@ -44,6 +45,13 @@ TEST(ComparedRows, AreTimesTheFirstPrintedOneOfTheirCase) {
     EXPECT_DOUBLE_EQ(rows[2].printed_times.value(), 3.0);
     EXPECT_DOUBLE_EQ(rows[3].times.value(), 1.0);
     EXPECT_DOUBLE_EQ(rows[4].times.value(), 1.0);
+    rows[4].of_table = false;
+    rows[0].printed_ms.reset();
+    rows[0].of_table = true;
+    set_times(rows);
+    EXPECT_DOUBLE_EQ(rows[2].times.value(), 16.0);
+    EXPECT_DOUBLE_EQ(rows[1].times.value(), 8.0);
+    EXPECT_DOUBLE_EQ(rows[3].times.value(), 1.0);
     const auto means = means_of(rows);
     ASSERT_EQ(means.size(), 4U);
     const auto mrf = std::ranges::find_if(

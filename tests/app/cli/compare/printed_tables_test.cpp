@@ -30,7 +30,9 @@ TEST(PrintedTables, NameSurfacesAndTracersThatThereAre) {
                                                              item.group == suite_group;
                                                   }))
                 << value.surface;
-            EXPECT_GT(value.value, 0.0);
+            EXPECT_EQ(value.value > 0.0, table.name != "florez-figure-6.2");
+            EXPECT_TRUE(table.names(value.surface, value.tracer));
+            EXPECT_FALSE(table.names(value.surface, "beams"));
             EXPECT_TRUE(
                 seen.insert({value.surface, value.tracer, value.d_stop, value.reflections}).second)
                 << value.surface << " " << value.tracer;
@@ -48,6 +50,8 @@ TEST(PrintedTables, GiveTimes) {
     const PrintedTable& seconds = *find_printed_table("florez-table-4.1");
     EXPECT_DOUBLE_EQ(seconds.printed_ms("chubs", "mrfro", 22).value(), 188'000.0);
     EXPECT_DOUBLE_EQ(seconds.printed_ms("kusner_schmitt", "alefeld-hansen", 22).value(), 86'000.0);
+    const PrintedTable& without = *find_printed_table("florez-figure-6.2");
+    EXPECT_FALSE(without.printed_ms("lens", "mrfro", 22).has_value());
     const PrintedTable& mirrors = *find_printed_table("stolte-table-1");
     EXPECT_DOUBLE_EQ(mirrors.printed_ms("holesrot", "octree", 30).value(), 37'937.0);
     EXPECT_DOUBLE_EQ(mirrors.printed_ms("holesrot", "octree", 30, 5).value(), 53'500.0);

@@ -94,5 +94,44 @@ TEST(RegularGrid, DrawsFramesByTheGridOfAllOfThem) {
     }
 }
 
+/// A way through the grid that is kept from frame to frame is that of the view that is drawn.
+TEST(RegularGrid, WalksAnewWhereTheViewHasChanged) {
+    Scene scene = scene_of("x^2 + (y - w)^2 + z^2 = 0.4", Box::cube(2));
+    scene.uniforms.set(0, -0.9, 0.9);
+    const auto all = grid_of(scene);
+    EXPECT_TRUE(all->of_frames());
+    Camera aside = default_camera(scene.clip);
+    aside.eye = {0.5, -6.0, 1.0};
+    Camera parallel = aside;
+    parallel.projection = Projection::Orthographic;
+    const auto drawn = [&](const Camera& camera, int size) {
+        Framebuffer frame(size, size);
+        render_frame(scene, camera, settings_at("regular-grid", 18), frame);
+        return frame.depth;
+    };
+    for (const double w : {-0.8, 0.7}) {
+        for (const Camera& camera : {default_camera(scene.clip), aside, parallel}) {
+            for (const int size : {70, 90}) {
+                scene.uniforms.set(0, w);
+                const auto kept = drawn(camera, size);
+                EXPECT_EQ(grid_of(scene), all);
+                Scene fresh = scene;
+                fresh.surfaces[0].memory = std::make_shared<KernelMemory>();
+                std::swap(scene, fresh);
+                EXPECT_FALSE(grid_of(scene)->of_frames());
+                const auto alone = drawn(camera, size);
+                std::swap(scene, fresh);
+                int hits = 0;
+                for (std::size_t i = 0; i < kept.size(); ++i) {
+                    if (!std::isfinite(alone[i])) continue;
+                    EXPECT_NEAR(kept[i], alone[i], 1e-3F) << w << " " << i;
+                    ++hits;
+                }
+                EXPECT_GT(hits, 80);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test
