@@ -46,7 +46,7 @@ public:
     [[nodiscard]] Bends<ValueBounds> bends(const IndexBox& box) const;
     /// At indices within the grid.
     template <class Wide>
-    [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index) const;
+    [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index, bool with_bends) const;
 
 private:
     /// The first of the coefficients about a cell.
@@ -202,53 +202,71 @@ std::array<std::array<Wide, 4>, 3> spline_weights(Wide t) {
              {s, 3 * t - 2, 3 * s - 2, t}}};
 }
 
+/// Sums of products with the coefficients about a cell.
+template <class Wide>
+class SplineSums {
+public:
+    using Four = std::array<Wide, 4>;
+    using Orders = std::array<Four, 3>;  ///< by the order of a derivative
+
+    /// `row(j, k)` is the first of four coefficients. Derivatives up to the order `most`.
+    SplineSums(const std::array<Orders, 3>& weights, std::size_t most, auto row)
+        : by_k_(weights[2]) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            Orders in_row;
+            for (std::size_t j = 0; j < 4; ++j) {
+                const auto* const from = row(j, k);
+                const Four four{static_cast<Wide>(from[0]), static_cast<Wide>(from[1]),
+                                static_cast<Wide>(from[2]), static_cast<Wide>(from[3])};
+                for (std::size_t order = 0; order <= most; ++order)
+                    in_row[order][j] = dot(weights[0][order], four);
+            }
+            for (std::size_t by_i = 0; by_i <= most; ++by_i) {
+                for (std::size_t by_j = 0; by_i + by_j <= most; ++by_j)
+                    in_slices_[by_i][by_j][k] = dot(weights[1][by_j], in_row[by_i]);
+            }
+        }
+    }
+    [[nodiscard]] Wide derivative(std::size_t by_i, std::size_t by_j, std::size_t by_k) const {
+        return dot(by_k_[by_k], in_slices_[by_i][by_j]);
+    }
+
+private:
+    static Wide dot(const Four& a, const Four& b) {
+        return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+    }
+
+    Orders by_k_;
+    std::array<Orders, 3> in_slices_;  ///< by the orders in i and j
+};
+
 template <class Number>
 template <class Wide>
-auto CubicSpline<Number>::at(const std::array<Wide, 3>& index) const -> Point<Wide> {
+auto CubicSpline<Number>::at(const std::array<Wide, 3>& index, bool with_bends) const
+    -> Point<Wide> {
     std::array<std::int64_t, 3> cell{};
-    std::array<std::array<std::array<Wide, 4>, 3>, 3> weights;
+    std::array<typename SplineSums<Wide>::Orders, 3> weights;
     for (std::size_t i = 0; i < 3; ++i) {
         cell[i] =
             std::min(static_cast<std::int64_t>(index[i]), static_cast<std::int64_t>(size_[i]) - 2);
         weights[i] = spline_weights<Wide>(index[i] - static_cast<Wide>(cell[i]));
     }
-    const auto dot = [](const std::array<Wide, 4>& w, Wide a, Wide b, Wide c, Wide d) {
-        return (w[0] * a + w[1] * b) + (w[2] * c + w[3] * d);
-    };
-    // Sums along i of each row, then of those along j: by the order in i, then by that in j.
-    using Sums = std::array<std::array<Wide, 4>, 3>;
-    std::array<std::array<std::array<Wide, 4>, 3>, 3> in_slice;
     const Number* const base = coefficient(cell);
-    for (std::size_t k = 0; k < 4; ++k) {
-        Sums in_row;
-        for (std::size_t j = 0; j < 4; ++j) {
-            const Number* const row = base + static_cast<std::int64_t>(k) * slice() +
-                                      static_cast<std::int64_t>(j) * width();
-            for (std::size_t order = 0; order < 3; ++order) {
-                in_row[order][j] =
-                    dot(weights[0][order], static_cast<Wide>(row[0]), static_cast<Wide>(row[1]),
-                        static_cast<Wide>(row[2]), static_cast<Wide>(row[3]));
-            }
-        }
-        for (std::size_t by_i = 0; by_i < 3; ++by_i) {
-            const auto& of = in_row[by_i];
-            for (std::size_t by_j = 0; by_i + by_j < 3; ++by_j)
-                in_slice[by_i][by_j][k] = dot(weights[1][by_j], of[0], of[1], of[2], of[3]);
-        }
-    }
-    const auto derivative = [&](std::size_t by_i, std::size_t by_j, std::size_t by_k) {
-        const auto& of = in_slice[by_i][by_j];
-        return dot(weights[2][by_k], of[0], of[1], of[2], of[3]);
-    };
+    const SplineSums<Wide> sums(weights, with_bends ? 2 : 1, [&](std::size_t j, std::size_t k) {
+        return base + static_cast<std::int64_t>(k) * slice() +
+               static_cast<std::int64_t>(j) * width();
+    });
     Point<Wide> point;
-    point.value = derivative(0, 0, 0);
+    point.value = sums.derivative(0, 0, 0);
     if (!std::isfinite(point.value)) {
         point.value = std::numeric_limits<Wide>::quiet_NaN();
         return point;
     }
-    point.slope = {derivative(1, 0, 0), derivative(0, 1, 0), derivative(0, 0, 1)};
-    point.bend.mixed = {derivative(0, 1, 1), derivative(1, 0, 1), derivative(1, 1, 0)};
-    point.bend.own = {derivative(2, 0, 0), derivative(0, 2, 0), derivative(0, 0, 2)};
+    point.slope = {sums.derivative(1, 0, 0), sums.derivative(0, 1, 0), sums.derivative(0, 0, 1)};
+    if (!with_bends) return point;
+    point.bend.mixed = {sums.derivative(0, 1, 1), sums.derivative(1, 0, 1),
+                        sums.derivative(1, 1, 0)};
+    point.bend.own = {sums.derivative(2, 0, 0), sums.derivative(0, 2, 0), sums.derivative(0, 0, 2)};
     return point;
 }
 

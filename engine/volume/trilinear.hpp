@@ -50,7 +50,7 @@ public:
     [[nodiscard]] Bends<ValueBounds> bends(const IndexBox& box) const;
     /// At indices within the grid.
     template <class Wide>
-    [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index) const;
+    [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index, bool with_bends = true) const;
 
 private:
     [[nodiscard]] const Sample* sample(std::int64_t i, std::int64_t j, std::int64_t k) const {
@@ -237,7 +237,8 @@ Bends<ValueBounds> Trilinear<Sample>::bends(const IndexBox& box) const {
 
 template <class Sample>
 template <class Wide>
-auto Trilinear<Sample>::at(const std::array<Wide, 3>& index) const -> Point<Wide> {
+auto Trilinear<Sample>::at(const std::array<Wide, 3>& index, bool /*with_bends*/) const
+    -> Point<Wide> {
     std::array<std::int64_t, 3> cell{};
     std::array<Wide, 3> t{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -176,7 +176,7 @@ auto VolumeOf<Between>::place(const std::array<double, 3>& point, int order) con
         moves[i] = false;
         index[i] = index[i] > 0 ? end : 0;
     }
-    const auto inside = between_.template at<Wide>(index);
+    const auto inside = between_.template at<Wide>(index, order > 0);
     result.value = inside.value;
     turn(result, inside, moves, order);
     return result;
