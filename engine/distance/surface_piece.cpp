@@ -70,12 +70,12 @@ bool SurfacePiece::is_empty() const {
     return std::abs(offset) > reach + half_width;
 }
 
-DistanceBounds SurfacePiece::distance(const glm::dvec3& at) const {
+DistanceBounds SurfacePiece::distance(const glm::dvec3& point) const {
     const glm::dvec3 middle = 0.5 * (box.lo + box.hi);
     const glm::dvec3 half = 0.5 * (box.hi - box.lo);
-    const glm::dvec3 from = at - middle;
-    const double rounding = rounding_of(box, at);
-    DistanceBounds bounds{.lo = distance_below(box, at)};
+    const glm::dvec3 from = point - middle;
+    const double rounding = rounding_of(box, point);
+    DistanceBounds bounds{.lo = distance_below(box, point)};
     if (has_zero) bounds.hi = glm::length(glm::abs(from) + half) * (1 + unit) + rounding;
     if (normal == glm::dvec3(0.0)) return bounds;
 
@@ -94,7 +94,8 @@ DistanceBounds SurfacePiece::distance(const glm::dvec3& at) const {
     const glm::dvec3 inner = half - (half_width + rounding);
     if (std::min({inner.x, inner.y, inner.z}) <= 0) return bounds;
     CutBox plane{.half = inner, .normal = normal, .limit = offset};
-    if (plane.excess(plane.point(from, 0.0)) < 0) plane = {inner, -normal, -offset};
+    if (plane.excess(plane.point(from, 0.0)) < 0)
+        plane = {.half = inner, .normal = -normal, .limit = -offset};
     if (const auto multiplier = plane.multiplier(from)) {
         const glm::dvec3 x = plane.point(from, *multiplier);
         const double off_plane = std::abs(plane.excess(x));
