@@ -34,23 +34,6 @@ KernelFunction<ValueBatchOf<double>> values_of(const Expr& expr) {
     return interpret(expr).in_double.value;
 }
 
-SolidPart part_of(const Expr& f, const Box& clip) {
-    SolidPart part;
-    const std::array<Expr, 3> slopes = gradient_of(f);
-    {
-        const std::jthread other([&] {
-            part.range = ranges_of(f);
-            part.value = values_of(f);
-        });
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            part.gradient[axis] = ranges_of(tightened(slopes[axis], sample_region(clip)));
-    }
-    const Kernel plain = interpret(f);
-    part.branches = plain.branches;
-    part.defined_everywhere = is_defined_everywhere(f);
-    return part;
-}
-
 SolidNode::Kind kind_of(ChoiceTree::Kind kind, double sign) {
     switch (kind) {
         case ChoiceTree::Kind::Leaf: return SolidNode::Kind::Leaf;
@@ -72,7 +55,7 @@ std::uint32_t add_function(const Expr& f, double sign, MeshSolid& solid) {
     const auto first_part = static_cast<std::uint32_t>(solid.parts.size());
     const auto first_node = static_cast<std::uint32_t>(solid.nodes.size());
     for (const Expr& function : tree.functions)
-        solid.parts.push_back(part_of(function, solid.box));
+        solid.parts.push_back(solid_part(function, solid.box));
     for (const ChoiceTree::Node& node : tree.nodes) {
         const bool leaf = node.kind == ChoiceTree::Kind::Leaf;
         solid.add({.kind = kind_of(node.kind, sign),
@@ -84,6 +67,23 @@ std::uint32_t add_function(const Expr& f, double sign, MeshSolid& solid) {
 }
 
 }  // namespace
+
+SolidPart solid_part(const Expr& f, const Box& clip) {
+    SolidPart part;
+    const std::array<Expr, 3> slopes = gradient_of(f);
+    {
+        const std::jthread other([&] {
+            part.range = ranges_of(f);
+            part.value = values_of(f);
+        });
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            part.gradient[axis] = ranges_of(tightened(slopes[axis], sample_region(clip)));
+    }
+    const Kernel plain = interpret(f);
+    part.branches = plain.branches;
+    part.defined_everywhere = is_defined_everywhere(f);
+    return part;
+}
 
 std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const PictureRequest& request) {
     const Scene scene = scene_of(request);

@@ -17,6 +17,9 @@ struct SurfaceSolid {
     MeshSolid solid;
 };
 
+/// A function with enclosures of it and its derivatives, over boxes in and about `clip`.
+SolidPart solid_part(const Expr& f, const Box& clip);
+
 /// Makes the solid of each surface that the request shows: the side that sections fill, in the
 /// region. Bounds of a surface end its solid as sections do. Thread-safe.
 std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const PictureRequest& request);

@@ -5,6 +5,7 @@
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/volume_file.hpp"
 #include "engine/volume/made_volumes.hpp"
+#include "engine/volume/spline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ bool is_within(const fs::path& file, const fs::path& folder) {
 /// What is typed behind the file's name.
 struct Wanted {
     VolumeOptions options;
+    std::optional<SplineKind> spline;  ///< absent: trilinear
     RawLayout layout;
     bool raw = false;  ///< whether something was typed that a header would tell
 };
@@ -69,7 +71,7 @@ public:
 private:
     std::optional<FieldError> take(std::string_view argument) {
         const std::string text = lower_case(argument);
-        if (text == "trilinear") return std::nullopt;
+        if (take_spline(text)) return std::nullopt;
         if (text == "edge" || text == "undefined") {
             wanted_.options.outside = text == "edge" ? Outside::Edge : Outside::Undefined;
             return std::nullopt;
@@ -86,6 +88,18 @@ private:
             return std::nullopt;
         }
         return take_named(text, argument);
+    }
+    bool take_spline(std::string_view text) {
+        if (text == "trilinear") {
+            wanted_.spline.reset();
+        } else if (text == "cubic") {
+            wanted_.spline = SplineKind::Interpolating;
+        } else if (text == "smooth") {
+            wanted_.spline = SplineKind::Smoothing;
+        } else {
+            return false;
+        }
+        return true;
     }
     std::optional<FieldError> outside_is(double number, std::string_view argument) {
         constexpr double largest = 1e300;
@@ -122,11 +136,13 @@ private:
         return unknown(argument);
     }
     static FieldError unknown(std::string_view argument) {
-        return {.reason = filled(tr("{0} says nothing of a volume"), {quoted(argument)}),
-                .hint = filled(tr("known are {0}"),
-                               {"trilinear, edge, undefined, 0.5, size 256 256 109, uint8, big, "
-                                "skip 512, spacing 1 1 2, origin 0 0 0"}),
-                .at = argument};
+        return {
+            .reason = filled(tr("{0} says nothing of a volume"), {quoted(argument)}),
+            .hint = filled(
+                tr("known are {0}"),
+                {"trilinear, cubic, smooth, edge, undefined, 0.5, size 256 256 109, uint8, big, "
+                 "skip 512, spacing 1 1 2, origin 0 0 0"}),
+            .at = argument};
     }
 
     Wanted wanted_;
@@ -143,7 +159,7 @@ public:
         const std::scoped_lock lock(mutex_);
         auto data = call.file.starts_with('@') ? made(call, *wanted) : read(call, *wanted);
         if (!data) return std::unexpected(std::move(data.error()));
-        return known_or_new(std::move(*data), wanted->options, std::string(call.text));
+        return known_or_new(std::move(*data), *wanted, call);
     }
 
 private:
@@ -188,13 +204,12 @@ private:
     }
 
     /// Equal texts get the same function, so that code made for it is found again.
-    std::shared_ptr<const Field> known_or_new(std::shared_ptr<const VolumeData> data,
-                                              const VolumeOptions& options,
-                                              const std::string& text) const {
+    std::expected<std::shared_ptr<const Field>, FieldError> known_or_new(
+        std::shared_ptr<const VolumeData> data, const Wanted& wanted, const FieldCall& call) const {
         constexpr std::size_t most_kept = 4;
         const auto same = std::ranges::find_if(latest_, [&](const auto& volume) {
-            return &volume->data() == data.get() && volume->options() == options &&
-                   volume->text() == text;
+            return &volume->data() == data.get() && volume->options() == wanted.options &&
+                   volume->text() == call.text;
         });
         if (same != latest_.end()) {
             auto volume = *same;
@@ -202,10 +217,22 @@ private:
             latest_.push_back(volume);
             return volume;
         }
-        auto volume = Volume::make(std::move(data), options, text);
-        latest_.push_back(volume);
+        auto volume = made_of(std::move(data), wanted, std::string(call.text));
+        if (!volume) {
+            return std::unexpected(FieldError{.reason = quoted(call.file) + ": " + volume.error(),
+                                              .hint = {},
+                                              .at = call.file.empty() ? call.text : call.file});
+        }
+        latest_.push_back(*volume);
         if (latest_.size() > most_kept) latest_.pop_front();
-        return volume;
+        return std::move(*volume);
+    }
+    static std::expected<std::shared_ptr<const Volume>, std::string> made_of(
+        std::shared_ptr<const VolumeData> data, const Wanted& wanted, std::string text) {
+        if (!wanted.spline) return Volume::make(std::move(data), wanted.options, std::move(text));
+        auto spline = SplineData::of(data, *wanted.spline);
+        if (!spline) return std::unexpected(spline.error());
+        return Volume::make(std::move(*spline), wanted.options, std::move(text));
     }
 
     VolumeFolder folder_;

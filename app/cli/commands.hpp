@@ -56,8 +56,9 @@ int run_share(const ShareCommand& command);
 struct SampleCommand {
     std::string equation, output;
     std::string size = "128";
-    std::optional<std::string> box, w, surface;
+    std::optional<std::string> box, w, surface, tolerance;
     std::vector<std::string> set;
+    bool distance = false;  ///< not f, but how far its zeros are
 };
 int run_sample(const SampleCommand& command);
 

@@ -175,8 +175,8 @@ CLI::App* add_traversal(CLI::App& app, TraversalCommand& traversal) {
 }
 
 CLI::App* add_sample(CLI::App& app, SampleCommand& sample) {
-    CLI::App* const sample_app =
-        app.add_subcommand("sample", "write the values of f on a grid as a volume (NRRD)");
+    CLI::App* const sample_app = app.add_subcommand(
+        "sample", "write f, or the distance to its surface, on a grid as a volume (NRRD)");
     sample_app->footer(R"(Draw it again with "scan = volume(\"FILE.nrrd\"); scan(x,y,z) = 0".)");
     add_equation(*sample_app, sample.equation);
     add_value(*sample_app, "-o,--output", sample.output, "FILE.nrrd to write")->required();
@@ -185,6 +185,10 @@ CLI::App* add_sample(CLI::App& app, SampleCommand& sample) {
     add_value(*sample_app, "--box", sample.box, "L or x0,x1,y0,y1,z0,z1, as for render");
     add_value(*sample_app, "--w", sample.w, "the value of w");
     add_value(*sample_app, "--surface", sample.surface, "of several surfaces the N-th");
+    sample_app->add_flag("--distance", sample.distance,
+                         "the distance to the surface, negative where f < 0, in place of f");
+    add_value(*sample_app, "--tolerance", sample.tolerance,
+              "how far off distances may be (default: a twentieth of the spacing)");
     add_parameters(*sample_app, sample.set);
     return sample_app;
 }

@@ -3,10 +3,12 @@
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
 #include "engine/volume/files/write_nrrd.hpp"
+#include "pipeline/sample_distance.hpp"
 #include "pipeline/sample_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,6 +24,7 @@ struct SamplePlan {
     Expr f;
     Uniforms uniforms;
     std::string text;
+    double tolerance = 0;  ///< of distances
 };
 
 /// Reads N or NXxNYxNZ; of a single number the longest edge of the box has so many samples, and the
@@ -70,6 +73,24 @@ OrInputError<std::size_t> read_surface(const std::optional<std::string>& text, s
     return wrong_input("--surface " + *text + ": type a number from 1 to " + std::to_string(count));
 }
 
+/// The tolerance of distances: what was typed, or a twentieth of the least spacing.
+OrInputError<double> read_tolerance(const SampleCommand& command, const GridPlan& grid) {
+    const Geometry geometry = geometry_of(grid);
+    if (!command.tolerance) {
+        constexpr double share = 0.05;
+        return share * std::min({geometry.world_from_index[0][0], geometry.world_from_index[1][1],
+                                 geometry.world_from_index[2][2]});
+    }
+    if (!command.distance) return wrong_input("--tolerance is of distances: type --distance, too");
+    const auto number = read_number("--tolerance", *command.tolerance);
+    if (!number) return std::unexpected(number.error());
+    if (!(*number > 0 && *number <= 1e9)) {
+        return wrong_input("--tolerance " + *command.tolerance +
+                           ": type a distance in world units, above 0");
+    }
+    return *number;
+}
+
 OrInputError<SamplePlan> plan_of(const SampleCommand& command) {
     if (!lower_case(command.output).ends_with(".nrrd"))
         return wrong_input("-o " + command.output + ": type a name that ends in .nrrd");
@@ -89,10 +110,26 @@ OrInputError<SamplePlan> plan_of(const SampleCommand& command) {
                     .f = program.surfaces[*surface],
                     .uniforms = {},
                     .text = input->rows->surface_texts[*surface]};
+    const auto tolerance = read_tolerance(command, plan.grid);
+    if (!tolerance) return std::unexpected(tolerance.error());
+    plan.tolerance = *tolerance;
     plan.uniforms.set(0, input->document.w.value);
     for (std::size_t i = 0; i < program.parameters.size(); ++i)
         plan.uniforms.set(i + 1, slider_of(input->document, program.parameters[i]).value);
     return plan;
+}
+
+/// One line about samples whose distance is not proved.
+void warn_of(const DistanceGrid& grid, double tolerance) {
+    if (grid.unproved == 0) return;
+    const std::string worst = std::isfinite(grid.worst)
+                                  ? "off by up to " + short_number(grid.worst, 3)
+                                  : "larger: the surface is not proved to be so near";
+    std::fprintf(
+        stderr, "zeroset: of %llu of %llu samples the distance is not proved to %s; it may be %s\n",
+        static_cast<unsigned long long>(grid.unproved),
+        static_cast<unsigned long long>(grid.samples.count()), short_number(tolerance, 3).c_str(),
+        worst.c_str());
 }
 
 }  // namespace
@@ -102,8 +139,18 @@ int run_sample(const SampleCommand& command) {
     if (!plan) return report(plan.error());
     if (const auto unwritable = first_unwritable({command.output}))
         return report_run_time(*unwritable);
-    const Samples samples = sampled(plan->f, plan->uniforms, plan->grid);
-    const auto bytes = nrrd_bytes(samples, geometry_of(plan->grid), "f of " + plan->text);
+    Samples samples;
+    std::string content = "f of " + plan->text;
+    if (command.distance) {
+        auto grid = sampled_distance(plan->f, plan->uniforms, plan->grid, plan->tolerance);
+        if (!grid) return report(grid.error());
+        warn_of(*grid, plan->tolerance);
+        samples = std::move(grid->samples);
+        content = "signed distance, to " + short_number(plan->tolerance, 3) + ", of " + plan->text;
+    } else {
+        samples = sampled(plan->f, plan->uniforms, plan->grid);
+    }
+    const auto bytes = nrrd_bytes(samples, geometry_of(plan->grid), content);
     const auto written = write_file(command.output, bytes);
     return written ? exit_ok : report_run_time(written.error().message);
 }

@@ -28,6 +28,8 @@ constexpr Line statements[] = {
     {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},
     {R"(scan = volume("ct.nrrd"))",
      marked("samples from a file, as a function of the point: scan(x, y, z) = 400")},
+    {R"(scan = volume("ct.nrrd", cubic))",
+     marked("a spline through the samples, else trilinear; with smooth in its place: beside them")},
     {"a = 2; a = a + 1", marked("defined again: for what follows and for all surfaces")},
     {"a = 2; z = a x",
      marked("between statements; a line goes on in brackets, behind an operator and before one")},

@@ -2,6 +2,7 @@
 
 #include "engine/volume/corner_values.hpp"
 #include "engine/volume/index_box.hpp"
+#include "engine/volume/interpolation.hpp"
 #include "engine/volume/volume.hpp"
 
 #include <array>
@@ -16,24 +17,22 @@
 
 namespace zeroset {
 
-/// [lo, hi].
-struct ValueBounds {
-    double lo = 0, hi = 0;
-
-    [[nodiscard]] double size() const { return std::max(std::abs(lo), std::abs(hi)); }
-    void add(const ValueBounds& other) {
-        lo = std::min(lo, other.lo);
-        hi = std::max(hi, other.hi);
-    }
-    [[nodiscard]] ValueBounds widened(double by) const { return {.lo = lo - by, .hi = hi + by}; }
-};
-
 /// Roundings of values and slopes between samples, amply counted.
 inline constexpr double mixing_roundings = 32;
 
 template <class Sample>
 class Trilinear {
 public:
+    using Source = VolumeData;
+    using Range = InterpolationRange;
+    template <class Wide>
+    using Point = InterpolationPoint<Wide>;
+    /// First derivatives jump where cells meet.
+    static constexpr bool joins_smoothly = false;
+    static constexpr double roundings = mixing_roundings;
+    /// Bounds the errors of values in long double, in units of double.
+    static constexpr double share_of_errors = 0x1p-8;
+
     explicit Trilinear(const VolumeData& data)
         : data_(static_cast<const Sample*>(data.samples().data.get())),
           size_(data.samples().size),
@@ -45,30 +44,13 @@ public:
         return index_box(map_, size_, lo, hi);
     }
 
-    /// The range in the part of the box in the grid.
-    struct Range {
-        ValueBounds value{};
-        double largest = 0;                   ///< the largest sample about the box, in size
-        bool somewhere = true;                ///< false: no sample about it is a number
-        bool holes = false;                   ///< whether the box may meet a hole
-        bool exact = false;                   ///< whether the samples were taken one by one
-        std::array<ValueBounds, 3> slopes{};  ///< by the indices; only if asked for
-    };
     [[nodiscard]] Range range(const IndexBox& box, bool with_slopes) const;
 
-    /// The second derivatives by two different indices, over the box.
-    [[nodiscard]] std::array<ValueBounds, 3> bends(const IndexBox& box) const;
-
-    /// Value and derivatives by the indices in the cell of a point; not a number in holes.
-    template <class Wide>
-    struct Point {
-        Wide value = std::numeric_limits<Wide>::quiet_NaN();
-        std::array<Wide, 3> slope{};
-        std::array<Wide, 3> bend{};  ///< by j and k, i and k, i and j
-    };
+    /// The second derivatives by the indices, over the box.
+    [[nodiscard]] Bends<ValueBounds> bends(const IndexBox& box) const;
     /// At indices within the grid.
     template <class Wide>
-    [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index) const;
+    [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index, bool with_bends = true) const;
 
 private:
     [[nodiscard]] const Sample* sample(std::int64_t i, std::int64_t j, std::int64_t k) const {
@@ -233,29 +215,30 @@ auto Trilinear<Sample>::range(const IndexBox& box, bool with_slopes) const -> Ra
 }
 
 template <class Sample>
-std::array<ValueBounds, 3> Trilinear<Sample>::bends(const IndexBox& box) const {
-    std::array<ValueBounds, 3> bends{};
+Bends<ValueBounds> Trilinear<Sample>::bends(const IndexBox& box) const {
+    Bends<ValueBounds> bends;
     const auto values = corners(box);
     const SampleRange samples = values ? values->range() : pyramid_.range(box.cells);
     if (!samples.any()) return bends;
     const double error =
         mixing_roundings * unit_of<double> * std::max(std::abs(samples.lo), std::abs(samples.hi));
     const double apart = 2 * (samples.hi - samples.lo) + error;
-    bends.fill({.lo = -apart, .hi = apart});
+    bends.mixed.fill({.lo = -apart, .hi = apart});
     if (!values || samples.holes) return bends;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         CornerValues bend = *values;
         narrow(bend, box, axis);
         bend.differentiate((axis + 1) % 3);
         bend.differentiate((axis + 2) % 3);
-        bends[axis] = bounds(bend, error);
+        bends.mixed[axis] = bounds(bend, error);
     }
     return bends;
 }
 
 template <class Sample>
 template <class Wide>
-auto Trilinear<Sample>::at(const std::array<Wide, 3>& index) const -> Point<Wide> {
+auto Trilinear<Sample>::at(const std::array<Wide, 3>& index, bool /*with_bends*/) const
+    -> Point<Wide> {
     std::array<std::int64_t, 3> cell{};
     std::array<Wide, 3> t{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -287,9 +270,9 @@ auto Trilinear<Sample>::at(const std::array<Wide, 3>& index) const -> Point<Wide
     }
     point.slope = {mix(mix(by[0], by[1], t[1]), mix(by[2], by[3], t[1]), t[2]),
                    mix(on[1] - on[0], on[3] - on[2], t[2]), above - below};
-    point.bend = {(on[3] - on[2]) - (on[1] - on[0]),
-                  mix(by[2], by[3], t[1]) - mix(by[0], by[1], t[1]),
-                  mix(by[1], by[3], t[2]) - mix(by[0], by[2], t[2])};
+    point.bend.mixed = {(on[3] - on[2]) - (on[1] - on[0]),
+                        mix(by[2], by[3], t[1]) - mix(by[0], by[1], t[1]),
+                        mix(by[1], by[3], t[2]) - mix(by[0], by[2], t[2])};
     return point;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/volume/volume.hpp"
 
 #include "engine/real/rounding.hpp"
+#include "engine/volume/cubic_spline.hpp"
 #include "engine/volume/volume_of.hpp"
 
 #include <algorithm>
@@ -64,8 +65,19 @@ std::shared_ptr<const Volume> Volume::make(std::shared_ptr<const VolumeData> dat
                                            const VolumeOptions& options, std::string text) {
     return visit_samples(data->samples(), [&](const auto* first) -> std::shared_ptr<const Volume> {
         using Sample = std::remove_cvref_t<decltype(*first)>;
-        return std::make_shared<const VolumeOf<Sample>>(std::move(data), options, std::move(text));
+        return std::make_shared<const VolumeOf<Trilinear<Sample>>>(std::move(data), options,
+                                                                   std::move(text));
     });
+}
+
+std::shared_ptr<const Volume> Volume::make(std::shared_ptr<const SplineData> spline,
+                                           const VolumeOptions& options, std::string text) {
+    const auto volume = [&](auto number) -> std::shared_ptr<const Volume> {
+        using Between = CubicSpline<decltype(number)>;
+        return std::make_shared<const VolumeOf<Between>>(std::move(spline), options,
+                                                         std::move(text));
+    };
+    return spline->coefficients().type == SampleType::Float ? volume(float{}) : volume(double{});
 }
 
 }  // namespace zeroset

@@ -59,16 +59,28 @@ private:
     std::shared_ptr<const void> pyramid_;
 };
 
-/// A volume as a function: trilinear between the samples. In a cell one of whose corners is
-/// infinite or NaN it is undefined.
+/// The data themselves, as what a Trilinear is made of (SplineData has another).
+inline const std::shared_ptr<const VolumeData>& volume_data(
+    const std::shared_ptr<const VolumeData>& data) {
+    return data;
+}
+
+class SplineData;
+
+/// A volume as a function: trilinear between the samples, or a cubic spline. In a cell one of whose
+/// corners, or one of the spline's coefficients about it, is infinite or NaN it is undefined.
 class Volume : public Field {
 public:
     static std::shared_ptr<const Volume> make(std::shared_ptr<const VolumeData> data,
+                                              const VolumeOptions& options, std::string text);
+    static std::shared_ptr<const Volume> make(std::shared_ptr<const SplineData> spline,
                                               const VolumeOptions& options, std::string text);
 
     [[nodiscard]] const VolumeData& data() const { return *data_; }
     [[nodiscard]] std::shared_ptr<const VolumeData> shared_data() const { return data_; }
     [[nodiscard]] const VolumeOptions& options() const { return options_; }
+    /// Its spline; nullptr where it is trilinear.
+    [[nodiscard]] virtual const SplineData* spline() const = 0;
     [[nodiscard]] std::string text() const override { return text_; }
     [[nodiscard]] bool is_total() const override;
     [[nodiscard]] bool is_continuous() const override;

@@ -2,6 +2,7 @@
 
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/volume/spline.hpp"
 #include "engine/volume/trilinear.hpp"
 #include "engine/volume/volume.hpp"
 
@@ -44,15 +45,27 @@ std::array<double, 3> question_lane(const Real* in, std::size_t column, int lane
     return {number(0), number(1), number(2)};
 }
 
-template <class Sample>
+/// `Between` says what it is between the samples: Trilinear, CubicSpline.
+template <class Between>
 class VolumeOf final : public Volume {
 public:
-    VolumeOf(std::shared_ptr<const VolumeData> of, const VolumeOptions& options, std::string text)
-        : Volume(std::move(of), options, std::move(text)),
-          trilinear_(data()),
+    using Source = typename Between::Source;
+
+    VolumeOf(std::shared_ptr<const Source> source, const VolumeOptions& options, std::string text)
+        : Volume(volume_data(source), options, std::move(text)),
+          source_(std::move(source)),
+          between_(*source_),
           map_(data().map()),
           outside_(options.outside),
           constant_(options.constant) {}
+
+    [[nodiscard]] const SplineData* spline() const override {
+        if constexpr (std::is_same_v<Source, SplineData>) {
+            return source_.get();
+        } else {
+            return nullptr;
+        }
+    }
 
     void values(int derivative, const float* in, float* out, int lanes) const override {
         values_of(derivative, in, out, lanes);
@@ -86,7 +99,7 @@ private:
     template <class Wide>
     [[nodiscard]] Place<Wide> place(const std::array<double, 3>& point, int order) const;
     template <class Wide>
-    void turn(Place<Wide>& result, const typename Trilinear<Sample>::template Point<Wide>& point,
+    void turn(Place<Wide>& result, const InterpolationPoint<Wide>& point,
               const std::array<bool, 3>& moves, int order) const;
 
     template <class Real>
@@ -98,7 +111,7 @@ private:
 
     /// ValueBounds over the box as it is seen from outside the grid, too.
     struct Seen {
-        typename Trilinear<Sample>::Range range{};
+        InterpolationRange range{};
         bool somewhere = true, everywhere = true, continuous = true;
         bool smooth = true;  ///< neither holes nor jumps
     };
@@ -111,7 +124,8 @@ private:
     [[nodiscard]] ValueBounds at_middle(const std::array<double, 3>& middle, const IndexBox& box,
                                         const Seen& over) const;
 
-    Trilinear<Sample> trilinear_;
+    std::shared_ptr<const Source> source_;
+    Between between_;
     IndexMap map_;
     Outside outside_;
     double constant_;
@@ -139,9 +153,9 @@ inline ValueBounds scaled_sum(const ValueBounds& sum, double factor, const Value
                           (result.size() + std::max(std::abs(a), std::abs(b))));
 }
 
-template <class Sample>
+template <class Between>
 template <class Wide>
-auto VolumeOf<Sample>::place(const std::array<double, 3>& point, int order) const -> Place<Wide> {
+auto VolumeOf<Between>::place(const std::array<double, 3>& point, int order) const -> Place<Wide> {
     std::array<Wide, 3> index{};
     std::array<bool, 3> moves{true, true, true};
     Place<Wide> result;
@@ -162,18 +176,17 @@ auto VolumeOf<Sample>::place(const std::array<double, 3>& point, int order) cons
         moves[i] = false;
         index[i] = index[i] > 0 ? end : 0;
     }
-    const auto inside = trilinear_.template at<Wide>(index);
+    const auto inside = between_.template at<Wide>(index, order > 0);
     result.value = inside.value;
     turn(result, inside, moves, order);
     return result;
 }
 
 /// Derivatives by the indices, of those that move with the point, as derivatives in the world.
-template <class Sample>
+template <class Between>
 template <class Wide>
-void VolumeOf<Sample>::turn(Place<Wide>& result,
-                            const typename Trilinear<Sample>::template Point<Wide>& point,
-                            const std::array<bool, 3>& moves, int order) const {
+void VolumeOf<Between>::turn(Place<Wide>& result, const InterpolationPoint<Wide>& point,
+                             const std::array<bool, 3>& moves, int order) const {
     const auto& m = map_.index_from_world;
     const auto by = [&](std::size_t i, std::size_t axis) {
         return moves[i] ? static_cast<Wide>(m[i][axis]) : Wide{0};
@@ -188,15 +201,17 @@ void VolumeOf<Sample>::turn(Place<Wide>& result,
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::size_t j = (i + 1) % 3;
                 const std::size_t k = (i + 2) % 3;
-                result.bend[a][b] += point.bend[i] * (by(j, a) * by(k, b) + by(k, a) * by(j, b));
+                result.bend[a][b] +=
+                    point.bend.mixed[i] * (by(j, a) * by(k, b) + by(k, a) * by(j, b)) +
+                    point.bend.own[i] * (by(i, a) * by(i, b));
             }
         }
     }
 }
 
-template <class Sample>
+template <class Between>
 template <class Real>
-void VolumeOf<Sample>::values_of(int derivative, const Real* in, Real* out, int lanes) const {
+void VolumeOf<Between>::values_of(int derivative, const Real* in, Real* out, int lanes) const {
     const NearestLongDouble guard;
     using Wide = WideOf<Real>;
     constexpr Wide unknown = std::numeric_limits<Wide>::quiet_NaN();
@@ -219,8 +234,8 @@ void VolumeOf<Sample>::values_of(int derivative, const Real* in, Real* out, int 
     }
 }
 
-template <class Sample>
-auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen {
+template <class Between>
+auto VolumeOf<Between>::seen(const IndexBox& box, bool with_slopes) const -> Seen {
     const bool inside = box.surely_inside();
     Seen result;
     if (outside_ != Outside::Edge && box.surely_outside()) {
@@ -232,7 +247,7 @@ auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen
         result.smooth = defined;
         return result;
     }
-    result.range = trilinear_.range(box, with_slopes);
+    result.range = between_.range(box, with_slopes);
     result.somewhere = result.range.somewhere;
     result.everywhere = !result.range.holes;
     result.smooth = !result.range.holes;
@@ -261,28 +276,30 @@ auto VolumeOf<Sample>::seen(const IndexBox& box, bool with_slopes) const -> Seen
     return result;
 }
 
-template <class Sample>
-ValueBounds VolumeOf<Sample>::world_slope(const std::array<ValueBounds, 3>& slopes,
-                                          std::size_t axis) const {
+template <class Between>
+ValueBounds VolumeOf<Between>::world_slope(const std::array<ValueBounds, 3>& slopes,
+                                           std::size_t axis) const {
     ValueBounds sum;
     for (std::size_t i = 0; i < 3; ++i)
         sum = scaled_sum(sum, map_.index_from_world[i][axis], slopes[i]);
     return sum;
 }
 
-template <class Sample>
-ValueBounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen& over,
-                                                int derivative) const {
+template <class Between>
+ValueBounds VolumeOf<Between>::derivative_bounds(const IndexBox& box, const Seen& over,
+                                                 int derivative) const {
     const auto axes = axes_of(derivative);
     const int order = order_of(derivative);
     if (order == 1) return world_slope(over.range.slopes, axes[0]);
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (order > highest_order) return {.lo = -unbounded, .hi = unbounded};
     if (box.surely_outside() && outside_ != Outside::Edge) return {};
-    std::array<ValueBounds, 3> bends = trilinear_.bends(box);
+    Bends<ValueBounds> bends = between_.bends(box);
     if (!box.surely_inside()) {
-        for (ValueBounds& bend : bends)
-            bend.add({});
+        for (std::size_t i = 0; i < 3; ++i) {
+            bends.mixed[i].add({});
+            bends.own[i].add({});
+        }
     }
     const auto& m = map_.index_from_world;
     ValueBounds sum;
@@ -291,40 +308,40 @@ ValueBounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen&
         const std::size_t k = (i + 2) % 3;
         const double turned = m[j][axes[0]] * m[k][axes[1]];
         const double crossed = m[k][axes[0]] * m[j][axes[1]];
-        sum = scaled_sum(scaled_sum(sum, turned, bends[i]), crossed, bends[i]);
+        sum = scaled_sum(scaled_sum(sum, turned, bends.mixed[i]), crossed, bends.mixed[i]);
+        sum = scaled_sum(sum, m[i][axes[0]] * m[i][axes[1]], bends.own[i]);
     }
     return sum;
 }
 
-template <class Sample>
+template <class Between>
 template <class Real>
-void VolumeOf<Sample>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
+void VolumeOf<Between>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
     for (int lane = 0; lane < lanes; ++lane) {
-        const IndexBox box = trilinear_.box(question_lane(in, FieldRange::neg_lo, lanes, lane, -1),
-                                            question_lane(in, FieldRange::hi, lanes, lane));
+        const IndexBox box = between_.box(question_lane(in, FieldRange::neg_lo, lanes, lane, -1),
+                                          question_lane(in, FieldRange::hi, lanes, lane));
         const Seen over = seen(box, derivative != 0);
         AnswerLane<Real> answer(out, lanes, lane);
         answer.set(FieldRange::range,
                    derivative == 0 ? over.range.value : derivative_bounds(box, over, derivative));
         answer.set_mask(FieldRange::somewhere, over.somewhere);
-        // Where cells meet a derivative has no value of its own.
-        bool one_piece = over.smooth && box.surely_inside();
-        for (std::size_t i = 0; i < 3; ++i)
-            one_piece = one_piece && box.cells.first[i] == box.cells.last[i];
+        // Where pieces meet a derivative has no value of its own.
+        const bool one_piece = over.smooth && box.surely_inside() &&
+                               (Between::joins_smoothly || box.cells.first == box.cells.last);
         answer.set_mask(FieldRange::everywhere, over.everywhere && (derivative == 0 || one_piece));
         answer.set_mask(FieldRange::continuous, derivative == 0 ? over.continuous : one_piece);
     }
 }
 
-template <class Sample>
+template <class Between>
 template <class Wide>
-ValueBounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
-                                        const Seen& over) const {
+ValueBounds VolumeOf<Between>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
+                                         const Seen& over) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (!over.smooth) return {.lo = -unbounded, .hi = unbounded};
     const auto value = static_cast<double>(place<Wide>(middle, 0).value);
     if (std::isnan(value)) return {.lo = -unbounded, .hi = unbounded};
-    double error = mixing_roundings * over.range.largest;
+    double error = Between::roundings * over.range.largest;
     for (std::size_t i = 0; i < 3; ++i)
         error += index_roundings * box.terms[i] * over.range.slopes[i].size();
     constexpr auto wide_unit = static_cast<double>(unit_of<Wide>);
@@ -332,15 +349,15 @@ ValueBounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, con
                                                          2 * unit_of<double> * std::abs(value));
 }
 
-template <class Sample>
+template <class Between>
 template <class Real>
-void VolumeOf<Sample>::forms_of(const Real* in, Real* out, int lanes) const {
+void VolumeOf<Between>::forms_of(const Real* in, Real* out, int lanes) const {
     // Values in double are computed in long double: of its errors few are left.
-    constexpr double wide_share = 0x1p-8;
+    constexpr double wide_share = Between::share_of_errors;
     const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
-        const IndexBox box = trilinear_.box(question_lane(in, FieldForm::neg_lo, lanes, lane, -1),
-                                            question_lane(in, FieldForm::hi, lanes, lane));
+        const IndexBox box = between_.box(question_lane(in, FieldForm::neg_lo, lanes, lane, -1),
+                                          question_lane(in, FieldForm::hi, lanes, lane));
         const Seen over = seen(box, true);
         AnswerLane<Real> answer(out, lanes, lane);
         answer.set(FieldForm::range, over.range.value);

@@ -51,6 +51,32 @@ class VolumeTest(ProgramTest):
         near.sort()
         self.assertLess(near[int(0.9 * len(near))], 2e-3)
 
+    def test_distances_are_those_of_a_sphere(self):
+        result = self.run_ok("sample", SPHERE, "-o", "d.nrrd", "--distance", "--size", "12",
+                             "--box", "1.5", "--tolerance", "0.01")
+        self.assertEqual(result.err, "")
+        fields, samples = read_nrrd(self.folder / "d.nrrd")
+        self.assertIn("signed distance, to 0.01, of", fields["content"])
+        step = 3 / 11
+        for n, found in enumerate(samples):
+            point = [step * (n // 12 ** axis % 12) - 1.5 for axis in range(3)]
+            self.assertAlmostEqual(found, math.hypot(*point) - 1, delta=0.0101)
+
+    def test_distances_that_are_not_proved_are_told(self):
+        result = self.run_ok("sample", "(x + y)^2", "-o", "d.nrrd", "--distance", "--size", "4",
+                             "--box", "1", "--tolerance", "0.1")
+        self.assertIn("of 64 of 64 samples the distance is not proved to 0.1", result.err)
+
+    def test_a_spline_is_drawn_where_the_sphere_is(self):
+        self.run_ok("sample", SPHERE, "-o", "s.nrrd", "--size", "21", "--box", "1.25")
+        truth = self.depth(SPHERE, *VIEW)
+        found = self.depth('scan = volume("s.nrrd", cubic); scan(x, y, z) = 0', *VIEW)
+        near = [abs(a[2] - b[2]) for a, b in zip(truth.pixels(), found.pixels())
+                if math.isfinite(a[2]) and math.isfinite(b[2])]
+        self.assertGreater(len(near), 0.95 * truth.hits())
+        near.sort()
+        self.assertLess(near[int(0.9 * len(near))], 3e-4)
+
     def test_all_is_certified(self):
         stats = self.run_ok("render", "@marschner_lobb", "-o", "a.png", "--size", "96x96",
                             "--stats", "-")
@@ -110,6 +136,10 @@ class VolumeTest(ProgramTest):
                 (["-o", "a.nrrd", "--size", "4000x4000x4000"], "2^30"),
                 (["-o", "a.nrrd", "--size", "-3"], "--size"),
                 (["-o", "a.nrrd", "--surface", "2"], "--surface 2"),
+                (["-o", "a.nrrd", "--tolerance", "1"], "type --distance"),
+                (["-o", "a.nrrd", "--distance", "--tolerance", "0"], "--tolerance 0"),
+                (["-o", "a.nrrd", "--distance", "--box", "5,6,5,6,5,6"],
+                 "the surface surely has no point in the box"),
                 (["-o", "a.nrrd", "--box", "0"], "--box 0"),
                 (["-o", "a.nrrd", "--set", "q=1"], "q")):
             with self.subTest(options=options):

@@ -1,4 +1,5 @@
 #include "engine/language/vocabulary/field_source.hpp"
+#include "engine/volume/spline.hpp"
 #include "engine/volume/volume.hpp"
 #include "pipeline/volume_source.hpp"
 #include "tests/oracle/ray_audit.hpp"
@@ -17,7 +18,7 @@
 #include <string>
 #include <vector>
 
-// Tracers on volumes against each cell's cubic, solved exactly. ZEROSET_FORMULAS says how many
+// Tracers on volumes against each cell's polynomial, solved exactly. ZEROSET_FORMULAS says how many
 // volumes are made, each for some 500 rays.
 
 namespace zeroset::test {
@@ -43,7 +44,10 @@ std::vector<float> hard_numbers(std::uint64_t kind, const GridSize& size, Random
     return numbers;
 }
 
-std::shared_ptr<const Volume> hard_volume(std::uint64_t seed, const std::string& text) {
+enum class Between : std::uint8_t { Trilinear, Cubic };
+
+std::shared_ptr<const Volume> hard_volume(std::uint64_t seed, Between kind,
+                                          const std::string& text) {
     RandomNumbers random(seed);
     GridSize size{};
     for (auto& count : size)
@@ -69,24 +73,30 @@ std::shared_ptr<const Volume> hard_volume(std::uint64_t seed, const std::string&
                           .data = std::shared_ptr<const void>(numbers, numbers->data())},
                          place);
     const Outside outside = seed % 5 == 0 ? Outside::Edge : Outside::Undefined;
-    return Volume::make(data.value(), {.outside = outside}, text);
+    if (kind == Between::Trilinear) return Volume::make(data.value(), {.outside = outside}, text);
+    const SplineKind spline = seed % 4 == 1 ? SplineKind::Smoothing : SplineKind::Interpolating;
+    return Volume::make(SplineData::of(data.value(), spline).value(), {.outside = outside}, text);
 }
 
 /// volume("SEED")
 class HardVolumes final : public FieldSource {
 public:
+    explicit HardVolumes(Between kind) : kind_(kind) {}
+
     [[nodiscard]] std::expected<std::shared_ptr<const Field>, FieldError> open(
         const FieldCall& call) const override {
         std::uint64_t seed = 0;
         std::from_chars(call.file.data(), call.file.data() + call.file.size(), seed);
-        return hard_volume(seed, std::string(call.text));
+        return hard_volume(seed, kind_, std::string(call.text));
     }
+
+private:
+    Between kind_;
 };
 
-TEST(TracerOnVolumes, MissesNoRootAndCertifiesOnlyTrueOnes) {
-    set_field_source(std::make_shared<HardVolumes>());
+AuditReport audit_of(Between kind, int volumes) {
+    set_field_source(std::make_shared<HardVolumes>(kind));
     AuditReport total;
-    const int volumes = formulas_to_try(18);
     for (int n = 0; n < volumes; ++n) {
         RandomNumbers random(static_cast<std::uint64_t>(n) + 500);
         const std::array levels{" = 0", " = 0.3", " = -0.01", " = 0.9999"};
@@ -101,6 +111,10 @@ TEST(TracerOnVolumes, MissesNoRootAndCertifiesOnlyTrueOnes) {
         total += audit(surface, {.tracer = "beams", .interpreted = true});
     }
     use_volume_folder({});
+    return total;
+}
+
+void expect_sound(const AuditReport& total) {
     for (std::size_t i = 0; i < std::min<std::size_t>(total.failures.size(), 10); ++i)
         ADD_FAILURE() << total.failures[i];
     EXPECT_EQ(total.failures.size(), 0U);
@@ -108,6 +122,14 @@ TEST(TracerOnVolumes, MissesNoRootAndCertifiesOnlyTrueOnes) {
     EXPECT_GT(total.hit, total.rays / 4);
     EXPECT_LT(total.unknown, total.rays / 20);
     EXPECT_GT(total.hit_certified, total.hit * 9 / 10);
+}
+
+TEST(TracerOnVolumes, MissesNoRootAndCertifiesOnlyTrueOnes) {
+    expect_sound(audit_of(Between::Trilinear, formulas_to_try(18)));
+}
+
+TEST(TracerOnVolumes, MissesNoRootOfSplinesAndCertifiesOnlyTrueOnes) {
+    expect_sound(audit_of(Between::Cubic, formulas_to_try(12)));
 }
 
 }  // namespace

@@ -84,6 +84,38 @@ TEST_F(VolumeTexts, ArgumentsSayWhatIsBeyondTheGrid) {
     EXPECT_EQ(options_of(", edge").outside, Outside::Edge);
     EXPECT_EQ(options_of(", trilinear, undefined").outside, Outside::Undefined);
     EXPECT_EQ(options_of(", -2.5"), (VolumeOptions{Outside::Constant, -2.5}));
+    EXPECT_EQ(options_of(", cubic, edge").outside, Outside::Edge);
+}
+
+TEST_F(VolumeTexts, ArgumentsSayWhatIsBetweenTheSamples) {
+    const auto value_of = [](const std::string& arguments) {
+        const auto program =
+            read_program("s = volume(\"sample.nrrd\"" + arguments + "); s(x, y, z) = 0");
+        EXPECT_TRUE(program.has_value()) << arguments;
+        const auto& data = volume_in(*program).data();
+        const auto at = world_point(data.geometry(), {1, 2, 1});
+        std::array<double, 4> value{};
+        volume_in(*program).values(0, at.data(), value.data(), 1);
+        EXPECT_EQ(volume_in(*program).spline() == nullptr, arguments.empty());
+        return value[0];
+    };
+    const double sample = sample_at(sample_field()->data(), 1, 2, 1);
+    EXPECT_NEAR(value_of(""), sample, 1e-9);
+    EXPECT_NEAR(value_of(", cubic"), sample, 1e-9);
+    EXPECT_GT(std::abs(value_of(", smooth") - sample), 0.01);
+    EXPECT_NEAR(value_of(", cubic, 0.5"), sample, 1e-9);
+    std::vector<float> numbers(27, 1);
+    numbers[4] = std::nanf("");
+    const auto kept = std::make_shared<const std::vector<float>>(numbers);
+    bytes_ = nrrd_bytes({.type = SampleType::Float,
+                         .size = {3, 3, 3},
+                         .data = std::shared_ptr<const void>(kept, kept->data())},
+                        {}, "test");
+    write("holes.nrrd");
+    EXPECT_EQ(error_of("volume(\"holes.nrrd\", cubic)(x, y, z) = 1"),
+              "8: 'holes.nrrd': some of its samples are no finite numbers, through which no spline "
+              "goes; type smooth for one beside the samples, or trilinear");
+    EXPECT_EQ(error_of("volume(\"holes.nrrd\", smooth)(x, y, z) = 1"), "no error");
 }
 
 TEST_F(VolumeTexts, RawSamplesHaveTheirLayoutBehindThem) {
@@ -99,9 +131,10 @@ TEST_F(VolumeTexts, RawSamplesHaveTheirLayoutBehindThem) {
 TEST_F(VolumeTexts, MistakesAreShownAtTheirPlace) {
     EXPECT_EQ(error_of("volume(\"none.nrrd\")(x, y, z) = 1"),
               "8: 'none.nrrd': there is no such file");
-    EXPECT_EQ(error_of("volume(\"sample.nrrd\", sharp)(x, y, z) = 1"),
-              "22: 'sharp' says nothing of a volume; known are trilinear, edge, undefined, 0.5, "
-              "size 256 256 109, uint8, big, skip 512, spacing 1 1 2, origin 0 0 0");
+    EXPECT_EQ(
+        error_of("volume(\"sample.nrrd\", sharp)(x, y, z) = 1"),
+        "22: 'sharp' says nothing of a volume; known are trilinear, cubic, smooth, edge, "
+        "undefined, 0.5, size 256 256 109, uint8, big, skip 512, spacing 1 1 2, origin 0 0 0");
     EXPECT_EQ(error_of("volume(\"sample.nrrd\", uint8)(x, y, z) = 1"),
               "0: raw samples need their sizes; type size 256 256 109");
     EXPECT_EQ(error_of("volume(\"sample.nrrd\")(x, y) = 1"),

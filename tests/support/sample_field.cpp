@@ -1,5 +1,6 @@
 #include "tests/support/sample_field.hpp"
 
+#include "engine/volume/spline.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <algorithm>
@@ -23,6 +24,34 @@ std::shared_ptr<const Volume> made_field() {
                          .origin = {-1.4, -1.1, -1.2}};
     return Volume::make(VolumeData::make(samples, place).value(), {.outside = Outside::Edge},
                         "volume(\"sample\")");
+}
+
+/// The weights of four coefficients at `t` in a cell: the pieces of the cubic B-spline.
+std::array<MpfrNumber, 4> spline_weights(const MpfrNumber& t) {
+    const MpfrNumber s = MpfrNumber(1.0) - t;
+    const auto cube = [](const MpfrNumber& x) { return x * x * x; };
+    const auto middle = [&](const MpfrNumber& x) {
+        return MpfrNumber(3.0) * cube(x) - MpfrNumber(6.0) * x * x + MpfrNumber(4.0);
+    };
+    std::array weights{cube(s), middle(t), middle(s), cube(t)};
+    for (MpfrNumber& weight : weights)
+        weight = weight / MpfrNumber(6.0);
+    return weights;
+}
+
+Reference spline_reference(const SplineData& spline, const std::array<std::uint64_t, 3>& cell,
+                           const std::array<MpfrNumber, 3>& share) {
+    const std::array weights{spline_weights(share[0]), spline_weights(share[1]),
+                             spline_weights(share[2])};
+    MpfrNumber sum(0.0);
+    for (std::size_t n = 0; n < 64; ++n) {
+        const std::array of{n % 4, n / 4 % 4, n / 16};
+        const MpfrNumber term(
+            coefficient_at(spline, cell[0] + of[0], cell[1] + of[1], cell[2] + of[2]));
+        if (!term.is_finite()) return {};
+        sum = sum + term * weights[0][of[0]] * weights[1][of[1]] * weights[2][of[2]];
+    }
+    return {.defined = true, .value = sum};
 }
 
 }  // namespace
@@ -55,6 +84,7 @@ Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrN
                            data.samples().size[i] - 2);
         share[i] = index - MpfrNumber(static_cast<double>(cell[i]));
     }
+    if (volume.spline() != nullptr) return spline_reference(*volume.spline(), cell, share);
     MpfrNumber sum(0.0);
     for (unsigned corner = 0; corner < 8; ++corner) {
         const std::array<std::uint64_t, 3> of{corner & 1U, corner >> 1U & 1U, corner >> 2U};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
+#include "engine/volume/spline.hpp"
 #include "engine/volume/volume.hpp"
 #include "tests/support/mpfr_number.hpp"
 
@@ -16,12 +17,21 @@ const std::shared_ptr<const Volume>& sample_field();
 Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrNumber& y,
                           const MpfrNumber& z);
 
+/// The number of a grid as a double.
+inline double stored_number(const Samples& grid, std::uint64_t i, std::uint64_t j,
+                            std::uint64_t k) {
+    return visit_samples(grid, [&](const auto* samples) {
+        return static_cast<double>(samples[(k * grid.size[1] + j) * grid.size[0] + i]);
+    });
+}
 /// The sample as a double.
 inline double sample_at(const VolumeData& data, std::uint64_t i, std::uint64_t j, std::uint64_t k) {
-    const GridSize& size = data.samples().size;
-    return visit_samples(data.samples(), [&](const auto* samples) {
-        return static_cast<double>(samples[(k * size[1] + j) * size[0] + i]);
-    });
+    return stored_number(data.samples(), i, j, k);
+}
+/// The coefficient of a spline; (1, 1, 1) belongs to the first sample.
+inline double coefficient_at(const SplineData& spline, std::uint64_t i, std::uint64_t j,
+                             std::uint64_t k) {
+    return stored_number(spline.coefficients(), i, j, k);
 }
 
 /// The operator; a field is `sample_field`.

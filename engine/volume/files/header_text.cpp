@@ -124,6 +124,8 @@ Number number_at(std::string_view bytes, std::size_t offset, bool big_endian) {
 }
 
 template std::int16_t number_at(std::string_view, std::size_t, bool);
+template std::uint16_t number_at(std::string_view, std::size_t, bool);
+template std::uint32_t number_at(std::string_view, std::size_t, bool);
 template std::int32_t number_at(std::string_view, std::size_t, bool);
 template std::int64_t number_at(std::string_view, std::size_t, bool);
 template float number_at(std::string_view, std::size_t, bool);

@@ -238,8 +238,10 @@ Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
     const double slope = header->real(header->at().slope);
     const double shift = header->real(header->at().inter);
     const bool scales = slope != 0 && std::isfinite(slope) && std::isfinite(shift);
-    if (scales && (slope != 1 || shift != 0))
-        volume.samples = rescaled(volume.samples, slope, shift);
+    if (!scales || (slope == 1 && shift == 0)) return volume;
+    const auto scaled = rescaled(volume.samples, slope, shift);
+    if (!scaled) return std::unexpected(scaled.error());
+    volume.samples = *scaled;
     return volume;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/volume/files/sample_file.hpp"
 
 #include "engine/base/parallel.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -8,9 +9,11 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <fstream>
@@ -294,19 +297,58 @@ Read read_samples(const SampleBlock& block) {
     return raw(block, *file, *needed);
 }
 
-Samples rescaled(const Samples& samples, double slope, double shift) {
-    const std::uint64_t count = samples.count();
-    const auto room = room_for(count * sizeof(float));
-    if (!room) return samples;
-    auto* const out = reinterpret_cast<float*>(room.get());
+namespace {
+
+constexpr std::uint64_t samples_at_once = std::uint64_t{1} << 18U;
+
+/// Calls body(first, last) for all stretches of 0 to `count`, on all cores, rounding to nearest.
+void each_stretch(std::uint64_t count, auto body) {
+    parallel_for((count + samples_at_once - 1) / samples_at_once, 0, [&](std::size_t n) {
+        const NearestRounding nearest;
+        body(n * samples_at_once, std::min<std::uint64_t>(count, (n + 1) * samples_at_once));
+    });
+}
+
+/// Whether all samples times `slope` plus `shift` are floats, as computed in double.
+bool fit_floats(const Samples& samples, double slope, double shift) {
+    std::atomic<bool> fit = true;
     visit_samples(samples, [&](const auto* in) {
-        constexpr std::uint64_t part = std::uint64_t{1} << 18U;
-        parallel_for((count + part - 1) / part, 0, [&](std::size_t n) {
-            for (std::uint64_t i = n * part; i < std::min(count, (n + 1) * part); ++i)
-                out[i] = static_cast<float>(static_cast<double>(in[i]) * slope + shift);
+        each_stretch(samples.count(), [&](std::uint64_t first, std::uint64_t last) {
+            for (std::uint64_t i = first; i < last && fit; ++i) {
+                const double value = static_cast<double>(in[i]) * slope + shift;
+                if (std::isfinite(value) && static_cast<double>(static_cast<float>(value)) != value)
+                    fit = false;
+            }
         });
     });
-    return {.type = SampleType::Float, .size = samples.size, .data = room};
+    return fit;
+}
+
+template <class Number>
+Samples rescaled_to(const Samples& samples, double slope, double shift, SampleType type) {
+    const auto room = room_for(samples.count() * sizeof(Number));
+    if (!room) return {};
+    auto* const out = reinterpret_cast<Number*>(room.get());
+    visit_samples(samples, [&](const auto* in) {
+        each_stretch(samples.count(), [&](std::uint64_t first, std::uint64_t last) {
+            for (std::uint64_t i = first; i < last; ++i)
+                out[i] = static_cast<Number>(static_cast<double>(in[i]) * slope + shift);
+        });
+    });
+    return {.type = type, .size = samples.size, .data = room};
+}
+
+}  // namespace
+
+Read rescaled(const Samples& samples, double slope, double shift) {
+    const bool floats = fit_floats(samples, slope, shift);
+    Samples result = floats ? rescaled_to<float>(samples, slope, shift, SampleType::Float)
+                            : rescaled_to<double>(samples, slope, shift, SampleType::Double);
+    if (!result.data) {
+        return no_memory(samples.count() *
+                         size_of(floats ? SampleType::Float : SampleType::Double));
+    }
+    return result;
 }
 
 }  // namespace zeroset

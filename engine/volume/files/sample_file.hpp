@@ -38,7 +38,8 @@ std::expected<Samples, std::string> samples_of_bytes(std::string_view bytes,
 /// What zlib packed, at most `most` bytes of it; nothing where it is damaged or longer.
 std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most);
 
-/// The samples times `slope` plus `shift`, as float32.
-Samples rescaled(const Samples& samples, double slope, double shift);
+/// The samples times `slope` plus `shift`, as computed in double: as float32 where all of them are
+/// such numbers, else as float64. The error is that there is no memory for them.
+std::expected<Samples, std::string> rescaled(const Samples& samples, double slope, double shift);
 
 }  // namespace zeroset

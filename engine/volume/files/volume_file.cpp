@@ -60,6 +60,17 @@ struct KnownFile {
     std::filesystem::file_time_type time;
     std::uint64_t size = 0;
     std::weak_ptr<const VolumeData> data;
+
+    /// Where a volume is made of several files: as all in the folder were.
+    void add_folder(const std::filesystem::path& folder) {
+        std::error_code error;
+        const std::filesystem::path own = folder.empty() ? std::filesystem::path(".") : folder;
+        for (const auto& entry : std::filesystem::directory_iterator(own, error)) {
+            if (!entry.is_regular_file(error)) continue;
+            size += entry.file_size(error);
+            time = std::max(time, entry.last_write_time(error));
+        }
+    }
 };
 
 class KnownFiles {
@@ -83,7 +94,25 @@ private:
     std::vector<KnownFile> files_;
 };
 
+/// Whether a folder has a file of DICOM.
+bool is_dicom_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error)) return false;
+    const std::filesystem::directory_iterator files(folder, error);
+    return std::any_of(begin(files), end(files),
+                       [](const auto& entry) { return is_dicom_file(entry.path()); });
+}
+
 }  // namespace
+
+bool is_dicom_file(const std::filesystem::path& file) {
+    constexpr std::size_t preamble = 128;
+    constexpr std::string_view mark = "DICM";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return false;
+    const auto bytes = first_bytes(file, preamble + mark.size());
+    return bytes && bytes->size() > preamble && bytes->substr(preamble) == mark;
+}
 
 std::string known_endings() {
     std::string text;
@@ -92,12 +121,15 @@ std::string known_endings() {
     return text;
 }
 
-bool is_volume_file(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+bool is_volume_file(const std::filesystem::path& file) {
+    return format_of(file) != nullptr || is_dicom_file(file) || is_dicom_folder(file);
+}
 
 Read read_volume_file(const std::filesystem::path& file, const RawLayout& layout) {
     if (layout.size) return read_raw(file, layout);
     const Format* const format = format_of(file);
     if (format != nullptr) return format->read(file);
+    if (is_dicom_file(file) || is_dicom_folder(file)) return read_dicom(file);
     return std::unexpected("it is read as raw samples only, of sizes that are typed behind it");
 }
 
@@ -106,12 +138,14 @@ std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
     static KnownFiles known;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return std::unexpected("there is no such file");
-    if (!std::filesystem::is_regular_file(file, error)) return std::unexpected("it is no file");
+    const bool is_file = std::filesystem::is_regular_file(file, error);
+    if (!is_file && !is_dicom_folder(file)) return std::unexpected("it is no file");
     KnownFile key{.file = std::filesystem::weakly_canonical(file, error).string(),
                   .layout = layout,
                   .time = std::filesystem::last_write_time(file, error),
-                  .size = std::filesystem::file_size(file, error),
+                  .size = is_file ? std::filesystem::file_size(file, error) : 0,
                   .data = {}};
+    if (!is_file || is_dicom_file(file)) key.add_folder(is_file ? file.parent_path() : file);
     if (auto data = known.find(key)) return data;
     const auto read = read_volume_file(file, layout);
     if (!read) return std::unexpected(read.error());

@@ -46,7 +46,10 @@ std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
 
 /// The endings of the files that are read, with their points, in lower case.
 std::string known_endings();
-/// Whether the name ends so that it is a volume's, but for raw ones.
+/// Whether a file begins as those of DICOM do.
+bool is_dicom_file(const std::filesystem::path& file);
+/// Whether the name ends so that it is a volume's, but for raw ones; or it is a file of DICOM, or a
+/// folder with such files.
 bool is_volume_file(const std::filesystem::path& file);
 
 // Readers of the formats, by what the files' names end in.
@@ -54,5 +57,7 @@ std::expected<VolumeFile, std::string> read_nrrd(const std::filesystem::path& fi
 std::expected<VolumeFile, std::string> read_meta_image(const std::filesystem::path& file);
 std::expected<VolumeFile, std::string> read_nifti(const std::filesystem::path& file);
 std::expected<VolumeFile, std::string> read_vtk_image(const std::filesystem::path& file);
+/// Reads the series that a file is of, or the one that is in a folder.
+std::expected<VolumeFile, std::string> read_dicom(const std::filesystem::path& path);
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #include "engine/volume/volume.hpp"
 
 #include "engine/real/rounding.hpp"
+#include "engine/volume/spline.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/real_types.hpp"
 #include "tests/support/sample_field.hpp"
@@ -25,11 +26,18 @@ Samples samples_of(const GridSize& size, std::vector<Sample> numbers, SampleType
     return {.type = type, .size = size, .data = std::shared_ptr<const void>(kept, kept->data())};
 }
 
+/// Trilinear; or a spline through the samples (1) or beside them (2), as are those with holes.
 std::shared_ptr<const Volume> volume_of(const Samples& samples, const Geometry& place,
-                                        const VolumeOptions& options = {}) {
+                                        const VolumeOptions& options = {},
+                                        std::uint64_t spline = 0) {
     const auto data = VolumeData::make(samples, place);
     EXPECT_TRUE(data.has_value()) << data.error();
-    return Volume::make(*data, options, "volume(\"test\")");
+    const std::string text = "volume(\"test\")";
+    if (spline == 0) return Volume::make(*data, options, text);
+    const bool smooth = spline == 2 || (*data)->range().holes;
+    return Volume::make(
+        SplineData::of(*data, smooth ? SplineKind::Smoothing : SplineKind::Interpolating).value(),
+        options, text);
 }
 
 /// x + 10 y + 100 z at the samples, and so between them.
@@ -151,7 +159,7 @@ std::shared_ptr<const Volume> random_volume(RandomNumbers& random) {
     for (double& x : place.origin)
         x = random.uniform(-9, 9);
     const auto outside = static_cast<Outside>(random.below(3));
-    return volume_of(samples, place, {.outside = outside, .constant = 12});
+    return volume_of(samples, place, {.outside = outside, .constant = 12}, random.below(3));
 }
 
 /// A box of any size about a place in the grid or at its border.

@@ -66,14 +66,14 @@ std::vector<double> VolumeOracle::crossings(const RayQuestion& ray) const {
 }
 
 /// f in the cell of the point at `middle`, as a polynomial; nullopt where it is not defined there.
-std::optional<Expr> VolumeOracle::cubic(const RayQuestion& ray, double middle) const {
+std::optional<Expr> VolumeOracle::polynomial(const RayQuestion& ray, double middle) const {
     ExprBuilder builder;
     const IndexMap& map = volume_->data().map();
     const auto sum = [&](NodeId a, NodeId b) { return builder.apply(Op::Add, a, b); };
     const auto product = [&](NodeId a, NodeId b) { return builder.apply(Op::Multiply, a, b); };
     const auto number = [&](double value) { return builder.constant(value); };
     std::array<std::uint64_t, 3> cell{};
-    std::array<std::array<NodeId, 2>, 3> share{};
+    std::array<std::vector<NodeId>, 3> weights;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto [at, by] = index_line(map, i, ray);
         const Wide index = at + by * middle;
@@ -91,17 +91,37 @@ std::optional<Expr> VolumeOracle::cubic(const RayQuestion& ray, double middle) c
                                            builder.variable(static_cast<int>(c))));
             }
         }
-        share[i] = {builder.apply(Op::Subtract, number(1), above), above};
+        weights[i] = cell_weights(builder, above);
     }
+    const SplineData* const spline = volume_->spline();
     NodeId f = builder.apply(Op::Negate, builder.constant(level_.lo, level_.hi));
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const std::array<unsigned, 3> of{corner & 1U, corner >> 1U & 1U, corner >> 2U};
-        const double sample =
-            sample_at(volume_->data(), cell[0] + of[0], cell[1] + of[1], cell[2] + of[2]);
-        f = sum(f, product(product(number(sample), share[0][of[0]]),
-                           product(share[1][of[1]], share[2][of[2]])));
+    if (spline != nullptr) f = product(f, number(216));  // its weights are six times themselves
+    const std::size_t count = weights[0].size();
+    for (std::size_t n = 0; n < count * count * count; ++n) {
+        const std::array of{n % count, n / count % count, n / (count * count)};
+        const std::array at{cell[0] + of[0], cell[1] + of[1], cell[2] + of[2]};
+        const double factor = spline != nullptr ? coefficient_at(*spline, at[0], at[1], at[2])
+                                                : sample_at(volume_->data(), at[0], at[1], at[2]);
+        f = sum(f, product(product(number(factor), weights[0][of[0]]),
+                           product(weights[1][of[1]], weights[2][of[2]])));
     }
     return builder.finish(f);
+}
+
+/// The weights of the numbers about a cell along an axis, where `above` is the place in it; of a
+/// spline six times as much.
+std::vector<NodeId> VolumeOracle::cell_weights(ExprBuilder& builder, NodeId above) const {
+    const auto number = [&](double value) { return builder.constant(value); };
+    const auto product = [&](NodeId a, NodeId b) { return builder.apply(Op::Multiply, a, b); };
+    const NodeId below = builder.apply(Op::Subtract, number(1), above);
+    if (volume_->spline() == nullptr) return {below, above};
+    const auto cube = [&](NodeId t) { return product(t, product(t, t)); };
+    const auto middle = [&](NodeId t) {  // 3 t^3 - 6 t^2 + 4
+        const NodeId high = product(number(3), cube(t));
+        const NodeId low = product(number(6), product(t, t));
+        return builder.apply(Op::Add, builder.apply(Op::Subtract, high, low), number(4));
+    };
+    return {cube(below), middle(above), middle(below), cube(above)};
 }
 
 /// The sign of f at a point of the ray; 0 where it is 0 or not defined.
@@ -125,7 +145,7 @@ RayAnswer VolumeOracle::answer(const RayQuestion& ray) const {
             // Too short a way through a cell: its neighbours tell of roots here.
             continue;
         }
-        const auto f = cubic(ray, from + 0.5 * (to - from));
+        const auto f = polynomial(ray, from + 0.5 * (to - from));
         if (!f) continue;
         const auto oracle = PolynomialOracle::of(*f, {});
         RayQuestion part = ray;
@@ -137,7 +157,7 @@ RayAnswer VolumeOracle::answer(const RayQuestion& ray) const {
         const RayRoot& root = roots->front();
         if (root.from > from + near && root.to < to - near)
             return hit_between(ray, root.from, root.to, root.crosses);
-        // Beside a border, where this cell's cubic is not surely the one that counts.
+        // Beside a border, where this cell's polynomial is not surely the one that counts.
         const int before = sign_at(ray, root.from - 4 * near);
         const int after = sign_at(ray, root.to + 4 * near);
         if (before * after >= 0) return {};

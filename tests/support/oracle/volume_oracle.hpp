@@ -10,9 +10,9 @@
 
 namespace zeroset::test {
 
-/// Finds the first place on a ray where a volume is a number: in each cell that is a cubic in t
-/// with rational coefficients, which PolynomialOracle solves exactly. Only where cells meet is t
-/// rounded.
+/// Finds the first place on a ray where a volume is a number: in each cell that is a polynomial
+/// in t with rational coefficients, of degree 3 or, of a spline, 9, which PolynomialOracle solves
+/// exactly. Only where cells meet is t rounded.
 class VolumeOracle {
 public:
     /// The oracle, or nullopt where the formula is not volume(x, y, z) - c with a volume that does
@@ -26,7 +26,8 @@ private:
         : volume_(std::move(volume)), level_(level) {}
 
     [[nodiscard]] std::vector<double> crossings(const RayQuestion& ray) const;
-    [[nodiscard]] std::optional<Expr> cubic(const RayQuestion& ray, double middle) const;
+    [[nodiscard]] std::optional<Expr> polynomial(const RayQuestion& ray, double middle) const;
+    [[nodiscard]] std::vector<NodeId> cell_weights(ExprBuilder& builder, NodeId above) const;
     [[nodiscard]] int sign_at(const RayQuestion& ray, double t) const;
 
     std::shared_ptr<const Volume> volume_;

@@ -302,6 +302,22 @@ TEST_F(VolumeFiles, NiftiTellsItsPlaceAndScale) {
     EXPECT_EQ(sample_at(**data, 3, 2, 1), 2 * 123 - 7);
 }
 
+/// Nothing is rounded on the way: to double where floats do not hold what was scaled.
+TEST_F(VolumeFiles, ScaledNiftiIsExact) {
+    const auto scaled = [&](const std::string& name, float slope, float shift) {
+        NiftiHeader header(4);
+        header.put(112, slope).put(116, shift);
+        return open_volume(write(name, header.bytes() + grid_bytes<std::int16_t>()), {}).value();
+    };
+    const auto halves = scaled("halves.nii", 0.5F, -1024.0F);
+    EXPECT_EQ(halves->samples().type, SampleType::Float);
+    EXPECT_EQ(sample_at(*halves, 3, 2, 1), 123 / 2.0 - 1024);
+    const auto thirds = scaled("thirds.nii", 1.0F / 3.0F, 0.1F);
+    EXPECT_EQ(thirds->samples().type, SampleType::Double);
+    EXPECT_EQ(sample_at(*thirds, 3, 2, 1),
+              123 * static_cast<double>(1.0F / 3.0F) + static_cast<double>(0.1F));
+}
+
 TEST_F(VolumeFiles, DamagedNiftiGetsItsLine) {
     const auto error = [&](const std::string& bytes) { return error_of(write("a.nii", bytes)); };
     EXPECT_EQ(error("no header"), "it does not begin with a header of NIfTI");

@@ -1,0 +1,98 @@
+#include "engine/distance/near_surface.hpp"
+
+#include "engine/distance/enclose_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::uint32_t pieces_a_node = 4;
+
+Box box_about(const std::vector<SurfacePiece>& pieces, std::uint32_t first, std::uint32_t last) {
+    Box box = pieces[first].box;
+    for (std::uint32_t i = first + 1; i < last; ++i) {
+        box.lo = glm::min(box.lo, pieces[i].box.lo);
+        box.hi = glm::max(box.hi, pieces[i].box.hi);
+    }
+    return box;
+}
+
+}  // namespace
+
+std::expected<NearSurface, std::size_t> NearSurface::make(const SurfaceFunction& function,
+                                                          const Box& box,
+                                                          const SlabLimits& limits) {
+    NearSurface surface;
+    std::vector<Box> cells{box};
+    while (!cells.empty()) {
+        EnclosedCells next = enclose_cells(function, cells, limits);
+        surface.pieces_.insert(surface.pieces_.end(), next.pieces.begin(), next.pieces.end());
+        if (next.open.size() * 8 > limits.most_cells) return std::unexpected(next.open.size() * 8);
+        cells = std::move(next.open);
+        cells = divided(cells);
+    }
+    if (surface.pieces_.empty()) return surface;
+    surface.nodes_.emplace_back();
+    surface.arrange(0, 0, static_cast<std::uint32_t>(surface.pieces_.size()));
+    return surface;
+}
+
+/// Puts the pieces from `first` to `last` below a node, near ones together.
+void NearSurface::arrange(std::uint32_t node, std::uint32_t first, std::uint32_t last) {
+    const Box box = box_about(pieces_, first, last);
+    if (last - first <= pieces_a_node) {
+        nodes_[node] = {.box = box, .first = first, .count = last - first};
+        return;
+    }
+    const glm::dvec3 size = box.hi - box.lo;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::uint32_t middle = first + (last - first) / 2;
+    const auto at = [&](std::uint32_t i) {
+        return pieces_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(at(first), at(middle), at(last),
+                     [&](const SurfacePiece& a, const SurfacePiece& b) {
+                         return a.box.lo[axis] + a.box.hi[axis] < b.box.lo[axis] + b.box.hi[axis];
+                     });
+    const auto below = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[node] = {.box = box, .first = below, .count = 0};
+    nodes_.resize(nodes_.size() + 2);
+    arrange(below, first, middle);
+    arrange(below + 1, middle, last);
+}
+
+DistanceBounds NearSurface::distance(const glm::dvec3& point, double known) const {
+    struct Task {
+        std::uint32_t node;
+        double from;
+    };
+    DistanceBounds bounds{.hi = known};
+    if (nodes_.empty()) return bounds;
+    std::array<Task, 128> tasks;  // two a level, of at most 32
+    std::size_t count = 0;
+    tasks[count++] = {0, distance_below(nodes_[0].box, point)};
+    while (count > 0) {
+        const Task task = tasks[--count];
+        // What lies farther than a zero that is proved changes neither bound.
+        if (task.from > bounds.hi) continue;
+        const Node& node = nodes_[task.node];
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const DistanceBounds own = pieces_[i].distance(point);
+            bounds.lo = std::min(bounds.lo, own.lo);
+            bounds.hi = std::min(bounds.hi, own.hi);
+        }
+        if (node.count > 0) continue;
+        Task near{node.first, distance_below(nodes_[node.first].box, point)};
+        Task far{node.first + 1, distance_below(nodes_[node.first + 1].box, point)};
+        if (far.from < near.from) std::swap(near, far);
+        tasks[count++] = far;
+        tasks[count++] = near;
+    }
+    bounds.lo = std::min(bounds.lo, bounds.hi);
+    return bounds;
+}
+
+}  // namespace zeroset

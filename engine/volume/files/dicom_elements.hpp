@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/volume/files/header_text.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace zeroset {
+
+/// A tag of DICOM: its group in the upper half.
+using DicomTag = std::uint32_t;
+
+/// What a file of DICOM holds beside sequences, which are passed over.
+struct DicomElements {
+    struct Element {
+        std::size_t offset = 0, length = 0;  ///< of its value in the file
+    };
+    std::map<DicomTag, Element> elements;
+    std::string transfer_syntax;
+    bool big_endian = false;
+
+    [[nodiscard]] bool has(DicomTag tag) const { return elements.contains(tag); }
+    /// A value's text without what fills it up; empty where it is missing. `bytes` is the file.
+    [[nodiscard]] std::string text(std::string_view bytes, DicomTag tag) const;
+    /// A binary number of 16 bits, or `otherwise`.
+    [[nodiscard]] int number(std::string_view bytes, DicomTag tag, int otherwise) const;
+};
+
+/// Reads the elements of a file up to its samples, which are the last. The error is one line
+/// without the file's name. Reads no byte beyond `bytes`, whatever they are.
+Expected<DicomElements> read_dicom_elements(std::string_view bytes);
+
+}  // namespace zeroset

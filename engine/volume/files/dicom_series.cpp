@@ -1,0 +1,186 @@
+// A DICOM series: one slice a file, in a folder (dicomstandard.org, part 3, C.7.6).
+
+#include "engine/volume/files/dicom_slice.hpp"
+#include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/volume_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+std::string named(const std::filesystem::path& file) {
+    return "'" + file.filename().string() + "' of the series: ";
+}
+
+/// The slices of one series: that of the file, or the only one in the folder.
+Expected<std::vector<DicomSlice>> slices_of(const std::filesystem::path& path) {
+    std::error_code error;
+    const bool whole = std::filesystem::is_directory(path, error);
+    std::string wanted;
+    if (!whole) {
+        const auto own = read_dicom_header(path);
+        if (!own) return std::unexpected(own.error());
+        wanted = own->series;
+    }
+    std::vector<DicomSlice> slices;
+    std::set<std::string> series;
+    const std::filesystem::path folder = whole ? path : path.parent_path();
+    for (const auto& entry : std::filesystem::directory_iterator(
+             folder.empty() ? std::filesystem::path(".") : folder, error)) {
+        if (!entry.is_regular_file(error) || !is_dicom_file(entry.path())) continue;
+        auto slice = read_dicom_header(entry.path());
+        if (!slice) return std::unexpected(named(entry.path()) + slice.error());
+        if (!whole && slice->series != wanted) continue;
+        series.insert(slice->series);
+        slices.push_back(std::move(*slice));
+    }
+    if (slices.empty()) return std::unexpected("it holds no DICOM file");
+    if (series.size() > 1) {
+        return std::unexpected("it holds " + std::to_string(series.size()) +
+                               " series: name a file of one of them, as '" +
+                               slices.front().file.filename().string() + "'");
+    }
+    return slices;
+}
+
+bool are_near(const Vector& a, const Vector& b) {
+    constexpr double most = 1e-3;
+    return std::abs(a[0] - b[0]) < most && std::abs(a[1] - b[1]) < most &&
+           std::abs(a[2] - b[2]) < most;
+}
+
+/// What keeps the slices from being a grid, or nothing.
+std::string uneven(const std::vector<DicomSlice>& slices) {
+    const DicomSlice& first = slices.front();
+    for (const DicomSlice& slice : slices) {
+        if (!slice.placed) return named(slice.file) + "it does not say where it lies";
+        if (!slice.one_frame)
+            return named(slice.file) + "it holds several slices; only files of one each are read";
+        if (!are_near(slice.along_row, first.along_row) ||
+            !are_near(slice.down_column, first.down_column) ||
+            slice.row_spacing != first.row_spacing || slice.column_spacing != first.column_spacing)
+            return named(slice.file) + "it is turned or spaced otherwise than others";
+    }
+    return {};
+}
+
+/// Orders the slices along their normal; what keeps them from being evenly spaced, or nothing.
+std::string order(std::vector<DicomSlice>& slices) {
+    const Vector normal = cross(slices.front().along_row, slices.front().down_column);
+    const auto height = [&](const DicomSlice& slice) { return dot(normal, slice.position); };
+    std::ranges::sort(slices, {}, height);
+    if (slices.size() < 2) return {};
+    const double mean =
+        (height(slices.back()) - height(slices.front())) / static_cast<double>(slices.size() - 1);
+    const auto gap = [&](std::size_t k) { return height(slices[k]) - height(slices[k - 1]); };
+    const auto name = [&](std::size_t k) { return "'" + slices[k].file.filename().string() + "'"; };
+    for (std::size_t k = 1; k < slices.size(); ++k) {
+        constexpr double least = 1e-4;  // millimetres
+        if (gap(k) < least) {
+            return "two of its slices lie at one place, as " + name(k) + " and " + name(k - 1) +
+                   ": a volume has one time and one echo";
+        }
+    }
+    for (std::size_t k = 1; k < slices.size(); ++k) {
+        constexpr double tolerance = 0.01;
+        if (std::abs(gap(k) - mean) > tolerance * mean) {
+            return "its slices are not evenly spaced: below " + name(k) + " lie " +
+                   short_number(gap(k), 4) + " mm, elsewhere about " + short_number(mean, 4) +
+                   " mm";
+        }
+    }
+    return {};
+}
+
+/// From the format's axes to those of RAS.
+Geometry geometry_of(const std::vector<DicomSlice>& slices) {
+    const DicomSlice& first = slices.front();
+    const DicomSlice& last = slices.back();
+    const double steps = std::max<double>(1, static_cast<double>(slices.size()) - 1);
+    Geometry geometry;
+    for (std::size_t r = 0; r < 3; ++r) {
+        const double sign = r < 2 ? -1 : 1;
+        geometry.world_from_index[r] = {sign * first.along_row[r] * first.column_spacing,
+                                        sign * first.down_column[r] * first.row_spacing,
+                                        sign * (last.position[r] - first.position[r]) / steps};
+        geometry.origin[r] = sign * first.position[r];
+    }
+    return geometry;
+}
+
+/// The samples of all slices as they are stored.
+Expected<Samples> stacked(const std::vector<DicomSlice>& slices) {
+    const auto bytes = std::make_shared<std::vector<char>>();
+    Samples all;
+    for (const DicomSlice& slice : slices) {
+        const auto samples = read_dicom_samples(slice.file);
+        if (!samples) return std::unexpected(named(slice.file) + samples.error());
+        if (&slice == &slices.front()) {
+            all = *samples;
+        } else if (samples->type != all.type || samples->size != all.size) {
+            return std::unexpected(named(slice.file) + "it has other sizes than others, " +
+                                   std::to_string(samples->size[0]) + " x " +
+                                   std::to_string(samples->size[1]) + " samples of " +
+                                   std::string(name_of(samples->type)));
+        }
+        const auto* const first = static_cast<const char*>(samples->data.get());
+        bytes->insert(bytes->end(), first, first + samples->count() * size_of(samples->type));
+    }
+    all.size[2] = slices.size();
+    all.data = std::shared_ptr<const void>(bytes, bytes->data());
+    return all;
+}
+
+/// The samples with each slice's own slope and shift, in double.
+Samples scaled_by_slice(const Samples& samples, const std::vector<DicomSlice>& slices) {
+    const auto numbers = std::make_shared<std::vector<double>>();
+    numbers->reserve(samples.count());
+    visit_samples(samples, [&](const auto* in) {
+        const std::uint64_t each = samples.size[0] * samples.size[1];
+        for (std::uint64_t i = 0; i < samples.count(); ++i) {
+            const DicomSlice& slice = slices[i / each];
+            numbers->push_back(static_cast<double>(in[i]) * slice.slope + slice.shift);
+        }
+    });
+    return {.type = SampleType::Double,
+            .size = samples.size,
+            .data = std::shared_ptr<const void>(numbers, numbers->data())};
+}
+
+Expected<Samples> scaled(const Samples& samples, const std::vector<DicomSlice>& slices) {
+    const DicomSlice& first = slices.front();
+    const bool alike = std::ranges::all_of(slices, [&](const DicomSlice& slice) {
+        return slice.slope == first.slope && slice.shift == first.shift;
+    });
+    if (!alike) return rescaled(scaled_by_slice(samples, slices), 1, 0);
+    if (first.slope == 1 && first.shift == 0) return samples;
+    return rescaled(samples, first.slope, first.shift);
+}
+
+}  // namespace
+
+Expected<VolumeFile> read_dicom(const std::filesystem::path& path) {
+    auto slices = slices_of(path);
+    if (!slices) return std::unexpected(slices.error());
+    if (auto problem = uneven(*slices); !problem.empty()) return std::unexpected(problem);
+    if (auto problem = order(*slices); !problem.empty()) return std::unexpected(problem);
+    const auto samples = stacked(*slices);
+    if (!samples) return std::unexpected(samples.error());
+    const auto whole = scaled(*samples, *slices);
+    if (!whole) return std::unexpected(whole.error());
+    return VolumeFile{.samples = *whole, .geometry = geometry_of(*slices)};
+}
+
+}  // namespace zeroset

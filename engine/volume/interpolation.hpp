@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+// What the ways to interpolate between samples tell of points and boxes.
+
+namespace zeroset {
+
+/// [lo, hi].
+struct ValueBounds {
+    double lo = 0, hi = 0;
+
+    [[nodiscard]] double size() const { return std::max(std::abs(lo), std::abs(hi)); }
+    void add(const ValueBounds& other) {
+        lo = std::min(lo, other.lo);
+        hi = std::max(hi, other.hi);
+    }
+    [[nodiscard]] ValueBounds widened(double by) const { return {.lo = lo - by, .hi = hi + by}; }
+};
+
+/// Second derivatives by the indices.
+template <class Number>
+struct Bends {
+    std::array<Number, 3> mixed{};  ///< by j and k, i and k, i and j
+    std::array<Number, 3> own{};    ///< twice by i, j, k
+};
+
+/// The range in the part of a box in the grid.
+struct InterpolationRange {
+    ValueBounds value{};
+    double largest = 0;                   ///< the largest number about the box, in size
+    bool somewhere = true;                ///< false: no number about it is finite
+    bool holes = false;                   ///< whether the box may meet a hole
+    bool exact = false;                   ///< whether the numbers were taken one by one
+    std::array<ValueBounds, 3> slopes{};  ///< by the indices; only if asked for
+};
+
+/// Value and derivatives by the indices in the cell of a point; not a number in holes.
+template <class Wide>
+struct InterpolationPoint {
+    Wide value = std::numeric_limits<Wide>::quiet_NaN();
+    std::array<Wide, 3> slope{};
+    Bends<Wide> bend{};
+};
+
+}  // namespace zeroset
