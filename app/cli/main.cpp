@@ -137,7 +137,8 @@ CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
         app.add_subcommand("compare", "time the papers' algorithms beside what the papers printed");
     add_value(*compare_app, "TABLE", compare.table,
               "knoll-table-1 (default), knoll-figure-9, florez-table-4.1, -5.1, -5.4 or -7.16, "
-              "florez-figure-6.8, -6.10 or -6.12 (animations), stolte-table-1");
+              "florez-figure-6.8, -6.10 or -6.12 (animations), stolte-table-1, marmitt-table-1, -2, "
+              "-3 or -4 (rays in voxels of a volume)");
     add_value(*compare_app, "--surface", compare.surfaces,
               "surfaces of bench's suite: A,B,... or all (default: the table's)");
     add_value(*compare_app, "--tracer", compare.tracers,
