@@ -4,6 +4,7 @@
 #include "engine/real/scalar.hpp"
 #include "engine/volume/trilinear.hpp"
 #include "engine/volume/volume.hpp"
+#include "engine/volume/volume_lanes.hpp"
 
 #include <type_traits>
 #include <utility>
@@ -197,12 +198,16 @@ void VolumeOf<Sample>::turn(Place<Wide>& result,
 template <class Sample>
 template <class Real>
 void VolumeOf<Sample>::values_of(int derivative, const Real* in, Real* out, int lanes) const {
-    const NearestLongDouble guard;
     using Wide = WideOf<Real>;
     constexpr Wide unknown = std::numeric_limits<Wide>::quiet_NaN();
     const int order = order_of(derivative);
     const auto axes = axes_of(derivative);
+    const VolumeLanes<Sample> vectors(trilinear_, map_);
+    const LaneBits answered = order == 0 ? vectors.values(in, out, lanes) : LaneBits();
+    if (answered.all(lanes)) return;
+    const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
+        if (answered.has(lane)) continue;
         const Place<Wide> at = place<Wide>(question_lane(in, FieldValue::x, lanes, lane), order);
         std::array<Wide, 4> answer{at.value, at.slope[0], at.slope[1], at.slope[2]};
         if (order == 1) {
@@ -299,7 +304,10 @@ ValueBounds VolumeOf<Sample>::derivative_bounds(const IndexBox& box, const Seen&
 template <class Sample>
 template <class Real>
 void VolumeOf<Sample>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
+    const VolumeLanes<Sample> vectors(trilinear_, map_);
+    const LaneBits answered = derivative == 0 ? vectors.ranges(in, out, lanes) : LaneBits();
     for (int lane = 0; lane < lanes; ++lane) {
+        if (answered.has(lane)) continue;
         const IndexBox box = trilinear_.box(question_lane(in, FieldRange::neg_lo, lanes, lane, -1),
                                             question_lane(in, FieldRange::hi, lanes, lane));
         const Seen over = seen(box, derivative != 0);
@@ -335,10 +343,13 @@ ValueBounds VolumeOf<Sample>::at_middle(const std::array<double, 3>& middle, con
 template <class Sample>
 template <class Real>
 void VolumeOf<Sample>::forms_of(const Real* in, Real* out, int lanes) const {
-    // Values in double are computed in long double: of its errors few are left.
-    constexpr double wide_share = 0x1p-8;
+    const VolumeLanes<Sample> vectors(trilinear_, map_);
+    const LaneBits answered =
+        vectors.forms(in, out, lanes, static_cast<double>(unit_of<WideOf<Real>>));
+    if (answered.all(lanes)) return;
     const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
+        if (answered.has(lane)) continue;
         const IndexBox box = trilinear_.box(question_lane(in, FieldForm::neg_lo, lanes, lane, -1),
                                             question_lane(in, FieldForm::hi, lanes, lane));
         const Seen over = seen(box, true);
