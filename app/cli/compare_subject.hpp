@@ -33,8 +33,8 @@ public:
     /// Why the tracer cannot draw it, as a line; nothing: it can.
     [[nodiscard]] std::optional<std::string> refusal(const TraceSettings& settings) const;
     /// A row of the comparison: frames by a tracer. `wanted_d_stop`: of the table.
-    ComparedRow measured(int wanted_d_stop, const TraceSettings& settings,
-                         const CompareFrames& frames) const;
+    [[nodiscard]] ComparedRow measured(int wanted_d_stop, const TraceSettings& settings,
+                                       const CompareFrames& frames) const;
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const Camera& camera() const { return request_.camera; }

@@ -110,7 +110,8 @@ void measure_voxels(const VoxelTable& table, const std::string& scene,
 }
 
 BenchItem item_of(const VoxelScene& scene) {
-    BenchItem item{std::string(scene.name), read_document_text(std::string(scene.formula))};
+    BenchItem item{.name = std::string(scene.name),
+                   .read = read_document_text(std::string(scene.formula))};
     item.read.document.clip = Box::cube(scene.half_edge);
     item.read.document.camera = suite_camera(scene.half_edge);
     return item;

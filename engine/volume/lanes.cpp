@@ -98,7 +98,7 @@ struct Hull {
 template <std::size_t step>
 HWY_INLINE void store_slopes(const V (&values)[8], V error, double* lo, double* hi) {
     const V first = hn::Sub(values[step], values[0]);
-    Hull hull{first, first};
+    Hull hull{.lo = first, .hi = first};
     for (std::size_t i = 1; i < 8; ++i) {
         if ((i & step) == 0) hull.add(hn::Sub(values[i | step], values[i]));
     }
@@ -121,7 +121,7 @@ HWY_INLINE void enclose_part(CellParts& parts, std::size_t at) {
         from[i] = hn::Load(d, parts.from[i] + at);
         to[i] = hn::Load(d, parts.to[i] + at);
     }
-    Hull samples{corners[0], corners[0]};
+    Hull samples{.lo = corners[0], .hi = corners[0]};
     V sizes = hn::Abs(corners[0]);
     for (std::size_t i = 1; i < 8; ++i) {
         samples.add(corners[i]);
@@ -140,7 +140,7 @@ HWY_INLINE void enclose_part(CellParts& parts, std::size_t at) {
     narrow<2>(values, from[1], to[1]);
     store_slopes<1>(values, error, parts.slope_lo[0] + at, parts.slope_hi[0] + at);
     narrow<1>(values, from[0], to[0]);
-    Hull mixed{values[0], values[0]};
+    Hull mixed{.lo = values[0], .hi = values[0]};
     for (std::size_t i = 1; i < 8; ++i)
         mixed.add(values[i]);
     hn::Store(hn::Sub(maximum(mixed.lo, samples.lo), error), d, parts.lo + at);
@@ -165,33 +165,33 @@ struct Two {
 HWY_INLINE Two sum_of(V a, V b) {
     const V s = hn::Add(a, b);
     const V part = hn::Sub(s, a);
-    return {s, hn::Add(hn::Sub(a, hn::Sub(s, part)), hn::Sub(b, part))};
+    return {.hi = s, .lo = hn::Add(hn::Sub(a, hn::Sub(s, part)), hn::Sub(b, part))};
 }
 HWY_INLINE Two renewed(V hi, V lo) {
     const V s = hn::Add(hi, lo);
-    return {s, hn::Add(hn::Sub(hi, s), lo)};
+    return {.hi = s, .lo = hn::Add(hn::Sub(hi, s), lo)};
 }
 HWY_INLINE Two operator+(Two a, Two b) {
     const Two s = sum_of(a.hi, b.hi);
     return renewed(s.hi, hn::Add(s.lo, hn::Add(a.lo, b.lo)));
 }
-HWY_INLINE Two operator-(Two a, Two b) { return a + Two{hn::Neg(b.hi), hn::Neg(b.lo)}; }
+HWY_INLINE Two operator-(Two a, Two b) { return a + Two{.hi = hn::Neg(b.hi), .lo = hn::Neg(b.lo)}; }
 HWY_INLINE Two product_of(V a, V b) {
     const V p = hn::Mul(a, b);
-    return {p, hn::MulSub(a, b, p)};
+    return {.hi = p, .lo = hn::MulSub(a, b, p)};
 }
 HWY_INLINE Two operator*(Two a, Two b) {
     const Two p = product_of(a.hi, b.hi);
     return renewed(p.hi, hn::MulAdd(a.hi, b.lo, hn::MulAdd(a.lo, b.hi, p.lo)));
 }
 /// Two in place of a number, and a number in place of Two.
-HWY_INLINE Two widened(Two /*kind*/, V x) { return {x, hn::Zero(d)}; }
+HWY_INLINE Two widened(Two /*kind*/, V x) { return {.hi = x, .lo = hn::Zero(d)}; }
 HWY_INLINE V widened(V /*kind*/, V x) { return x; }
 HWY_INLINE V narrowed(Two x) { return x.hi; }
 HWY_INLINE V narrowed(V x) { return x; }
 HWY_INLINE V rest_of(Two x) { return x.lo; }
 HWY_INLINE V rest_of(V /*x*/) { return hn::Zero(d); }
-HWY_INLINE Two with_rest(Two /*kind*/, V hi, V lo) { return {hi, lo}; }
+HWY_INLINE Two with_rest(Two /*kind*/, V hi, V lo) { return {.hi = hi, .lo = lo}; }
 HWY_INLINE V with_rest(V /*kind*/, V hi, V /*lo*/) { return hi; }
 HWY_INLINE Two plus(Two a, Two b) { return a + b; }
 HWY_INLINE V plus(V a, V b) { return hn::Add(a, b); }
@@ -319,16 +319,16 @@ HWY_INLINE void store_above(V bound, float* out) {
 /// Bounds of the slope along an axis of the world.
 HWY_INLINE Hull world_slope(const IndexMap& map, const V (&lo)[3], const V (&hi)[3],
                             std::size_t axis) {
-    Hull sum{hn::Zero(d), hn::Zero(d)};
+    Hull sum{.lo = hn::Zero(d), .hi = hn::Zero(d)};
     for (std::size_t i = 0; i < 3; ++i) {
         const double m = map.index_from_world[i][axis];
         if (m == 0) continue;
         const V a = hn::Mul(number(m), m > 0 ? lo[i] : hi[i]);
         const V b = hn::Mul(number(m), m > 0 ? hi[i] : lo[i]);
-        const Hull added{hn::Add(sum.lo, a), hn::Add(sum.hi, b)};
+        const Hull added{.lo = hn::Add(sum.lo, a), .hi = hn::Add(sum.hi, b)};
         const V error = hn::Mul(number(4 * unit_of<double>),
                                 hn::Add(size_of(added.lo, added.hi), size_of(a, b)));
-        sum = {hn::Sub(added.lo, error), hn::Add(added.hi, error)};
+        sum = {.lo = hn::Sub(added.lo, error), .hi = hn::Add(added.hi, error)};
     }
     return sum;
 }

@@ -77,7 +77,7 @@ private:
         Real* first;
         int lanes, count;
 
-        Real& at(std::size_t column, std::size_t lane) const {
+        [[nodiscard]] Real& at(std::size_t column, std::size_t lane) const {
             return first[column * static_cast<std::size_t>(lanes) + lane];
         }
         /// Copies a column, or its negative; 0 in the lanes beyond.
@@ -115,15 +115,19 @@ private:
     void load_corners(PointLanes& points, std::uint32_t wanted) const;
     std::uint32_t enclose(const BoxLanes& boxes, std::uint32_t wanted, Parts& parts) const;
     bool add_box(const BoxLanes& boxes, std::size_t lane, Parts& parts) const;
+    void add_part(const BoxLanes& boxes, std::size_t lane, const std::array<std::int64_t, 3>& cell,
+                  Parts& parts) const;
     static void flush(Parts& parts);
 
     template <class Real>
-    std::uint32_t values_at(const Columns<const Real>& in, const Columns<Real>& out) const;
+    [[nodiscard]] std::uint32_t values_at(const Columns<const Real>& in,
+                                          const Columns<Real>& out) const;
     template <class Real>
-    std::uint32_t ranges_at(const Columns<const Real>& in, const Columns<Real>& out) const;
+    [[nodiscard]] std::uint32_t ranges_at(const Columns<const Real>& in,
+                                          const Columns<Real>& out) const;
     template <class Real>
-    std::uint32_t forms_at(const Columns<const Real>& in, const Columns<Real>& out,
-                           double unit) const;
+    [[nodiscard]] std::uint32_t forms_at(const Columns<const Real>& in, const Columns<Real>& out,
+                                         double unit) const;
 
     const Trilinear<Sample>& trilinear_;
     const IndexMap& map_;
@@ -196,21 +200,27 @@ bool VolumeLanes<Sample>::add_box(const BoxLanes& boxes, std::size_t lane, Parts
     std::array<std::int64_t, 3> cell{};
     for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) {
         for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1]) {
-            for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0]) {
-                if (parts.parts.count == CellParts::most) flush(parts);
-                const std::size_t at = parts.parts.count++;
-                parts.lane[at] = static_cast<std::uint8_t>(lane);
-                trilinear_.load_corners(cell, &parts.parts.corners[0][at], CellParts::most);
-                for (std::size_t i = 0; i < 3; ++i) {
-                    const auto origin = static_cast<double>(cell[i]);
-                    parts.parts.from[i][at] =
-                        cell[i] == first[i] ? boxes.from[i][lane] - origin : 0.0;
-                    parts.parts.to[i][at] = cell[i] == last[i] ? boxes.to[i][lane] - origin : 1.0;
-                }
-            }
+            for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0])
+                add_part(boxes, lane, cell, parts);
         }
     }
     return true;
+}
+
+/// Adds the part of a lane's box in a cell.
+template <class Sample>
+void VolumeLanes<Sample>::add_part(const BoxLanes& boxes, std::size_t lane,
+                                   const std::array<std::int64_t, 3>& cell, Parts& parts) const {
+    if (parts.parts.count == CellParts::most) flush(parts);
+    const std::size_t at = parts.parts.count++;
+    parts.lane[at] = static_cast<std::uint8_t>(lane);
+    trilinear_.load_corners(cell, &parts.parts.corners[0][at], CellParts::most);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto origin = static_cast<double>(cell[i]);
+        parts.parts.from[i][at] =
+            origin == boxes.first[i][lane] ? boxes.from[i][lane] - origin : 0.0;
+        parts.parts.to[i][at] = origin == boxes.last[i][lane] ? boxes.to[i][lane] - origin : 1.0;
+    }
 }
 
 /// Adds what the parts are found to be to the hulls of their lanes.

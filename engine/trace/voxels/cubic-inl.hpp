@@ -19,10 +19,10 @@ template <class Tag>
 struct Cubic {
     using V = hn::Vec<Tag>;
 
-    V A, B, C, D;
+    V t3, t2, t1, t0;  ///< A, B, C and D
 
     HWY_INLINE V operator()(V t) const {
-        return hn::MulAdd(hn::MulAdd(hn::MulAdd(A, t, B), t, C), t, D);
+        return hn::MulAdd(hn::MulAdd(hn::MulAdd(t3, t, t2), t, t1), t, t0);
     }
 };
 
@@ -50,10 +50,10 @@ HWY_INLINE Cubic<Tag> cubic_of(Tag /*tag*/, const VoxelLanes<Tag>& voxel) {
     const V b_uw = hn::Mul(b[0], b[2]);
     const V b_vw = hn::Mul(b[1], b[2]);
     Cubic<Tag> cubic;
-    cubic.A = hn::Mul(k_uvw, hn::Mul(b_uv, b[2]));
-    cubic.B = hn::MulAdd(at_uv, b_uv, hn::MulAdd(at_uw, b_uw, hn::Mul(at_vw, b_vw)));
-    cubic.C = hn::MulAdd(slope_u, b[0], hn::MulAdd(slope_v, b[1], hn::Mul(slope_w, b[2])));
-    cubic.D =
+    cubic.t3 = hn::Mul(k_uvw, hn::Mul(b_uv, b[2]));
+    cubic.t2 = hn::MulAdd(at_uv, b_uv, hn::MulAdd(at_uw, b_uw, hn::Mul(at_vw, b_vw)));
+    cubic.t1 = hn::MulAdd(slope_u, b[0], hn::MulAdd(slope_v, b[1], hn::Mul(slope_w, b[2])));
+    cubic.t0 =
         hn::MulAdd(a[0], hn::MulAdd(a[1], at_uv, hn::MulAdd(a[2], k_uw, k_u)),
                    hn::MulAdd(a[1], hn::MulAdd(a[2], k_vw, k_v), hn::MulAdd(a[2], k_w, rho[0])));
     return cubic;

@@ -24,15 +24,15 @@ struct Marmitt {
     static HWY_INLINE hn::Vec<D> first_hit(D tag, const VoxelLanes<D>& voxel) {
         using V = hn::Vec<D>;
         const Cubic<D> f = cubic_of(tag, voxel);
-        Part<D> part{.t_0 = hn::Zero(tag), .t_1 = voxel.t_out, .f_0 = f.D, .f_1 = f(voxel.t_out)};
-        const V B = f.B;
-        const V A3 = hn::Mul(hn::Set(tag, 3.0F), f.A);
-        const V radicand = hn::Sub(hn::Mul(B, B), hn::Mul(A3, f.C));
+        Part<D> part{.t_0 = hn::Zero(tag), .t_1 = voxel.t_out, .f_0 = f.t0, .f_1 = f(voxel.t_out)};
+        const V b = f.t2;
+        const V a_3 = hn::Mul(hn::Set(tag, 3.0F), f.t3);
+        const V radicand = hn::Sub(hn::Mul(b, b), hn::Mul(a_3, f.t1));
         if (!hn::AllFalse(tag, hn::Ge(radicand, hn::Zero(tag)))) {
             // NaN where f' has no real roots: then all tests below fail.
-            const V q = hn::Neg(hn::Add(B, hn::CopySign(hn::Sqrt(radicand), B)));
-            const V one = hn::Div(q, A3);
-            const V other = hn::Div(f.C, q);
+            const V q = hn::Neg(hn::Add(b, hn::CopySign(hn::Sqrt(radicand), b)));
+            const V one = hn::Div(q, a_3);
+            const V other = hn::Div(f.t1, q);
             const hn::Mask<D> in_order = hn::Lt(one, other);
             part.cut_at(tag, hn::IfThenElse(in_order, one, other), f);
             part.cut_at(tag, hn::IfThenElse(in_order, other, one), f);

@@ -66,8 +66,14 @@ std::array<Part, 2> halves(const Part& part) {
     const Wide middle = mean(second[0], second[1]);
     const Wide at = mean(part.from, part.to);
     const int halvings = part.halvings + 1;
-    return {Part{{b[0], first[0], second[0], middle}, part.from, at, halvings},
-            Part{{middle, second[1], first[2], b[3]}, at, part.to, halvings}};
+    return {Part{.b = {b[0], first[0], second[0], middle},
+                 .from = part.from,
+                 .to = at,
+                 .halvings = halvings},
+            Part{.b = {middle, second[1], first[2], b[3]},
+                 .from = at,
+                 .to = part.to,
+                 .halvings = halvings}};
 }
 
 /// The first root of a part; numbers no larger than `error` may be 0.

@@ -28,24 +28,25 @@ struct Schwarze {
         using V = hn::Vec<D>;
         const Cubic<D> f = cubic_of(tag, voxel);
         const V t = voxel.t_out;
-        const V a = hn::Mul(f.A, hn::Mul(t, hn::Mul(t, t)));
-        const V b = hn::Mul(f.B, hn::Mul(t, t));
-        const V c = hn::Mul(f.C, t);
+        const V a = hn::Mul(f.t3, hn::Mul(t, hn::Mul(t, t)));
+        const V b = hn::Mul(f.t2, hn::Mul(t, t));
+        const V c = hn::Mul(f.t1, t);
         const V largest =
-            hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Max(hn::Abs(c), hn::Abs(f.D)));
+            hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Max(hn::Abs(c), hn::Abs(f.t0)));
         const V small = hn::Mul(hn::Set(tag, 0x1p-20F), largest);
         const hn::Mask<D> is_cubic = hn::Gt(hn::Abs(a), small);
         const hn::Mask<D> is_quadratic = hn::AndNot(is_cubic, hn::Gt(hn::Abs(b), small));
         V tau = no_hit(tag);
         if (!hn::AllFalse(tag, is_cubic)) {
-            const V roots = cubic(tag, hn::Div(b, a), hn::Div(c, a), hn::Div(f.D, a));
+            const V roots = cubic(tag, hn::Div(b, a), hn::Div(c, a), hn::Div(f.t0, a));
             tau = hn::IfThenElse(is_cubic, roots, tau);
         }
         if (!hn::AllFalse(tag, is_quadratic))
-            tau = hn::IfThenElse(is_quadratic, quadratic(tag, hn::Div(c, b), hn::Div(f.D, b)), tau);
+            tau =
+                hn::IfThenElse(is_quadratic, quadratic(tag, hn::Div(c, b), hn::Div(f.t0, b)), tau);
         const hn::Mask<D> is_linear = hn::Not(hn::Or(is_cubic, is_quadratic));
         if (!hn::AllFalse(tag, is_linear)) {
-            const V root = nearer(tag, hn::Neg(hn::Div(f.D, c)), no_hit(tag));
+            const V root = nearer(tag, hn::Neg(hn::Div(f.t0, c)), no_hit(tag));
             tau = hn::IfThenElse(is_linear, root, tau);
         }
         return hn::Mul(tau, t);

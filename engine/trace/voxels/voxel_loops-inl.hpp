@@ -33,8 +33,7 @@ namespace zeroset::HWY_NAMESPACE {
 template <class D, class Method>
 class VoxelTracer {
 public:
-    explicit VoxelTracer(const VoxelTile& tile)
-        : tile_(tile), open_(tile.lines.pixels()), columns_{} {
+    explicit VoxelTracer(const VoxelTile& tile) : tile_(tile), open_(tile.lines.pixels()) {
         for (auto& column : columns_)
             column.fill(1.0F);
     }
@@ -137,7 +136,7 @@ private:
     std::span<const std::uint32_t> open_;
     std::size_t next_ = 0, next_look_ = 0;
     std::array<Lane, lanes> rays_;
-    std::array<std::array<float, lanes>, voxel_columns> columns_;
+    std::array<std::array<float, lanes>, voxel_columns> columns_{};
 };
 
 /// The first hits in the voxels, `t` as long as their columns.

@@ -72,7 +72,8 @@ void trace_tile(VoxelMethod method, RaysAtOnce rays_at_once, const TraceFrame& f
     const auto walk = VoxelWalk::make(*surface);
     HitWriter writer(rays, lines, hits);
     HWY_DYNAMIC_DISPATCH(trace_voxels)
-    (method, rays_at_once, {frame, lines, *walk, writer, counters});
+    (method, rays_at_once,
+     {.frame = frame, .lines = lines, .walk = *walk, .writer = writer, .counters = counters});
 }
 
 }  // namespace

@@ -76,13 +76,13 @@ private:
             hi = corner > hi ? corner : hi;
         }
         if (!(static_cast<double>(lo) <= level_ && level_ <= static_cast<double>(hi))) return false;
-        bool finite = true;
         for (std::size_t i = 0; i < 8; ++i) {
-            if constexpr (std::is_floating_point_v<Sample>)
-                finite = finite && std::isfinite(corners[i]);
+            if constexpr (std::is_floating_point_v<Sample>) {
+                if (!std::isfinite(corners[i])) return false;
+            }
             voxel.rho[i] = static_cast<float>(static_cast<double>(corners[i]) - level_);
         }
-        return finite;
+        return true;
     }
 
     const Pyramid<Sample>& pyramid_;
