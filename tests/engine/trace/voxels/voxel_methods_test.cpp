@@ -47,7 +47,7 @@ VoxelRay random_ray(RandomNumbers& random) {
     VoxelRay ray;
     for (float& rho : ray.rho)
         rho = static_cast<float>(random.uniform(-1, 1));
-    const auto entry = static_cast<std::size_t>(random.below(3));
+    const auto entry = random.below(3);
     for (std::size_t i = 0; i < 3; ++i) {
         ray.a[i] = static_cast<float>(i == entry ? 0 : random.uniform(0, 1));
         ray.b[i] = static_cast<float>((i == entry ? 1 : random.uniform(0, 1)) -

@@ -203,7 +203,7 @@ TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
         Scene scene{{}, Box::cube(1), {}};
         scene.uniforms.set(0, 0.0);
         scene.uniforms.set(1, parameter);
-        Kernel kernel;
+        const Kernel kernel;
         *kernel.memory->of<FieldLevel>() = {.field = is->field,
                                             .level = interpret(is->level).in_double.value};
         const UpwardRounding upward;
