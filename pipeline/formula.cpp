@@ -3,6 +3,8 @@
 #include "engine/base/clock.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
+#include "engine/kernel/field_level.hpp"
+#include "engine/rewrite/level_of_field.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
 #include "engine/rewrite/traceable.hpp"
 #include "engine/rewrite/unrestricted.hpp"
@@ -41,10 +43,15 @@ std::expected<std::vector<Kernel>, InputError> machine_code(const Formula& formu
     return std::move(*kernels);
 }
 
-/// Adds to each kernel the witnesses of its function's zeros.
-void add_witnesses(Formula& formula) {
+/// Adds to each kernel what its code does not tell: the witnesses of its function's zeros, the
+/// field that it is.
+void add_facts(Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
         Kernel& kernel = formula.kernels[i];
+        if (const auto is = level_of_field(formula.drawn[i])) {
+            *kernel.memory->of<FieldLevel>() = {.field = is->field,
+                                                .level = interpret(is->level).in_double.value};
+        }
         for (const Expr& witness : root_witnesses(formula.drawn[i]))
             kernel.witnesses.push_back(interpret(witness).in_double.range);
         kernel.defined_everywhere = is_defined_everywhere(formula.drawn[i]);
@@ -68,7 +75,7 @@ Formula interpreted(Formula formula) {
         // With few choices, finding out which can be left out takes longer than evaluating them.
         if (!has_many_choices(surface)) kernel.specializer = nullptr;
     }
-    add_witnesses(formula);
+    add_facts(formula);
     add_csg_parts(formula);
     return formula;
 }
@@ -108,7 +115,7 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
         auto kernels = machine_code(formula, use, Precision::Float);
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
-        add_witnesses(formula);
+        add_facts(formula);
         add_csg_parts(formula);
     }
     formula.compile_ms = ms_since(start);
@@ -125,6 +132,7 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
         (*kernels)[i].witnesses = formula.kernels[i].witnesses;
         (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
         (*kernels)[i].domain = formula.kernels[i].domain;
+        *(*kernels)[i].memory->of<FieldLevel>() = *formula.kernels[i].memory->of<FieldLevel>();
     }
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;

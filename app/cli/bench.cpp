@@ -12,6 +12,7 @@
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/prepare.hpp"
+#include "pipeline/tracer_refusal.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -119,6 +120,9 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     if (!prepared) return std::unexpected(prepared.error());
     PictureRequest request = picture_request(prepared->formula, prepared->colors, document,
                                              settings, {plan.size.width, plan.size.height});
+    const std::string option = item.name + ", --tracer " + settings.tracer;
+    if (const auto refusal = tracer_refusal(settings.tracer, option, request))
+        return wrong_input(*refusal);
     add_needed_code(request);
     const Scene scene = scene_of(request);
     Framebuffer frame(plan.size.width, plan.size.height);

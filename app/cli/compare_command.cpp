@@ -5,24 +5,17 @@
 #include "app/cli/compare/plot.hpp"
 #include "app/cli/compare/printed_tables.hpp"
 #include "app/cli/compare/shadow_scenes.hpp"
+#include "app/cli/compare/voxel_tables.hpp"
 #include "app/cli/compare_animation.hpp"
 #include "app/cli/compare_shadows.hpp"
+#include "app/cli/compare_subject.hpp"
+#include "app/cli/compare_voxels.hpp"
 #include "app/cli/report.hpp"
-#include "app/cli/timing.hpp"
-#include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
-#include "engine/measure/wrong_pixels.hpp"
 #include "engine/render/tracers.hpp"
-#include "engine/scene/tolerance.hpp"
-#include "engine/trace/florez/box_tally.hpp"
-#include "engine/trace/trace_frame.hpp"
-#include "pipeline/picture_request.hpp"
-#include "pipeline/prepare.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
@@ -41,12 +34,10 @@ struct Measurement {
 };
 
 struct ComparePlan {
-    const PrintedTable* table = nullptr;
+    CompareFrames frames;
     std::vector<BenchItem> items;
     std::vector<Measurement> measurements;
-    Size size{};
-    int repeats = 3;
-    double budget_s = default_budget_s;  ///< for each frame
+    bool all_tracers = false;  ///< those that draw a surface
     std::optional<PlotFormat> plot;
 };
 
@@ -89,6 +80,8 @@ OrInputError<const PrintedTable*> table_of(const CompareCommand& command) {
     for (const PrintedAnimation& animation : printed_animations())
         names += " " + std::string(animation.name);
     names += " " + std::string(shadow_table().name);
+    for (const VoxelTable& voxels : voxel_tables())
+        names += " " + std::string(voxels.name);
     return wrong_input(*command.table + ": there is no such table; type one of:" + names);
 }
 
@@ -178,23 +171,23 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     ComparePlan plan;
     const auto table = table_of(command);
     if (!table) return std::unexpected(table.error());
-    plan.table = *table;
-    auto items = items_of(command, *plan.table);
+    plan.frames.table = *table;
+    auto items = items_of(command, **table);
     if (!items) return std::unexpected(items.error());
     plan.items = std::move(*items);
-    auto measurements = measurements_of(command, *plan.table);
+    auto measurements = measurements_of(command, **table);
     if (!measurements) return std::unexpected(measurements.error());
     plan.measurements = std::move(*measurements);
-    const auto size =
-        read_size("--size", command.size.value_or(std::to_string(plan.table->size_px)));
+    plan.all_tracers = command.tracers == "all";
+    const auto size = read_size("--size", command.size.value_or(std::to_string((*table)->size_px)));
     if (!size) return std::unexpected(size.error());
-    plan.size = *size;
-    const auto repeats = read_repeats(command.repeat, plan.repeats);
+    plan.frames.size = *size;
+    const auto repeats = read_repeats(command.repeat, plan.frames.repeats);
     if (!repeats) return std::unexpected(repeats.error());
-    plan.repeats = *repeats;
+    plan.frames.repeats = *repeats;
     const auto budget = read_budget(command.budget);
     if (!budget) return std::unexpected(budget.error());
-    plan.budget_s = *budget;
+    plan.frames.budget_s = *budget;
     if (command.plot) {
         plan.plot = plot_format(*command.plot);
         if (!plan.plot)
@@ -202,125 +195,6 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     }
     return plan;
 }
-
-/// What mirrored rays are drawn with: metal under two lights [Stolte05, fig. 5].
-Lighting mirror_lighting() {
-    Lighting lighting;
-    lighting.look = Look::Metal;
-    lighting.lights = {Light(), Light{.towards = {0.8, 0.2, 0.6}, .power = 0.4}};
-    return lighting;
-}
-
-/// A surface, ready to be drawn.
-class Subject {
-public:
-    static OrInputError<Subject> make(const BenchItem& item, const ComparePlan& plan) {
-        if (!item.read.rows) return std::unexpected(item.read.rows.error());
-        Document document = item.read.document;
-        document.light = {};
-        const auto prepared = prepare(document, *item.read.rows, Preparation::Compiled);
-        if (!prepared) return std::unexpected(prepared.error());
-        PictureRequest request = picture_request(prepared->formula, prepared->colors, document, {},
-                                                 {plan.size.width, plan.size.height});
-        add_needed_code(request);
-        Subject subject(item.name, request);
-        const FrameTiming timing =
-            subject.draw(subject.scene_, finest(), {}, 100.0, subject.proved_);
-        if (timing.counters.is_cut())
-            return wrong_input("--surface " + item.name +
-                               ": it takes too long to prove; leave it "
-                               "out, or choose a smaller --size");
-        return subject;
-    }
-
-    ComparedRow measured(const Measurement& how, const ComparePlan& plan) {
-        const TraceSettings& settings = how.settings;
-        ComparedRow row;
-        row.surface = name_;
-        row.tracer = settings.tracer;
-        row.wanted_d_stop = how.wanted_d_stop;
-        row.d_stop = static_cast<int>(settings.stop.value);
-        row.reflections = settings.reflections;
-        Framebuffer frame(plan.size.width, plan.size.height);
-        Scene scene = scene_;
-        if (settings.reflections > 0) scene.lighting = mirror_lighting();
-        row.prepared_ms = prepared_ms(scene, settings, frame);
-        const FrameTiming timing =
-            draw(scene, settings, {.count = plan.repeats, .warm_up = true}, plan.budget_s, frame);
-        row.median_ms = timing.median_ms;
-        row.min_ms = timing.min_ms;
-        row.max_ms = timing.max_ms;
-        row.counters = timing.counters;
-        row.boxes = boxes(scene, settings, plan.budget_s, frame);
-        const auto rays = static_cast<double>(frame.color.size());
-        row.cells_per_ray = static_cast<double>(row.counters.range + row.counters.form) / rays;
-        row.values_per_ray = static_cast<double>(row.counters.value) / rays;
-        row.counts = count_certificates(frame);
-        const double cell = std::ldexp(scene_.clip.size(), -row.d_stop);
-        const auto precision = wanted_precision(scene_, ViewFrame(camera_), settings.stop);
-        const auto width = certified_width(scene_.clip, settings.stop, precision);
-        row.wrong = wrong_pixels(frame, proved_, camera_, width.value_or(4.0 * cell));
-        row.certified_there = count_certificates(proved_).certified;
-        row.printed_ms =
-            plan.table->printed_ms(row.surface, row.tracer, row.wanted_d_stop, row.reflections);
-        row.of_table = plan.table->names(row.surface, row.tracer);
-        return row;
-    }
-
-private:
-    Subject(std::string name, const PictureRequest& request)
-        : name_(std::move(name)),
-          scene_(scene_of(request)),
-          camera_(request.camera),
-          proved_(request.size_px.x, request.size_px.y) {}
-
-    static TraceSettings finest() {
-        TraceSettings settings;
-        settings.threads = 0;
-        return settings;
-    }
-    /// Makes what the tracer keeps of the surfaces from frame to frame; the time that it took.
-    [[nodiscard]] double prepared_ms(const Scene& scene, const TraceSettings& settings,
-                                     const Framebuffer& frame) const {
-        const Tracer& tracer = *find_tracer(settings.tracer);
-        if (tracer.prepare == nullptr) return 0.0;
-        const auto start = std::chrono::steady_clock::now();
-        const ViewFrame view(camera_);
-        for (const Kernel& surface : scene.surfaces) {
-            const ImageSize image{.width = frame.width, .height = frame.height};
-            tracer.prepare(trace_frame(scene, surface, view, image, settings.stop),
-                           settings.threads);
-        }
-        return ms_since(start);
-    }
-    /// What a tracer with boxes counts in one frame.
-    [[nodiscard]] ImageBoxCounters boxes(const Scene& scene, const TraceSettings& settings,
-                                         double budget_s, Framebuffer& frame) const {
-        ImageBoxCounters sum;
-        const auto take = [&] {
-            sum = {};
-            for (const Kernel& surface : scene.surfaces)
-                sum += surface.memory->of<BoxTally>()->take();
-        };
-        take();
-        if (sum.rejected.boxes + sum.included.boxes + sum.undefined.boxes == 0) return sum;
-        draw(scene, settings, {.count = 1, .warm_up = false}, budget_s, frame);
-        take();
-        return sum;
-    }
-    FrameTiming draw(const Scene& scene, const TraceSettings& settings, const Repeats& repeats,
-                     double budget_s, Framebuffer& frame) const {
-        return time_frames(scene, camera_, settings, frame, repeats, [&] {
-            const auto now = std::chrono::steady_clock::now();
-            return RenderWatch{.limit = {.until = until_after(now, budget_s)}, .on_tile = {}};
-        });
-    }
-
-    std::string name_;
-    Scene scene_;
-    Camera camera_;
-    Framebuffer proved_;  ///< by beams, as fine as there is
-};
 
 void print(const std::string& text) {
     std::fputs(text.c_str(), stdout);
@@ -330,12 +204,17 @@ void print(const std::string& text) {
 OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan, bool prints) {
     std::vector<ComparedRow> rows;
     for (const BenchItem& item : plan.items) {
-        auto subject = Subject::make(item, plan);
+        auto subject = CompareSubject::make(item, plan.frames);
         if (!subject) return std::unexpected(subject.error());
         std::vector<ComparedRow> of_surface;
         of_surface.reserve(plan.measurements.size());
-        for (const Measurement& how : plan.measurements)
-            of_surface.push_back(subject->measured(how, plan));
+        for (const Measurement& how : plan.measurements) {
+            if (const auto refusal = subject->refusal(how.settings)) {
+                if (plan.all_tracers) continue;
+                return wrong_input(*refusal);
+            }
+            of_surface.push_back(subject->measured(how.wanted_d_stop, how.settings, plan.frames));
+        }
         set_times(of_surface);
         for (const ComparedRow& row : of_surface) {
             if (prints) print(row_text(row));
@@ -362,15 +241,19 @@ int run_compare(const CompareCommand& command) {
             return run_compare_animation(command, *animation);
         if (*command.table == shadow_table().name) return run_compare_shadows(command);
     }
+    if (command.table) {
+        if (const VoxelTable* const table = find_voxel_table(*command.table))
+            return run_compare_voxels(command, *table);
+    }
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = unwritable(command)) return report_run_time(*message);
     const bool prints = command.json != "-";
-    const Comparison comparison{.table = plan->table,
-                                .width = plan->size.width,
-                                .height = plan->size.height,
+    const Comparison comparison{.table = plan->frames.table,
+                                .width = plan->frames.size.width,
+                                .height = plan->frames.size.height,
                                 .threads = plan->measurements.front().settings.threads,
-                                .repeats = plan->repeats};
+                                .repeats = plan->frames.repeats};
     if (prints) print(heading_text(comparison));
     const auto rows = measure_all(*plan, prints);
     if (!rows) return report(rows.error());

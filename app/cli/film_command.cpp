@@ -8,6 +8,7 @@
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/film.hpp"
 #include "pipeline/plans/film_files.hpp"
+#include "pipeline/tracer_refusal.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -115,12 +116,16 @@ std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
     FilmJob& job = filming.job;
     Document& document = job.input.document;
     auto prepared = prepare(document, std::move(*job.input.rows), Preparation::Compiled);
-    if (!prepared || !filming.command.view.fit) return prepared;
+    if (!prepared) return prepared;
+    const PictureRequest request = picture_request(prepared->formula, prepared->colors, document,
+                                                   job.settings, {job.size.width, job.size.height});
+    const std::string& tracer = job.settings.tracer;
+    if (const auto refusal = tracer_refusal(tracer, "--tracer " + tracer, request))
+        return std::unexpected(InputError{.reason = *refusal});
+    if (!filming.command.view.fit) return prepared;
     filming.progress.enter(Progress::Stage::Fitting);
     const TimeLimit limit{.cancel = &filming.cancel,
                           .until = until_after(Clock::now(), job.budget_s)};
-    const PictureRequest request = picture_request(prepared->formula, prepared->colors, document,
-                                                   job.settings, {job.size.width, job.size.height});
     filming.note = fit_view(document, request, aspect_of(job), !filming.command.view.box, limit);
     // A turn finds the distance from which all of it is seen by itself.
     if (job.plan.turn) document.camera.reset();

@@ -138,7 +138,8 @@ CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
     add_value(*compare_app, "TABLE", compare.table,
               "knoll-table-1 (default), knoll-figure-7, -8 or -9, florez-table-4.1, -5.1, -5.4, "
               "-7.1 or -7.16, florez-figure-5.13 (shadows), -6.2 (CSG), -6.8, -6.10 or -6.12 "
-              "(animations), stolte-table-1");
+              "(animations), stolte-table-1, marmitt-table-1, -2, -3 or -4 (rays in voxels of a "
+              "volume)");
     add_value(*compare_app, "--surface", compare.surfaces,
               "surfaces of bench's suite: A,B,... or all (default: the table's)");
     add_value(*compare_app, "--tracer", compare.tracers,

@@ -12,6 +12,7 @@
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/poster.hpp"
+#include "pipeline/tracer_refusal.hpp"
 
 #include <cmath>
 #include <limits>
@@ -123,6 +124,9 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         if (!formula) return formula.error();
         request.formula = std::make_shared<const Formula>(std::move(*formula));
     }
+    const std::string& tracer = plan.settings.tracer;
+    if (const auto refusal = tracer_refusal(tracer, "--tracer " + tracer, request))
+        return InputError{.reason = *refusal};
     add_needed_code(request);
     drawing.picture.scene = scene_of(request);
     drawing.picture.request = std::move(request);

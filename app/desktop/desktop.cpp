@@ -15,6 +15,7 @@
 #include "pipeline/gallery.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/export_formats.hpp"
+#include "pipeline/tracer_refusal.hpp"
 #include "pipeline/volume_document.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
@@ -32,6 +33,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -73,6 +75,18 @@ void take_language(ui::UiState& state, Language of_desktop) {
     set_language(wanted, decimal_mark_of(wanted, locale_variables()));
     const auto formats = export_formats();
     state.shown.export_formats.assign(formats.begin(), formats.end());
+}
+
+/// Why the chosen tracers cannot draw a picture.
+std::vector<std::string> tracer_refusals(const ui::Inspection& chosen,
+                                         const PictureRequest& wanted) {
+    std::vector<std::string> refusals;
+    if (auto refusal = tracer_refusal(chosen.tracer, chosen.tracer, wanted))
+        refusals.push_back(std::move(*refusal));
+    if (!chosen.other) return refusals;
+    if (auto refusal = tracer_refusal(*chosen.other, *chosen.other, wanted))
+        refusals.push_back(std::move(*refusal));
+    return refusals;
 }
 
 ui::UiState first_state(const DesktopOptions& options) {
@@ -373,8 +387,19 @@ std::optional<PictureRequest> Desktop::wanted_picture() const {
     return wanted;
 }
 
+/// Says once why chosen tracers cannot draw what is wanted.
+void Desktop::tell_refusals(const PictureRequest& wanted) {
+    std::string text;
+    for (const std::string& refusal : tracer_refusals(state_.edited.inspection, wanted))
+        text += (text.empty() ? "" : "; ") + refusal;
+    if (text == told_refusals_) return;
+    told_refusals_ = text;
+    if (!text.empty()) session_.tell(text);
+}
+
 void Desktop::submit_picture() {
     std::optional<PictureRequest> wanted = wanted_picture();
+    if (wanted) tell_refusals(*wanted);
     if (!wanted || !feed_.submit(std::move(*wanted))) return;
     state_.shown.picture.tracing = true;
     window_.wake();

@@ -115,6 +115,7 @@ private:
     [[nodiscard]] std::optional<ExportSubject> export_subject() const;
     [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<PictureRequest> wanted_picture() const;
+    void tell_refusals(const PictureRequest& wanted);
     void submit_picture();
     void log_submission(std::uint64_t before);
 
@@ -123,6 +124,7 @@ private:
     TextureLook uploaded_;
     ui::UiState state_;
     Session session_;
+    std::string told_refusals_;  ///< why chosen tracers draw nothing; empty: they draw
     Language desktop_language_;
     TraceSettings settings_;
 

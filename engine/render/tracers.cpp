@@ -6,6 +6,8 @@
 #include "engine/trace/florez/florez_tracers.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
 #include "engine/trace/octree/octree_tracer.hpp"
+#include "engine/trace/voxels/isosurface.hpp"
+#include "engine/trace/voxels/voxel_tracers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -93,6 +95,56 @@ constexpr std::array table{
            .prepare = prepare_gargantini,
            .takes_levels = true,
            .proves = false},
+    Tracer{.name = "midpoint",
+           .about = "the middle of each voxel that holds the level (Marmitt 2004)",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Midpoint, RaysAtOnce::One>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "midpoint-packets",
+           .about = "the same in packets of rays, one a lane of the machine's vectors",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Midpoint, RaysAtOnce::Packet>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "linear",
+           .about = "linear between where a ray enters and leaves a voxel (Marmitt 2004)",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Linear, RaysAtOnce::One>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "linear-packets",
+           .about = "the same in packets of rays, one a lane of the machine's vectors",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Linear, RaysAtOnce::Packet>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "neubauer",
+           .about = "repeated linear interpolation in a voxel (Neubauer 2002)",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Neubauer, RaysAtOnce::One>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "neubauer-packets",
+           .about = "the same in packets of rays, one a lane of the machine's vectors",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Neubauer, RaysAtOnce::Packet>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "schwarze",
+           .about = "all roots of a voxel's cubic by Cardano's formula (Schwarze 1990)",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Schwarze, RaysAtOnce::One>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "schwarze-packets",
+           .about = "the same in packets of rays, one a lane of the machine's vectors",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Schwarze, RaysAtOnce::Packet>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "marmitt",
+           .about = "roots of a voxel's cubic apart by its extrema (Marmitt 2004)",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Marmitt, RaysAtOnce::One>,
+           .proves = false,
+           .refuses = no_isosurface},
+    Tracer{.name = "marmitt-packets",
+           .about = "the same in packets of rays, one a lane of the machine's vectors",
+           .trace_tile = trace_tile_voxels<VoxelMethod::Marmitt, RaysAtOnce::Packet>,
+           .proves = false,
+           .refuses = no_isosurface},
 };
 
 }  // namespace

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <type_traits>
 
 namespace zeroset {
 namespace {
 
-constexpr std::int64_t brick_shift = 2;  ///< bricks of the lowest level are 4 cells wide
+constexpr std::int64_t brick_shift = Pyramid<float>::lowest_shift;
 constexpr std::int64_t brick_cells = std::int64_t{1} << brick_shift;
 
 /// A brick that holds no sample yet.
@@ -22,7 +24,7 @@ constexpr Sample no_hi = std::numeric_limits<Sample>::lowest();
 template <class Sample>
 bool is_hole(Sample sample) {
     if constexpr (std::is_floating_point_v<Sample>) {
-        return !std::isfinite(sample);
+        return !(std::abs(sample) <= std::numeric_limits<Sample>::max());
     } else {
         return false;
     }
@@ -35,11 +37,39 @@ std::array<std::int64_t, 3> cells_of(const GridSize& size) {
 
 }  // namespace
 
+/// Minima and maxima of the finite samples at each place of some rows.
 template <class Sample>
-std::size_t Pyramid<Sample>::place(const Level& level, std::int64_t i, std::int64_t j,
-                                   std::int64_t k) {
-    return static_cast<std::size_t>((k * level.count[1] + j) * level.count[0] + i);
-}
+struct RowRange {
+    std::vector<Sample> lo, hi;
+
+    explicit RowRange(std::size_t width) : lo(width), hi(width) { clear(); }
+    void clear() {
+        std::ranges::fill(lo, no_lo<Sample>);
+        std::ranges::fill(hi, no_hi<Sample>);
+    }
+    /// Whether one of the samples is no finite number. Without branches, to be done in vectors.
+    bool add(std::span<const Sample> row) {
+        Sample* const least = lo.data();
+        Sample* const largest = hi.data();
+        int holes = 0;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const Sample sample = row[i];
+            const bool hole = is_hole(sample);
+            const bool lower = !hole & (sample < least[i]);
+            const bool higher = !hole & (sample > largest[i]);
+            least[i] = lower ? sample : least[i];
+            largest[i] = higher ? sample : largest[i];
+            holes |= hole ? 1 : 0;
+        }
+        return holes != 0;
+    }
+    void add(const RowRange& other) {
+        for (std::size_t i = 0; i < lo.size(); ++i) {
+            lo[i] = other.lo[i] < lo[i] ? other.lo[i] : lo[i];
+            hi[i] = other.hi[i] > hi[i] ? other.hi[i] : hi[i];
+        }
+    }
+};
 
 template <class Sample>
 Pyramid<Sample>::Pyramid(const Samples& samples) {
@@ -48,27 +78,50 @@ Pyramid<Sample>::Pyramid(const Samples& samples) {
         add_level();
 }
 
-/// Adds the samples of row (j, k) to a row of bricks.
+/// Makes a row of bricks of the minima and maxima of the samples about it.
 template <class Sample>
-void Pyramid<Sample>::add_rows(const Samples& samples, std::int64_t k, std::int64_t j,
-                               std::vector<Brick>& row) const {
-    const auto width = static_cast<std::int64_t>(samples.size[0]);
-    const auto height = static_cast<std::int64_t>(samples.size[1]);
-    const Sample* const line =
-        static_cast<const Sample*>(samples.data.get()) + (k * height + j) * width;
+void Pyramid<Sample>::fill_row(const RowRange<Sample>& range, std::span<Brick> row) {
+    const auto last = static_cast<std::int64_t>(range.lo.size()) - 1;
     for (std::size_t brick = 0; brick < row.size(); ++brick) {
         const auto from = static_cast<std::int64_t>(brick) * brick_cells;
-        const std::int64_t to = std::min(from + brick_cells, width - 1);
-        Sample lo = row[brick].lo;
-        Sample hi = row[brick].hi;
-        for (std::int64_t i = from; i <= to; ++i) {
-            const Sample sample = line[i];
-            if (is_hole(sample)) continue;
-            lo = sample < lo ? sample : lo;
-            hi = sample > hi ? sample : hi;
+        const std::int64_t to = std::min(from + brick_cells, last);
+        Sample lo = no_lo<Sample>;
+        Sample hi = no_hi<Sample>;
+        for (auto i = static_cast<std::size_t>(from); i <= static_cast<std::size_t>(to); ++i) {
+            lo = range.lo[i] < lo ? range.lo[i] : lo;
+            hi = range.hi[i] > hi ? range.hi[i] : hi;
         }
         row[brick] = {lo, hi};
     }
+}
+
+/// Makes the bricks of a slice of the lowest level; whether a sample about it is a hole.
+template <class Sample>
+bool Pyramid<Sample>::make_slice(const Samples& samples, std::int64_t slice, Level& level) {
+    const auto cells = cells_of(samples.size);
+    const auto width = static_cast<std::size_t>(cells[0]) + 1;
+    const auto* const data = static_cast<const Sample*>(samples.data.get());
+    const std::int64_t first = slice * brick_cells;
+    const std::int64_t last = std::min(first + brick_cells, cells[2]);
+    RowRange<Sample> row(width);    // over the slices
+    RowRange<Sample> brick(width);  // and over the rows of a brick
+    bool holes = false;
+    for (std::int64_t j = 0; j <= cells[1]; ++j) {
+        row.clear();
+        for (std::int64_t k = first; k <= last; ++k)
+            holes |=
+                row.add({data + static_cast<std::size_t>(k * (cells[1] + 1) + j) * width, width});
+        brick.add(row);
+        const bool ends = j > 0 && (j % brick_cells == 0 || j == cells[1]);
+        if (!ends) continue;
+        const std::size_t at = place(level, 0, (j - 1) / brick_cells, slice);
+        fill_row(brick,
+                 std::span(level.bricks).subspan(at, static_cast<std::size_t>(level.count[0])));
+        // The next brick begins with this row, too.
+        brick.clear();
+        brick.add(row);
+    }
+    return holes;
 }
 
 template <class Sample>
@@ -78,22 +131,13 @@ void Pyramid<Sample>::make_bricks(const Samples& samples) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         level.count[axis] = (cells[axis] + brick_cells - 1) >> brick_shift;
     level.bricks.resize(static_cast<std::size_t>(level.count[0] * level.count[1] * level.count[2]));
+    std::atomic<bool> holes = false;
     parallel_for(static_cast<std::size_t>(level.count[2]), 0, [&](std::size_t slice) {
-        const auto z = static_cast<std::int64_t>(slice);
-        std::vector<Brick> row(static_cast<std::size_t>(level.count[0]));
-        for (std::int64_t y = 0; y < level.count[1]; ++y) {
-            std::ranges::fill(row, Brick{no_lo<Sample>, no_hi<Sample>});
-            for (std::int64_t k = z * brick_cells; k <= std::min((z + 1) * brick_cells, cells[2]);
-                 ++k) {
-                for (std::int64_t j = y * brick_cells;
-                     j <= std::min((y + 1) * brick_cells, cells[1]); ++j)
-                    add_rows(samples, k, j, row);
-            }
-            std::ranges::copy(
-                row, level.bricks.begin() + static_cast<std::ptrdiff_t>(place(level, 0, y, z)));
-        }
+        if (make_slice(samples, static_cast<std::int64_t>(slice), level)) holes = true;
     });
-    if constexpr (std::is_floating_point_v<Sample>) find_holes(samples);
+    if constexpr (std::is_floating_point_v<Sample>) {
+        if (holes) find_holes(samples);
+    }
 }
 
 /// Marks the bricks of the lowest level with an infinite sample or a NaN.
@@ -109,7 +153,6 @@ void Pyramid<Sample>::find_holes(const Samples& samples) {
         const Sample* const slice = data + k * slice_size;
         found[k] = std::any_of(slice, slice + slice_size, is_hole<Sample>) ? 1 : 0;
     });
-    if (std::ranges::none_of(found, [](std::uint8_t any) { return any != 0; })) return;
     level.holes.assign(level.bricks.size(), false);
     for (std::int64_t k = 0; k <= cells[2]; ++k) {
         if (found[static_cast<std::size_t>(k)] == 0) continue;
@@ -148,16 +191,28 @@ void Pyramid<Sample>::add_level() {
     const auto bricks = static_cast<std::size_t>(level.count[0] * level.count[1] * level.count[2]);
     level.bricks.assign(bricks, {no_lo<Sample>, no_hi<Sample>});
     if (!below.holes.empty()) level.holes.assign(bricks, false);
-    for (std::int64_t k = 0; k < below.count[2]; ++k) {
-        for (std::int64_t j = 0; j < below.count[1]; ++j) {
-            for (std::int64_t i = 0; i < below.count[0]; ++i) {
-                const std::size_t from = place(below, i, j, k);
-                const std::size_t to = place(level, i / 2, j / 2, k / 2);
-                level.bricks[to].lo = std::min(level.bricks[to].lo, below.bricks[from].lo);
-                level.bricks[to].hi = std::max(level.bricks[to].hi, below.bricks[from].hi);
-                if (!below.holes.empty() && below.holes[from]) level.holes[to] = true;
+    parallel_for(static_cast<std::size_t>(level.count[2]), 0, [&](std::size_t slice) {
+        const auto first = 2 * static_cast<std::int64_t>(slice);
+        for (std::int64_t k = first; k < std::min(first + 2, below.count[2]); ++k) {
+            for (std::int64_t j = 0; j < below.count[1]; ++j) {
+                for (std::int64_t i = 0; i < below.count[0]; ++i) {
+                    const Brick& from = below.bricks[place(below, i, j, k)];
+                    Brick& to = level.bricks[place(level, i / 2, j / 2, k / 2)];
+                    to.lo = std::min(to.lo, from.lo);
+                    to.hi = std::max(to.hi, from.hi);
+                }
             }
         }
+    });
+    for (std::size_t at = 0; at < below.holes.size(); ++at) {
+        if (!below.holes[at]) continue;
+        const auto width = static_cast<std::size_t>(below.count[0]);
+        const auto height = static_cast<std::size_t>(below.count[1]);
+        const std::array<std::size_t, 3> index{at % width, at / width % height,
+                                               at / width / height};
+        level.holes[place(level, static_cast<std::int64_t>(index[0] / 2),
+                          static_cast<std::int64_t>(index[1] / 2),
+                          static_cast<std::int64_t>(index[2] / 2))] = true;
     }
     levels_.push_back(std::move(level));
 }

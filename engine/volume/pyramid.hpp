@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -31,6 +32,9 @@ struct SampleRange {
     }
 };
 
+template <class Sample>
+struct RowRange;
+
 /// Minima and maxima of the samples of bricks of 4^3 cells, of 8^3 and so on up to one brick.
 /// `Sample` is the grid's own type. Immutable.
 template <class Sample>
@@ -43,10 +47,20 @@ public:
     /// The range of all samples.
     [[nodiscard]] SampleRange range() const;
 
-private:
+    /// The least and the largest finite sample of a brick.
     struct Brick {
         Sample lo, hi;  ///< lo > hi: no finite sample
     };
+    /// Bricks of level n are 1 << (lowest_shift + n) cells wide; the last level has one.
+    static constexpr int lowest_shift = 2;
+    [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
+    [[nodiscard]] const Brick& brick(int level, std::int64_t i, std::int64_t j,
+                                     std::int64_t k) const {
+        const Level& of = levels_[static_cast<std::size_t>(level)];
+        return of.bricks[place(of, i, j, k)];
+    }
+
+private:
     struct Level {
         std::array<std::int64_t, 3> count{};
         std::vector<Brick> bricks;
@@ -54,13 +68,15 @@ private:
     };
 
     void make_bricks(const Samples& samples);
-    void add_rows(const Samples& samples, std::int64_t k, std::int64_t j,
-                  std::vector<Brick>& row) const;
+    static bool make_slice(const Samples& samples, std::int64_t slice, Level& level);
+    static void fill_row(const RowRange<Sample>& range, std::span<Brick> row);
     void add_level();
     void find_holes(const Samples& samples);
     static void mark_hole(Level& level, const std::array<std::int64_t, 3>& sample);
     [[nodiscard]] static std::size_t place(const Level& level, std::int64_t i, std::int64_t j,
-                                           std::int64_t k);
+                                           std::int64_t k) {
+        return static_cast<std::size_t>((k * level.count[1] + j) * level.count[0] + i);
+    }
 
     std::vector<Level> levels_;
 };

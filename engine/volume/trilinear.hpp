@@ -52,6 +52,24 @@ public:
     template <class Wide>
     [[nodiscard]] Point<Wide> at(const std::array<Wide, 3>& index, bool with_bends = true) const;
 
+    [[nodiscard]] const GridSize& size() const { return size_; }
+    /// Encloses the samples of the cells, from few bricks: those about them, too.
+    [[nodiscard]] SampleRange sample_range(const CellSpan& cells) const {
+        return pyramid_.range(cells);
+    }
+    /// Puts the samples at the corners of a cell into every `step`-th number from `out` on.
+    void load_corners(const std::array<std::int64_t, 3>& cell, double* out,
+                      std::size_t step) const {
+        const auto width = static_cast<std::int64_t>(size_[0]);
+        const std::int64_t slice = width * static_cast<std::int64_t>(size_[1]);
+        const Sample* const base = sample(cell[0], cell[1], cell[2]);
+        for (std::size_t edge = 0; edge < 4; ++edge) {
+            const Sample* const row = base + (edge % 2 == 1 ? width : 0) + (edge >= 2 ? slice : 0);
+            out[2 * edge * step] = static_cast<double>(row[0]);
+            out[(2 * edge + 1) * step] = static_cast<double>(row[1]);
+        }
+    }
+
 private:
     [[nodiscard]] const Sample* sample(std::int64_t i, std::int64_t j, std::int64_t k) const {
         const auto width = static_cast<std::int64_t>(size_[0]);

@@ -5,6 +5,7 @@
 #include "engine/volume/spline.hpp"
 #include "engine/volume/trilinear.hpp"
 #include "engine/volume/volume.hpp"
+#include "engine/volume/volume_lanes.hpp"
 
 #include <type_traits>
 #include <utility>
@@ -212,12 +213,16 @@ void VolumeOf<Between>::turn(Place<Wide>& result, const InterpolationPoint<Wide>
 template <class Between>
 template <class Real>
 void VolumeOf<Between>::values_of(int derivative, const Real* in, Real* out, int lanes) const {
-    const NearestLongDouble guard;
     using Wide = WideOf<Real>;
     constexpr Wide unknown = std::numeric_limits<Wide>::quiet_NaN();
     const int order = order_of(derivative);
     const auto axes = axes_of(derivative);
+    const LanesOf<Between> vectors(between_, map_);
+    const LaneBits answered = order == 0 ? vectors.values(in, out, lanes) : LaneBits();
+    if (answered.all(lanes)) return;
+    const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
+        if (answered.has(lane)) continue;
         const Place<Wide> at = place<Wide>(question_lane(in, FieldValue::x, lanes, lane), order);
         std::array<Wide, 4> answer{at.value, at.slope[0], at.slope[1], at.slope[2]};
         if (order == 1) {
@@ -317,7 +322,10 @@ ValueBounds VolumeOf<Between>::derivative_bounds(const IndexBox& box, const Seen
 template <class Between>
 template <class Real>
 void VolumeOf<Between>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
+    const LanesOf<Between> vectors(between_, map_);
+    const LaneBits answered = derivative == 0 ? vectors.ranges(in, out, lanes) : LaneBits();
     for (int lane = 0; lane < lanes; ++lane) {
+        if (answered.has(lane)) continue;
         const IndexBox box = between_.box(question_lane(in, FieldRange::neg_lo, lanes, lane, -1),
                                           question_lane(in, FieldRange::hi, lanes, lane));
         const Seen over = seen(box, derivative != 0);
@@ -354,8 +362,13 @@ template <class Real>
 void VolumeOf<Between>::forms_of(const Real* in, Real* out, int lanes) const {
     // Values in double are computed in long double: of its errors few are left.
     constexpr double wide_share = Between::share_of_errors;
+    const LanesOf<Between> vectors(between_, map_);
+    const LaneBits answered =
+        vectors.forms(in, out, lanes, static_cast<double>(unit_of<WideOf<Real>>));
+    if (answered.all(lanes)) return;
     const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
+        if (answered.has(lane)) continue;
         const IndexBox box = between_.box(question_lane(in, FieldForm::neg_lo, lanes, lane, -1),
                                           question_lane(in, FieldForm::hi, lanes, lane));
         const Seen over = seen(box, true);

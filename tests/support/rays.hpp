@@ -94,6 +94,14 @@ private:
     }
 };
 
+/// The tracers that draw all formulas.
+inline std::vector<Tracer> tracers_of_all_formulas() {
+    std::vector<Tracer> all;
+    std::ranges::copy_if(tracers(), std::back_inserter(all),
+                         [](const Tracer& tracer) { return tracer.refuses == nullptr; });
+    return all;
+}
+
 /// The tracers that prove what they show.
 inline std::vector<Tracer> proving_tracers() {
     std::vector<Tracer> proving;

@@ -108,6 +108,13 @@ private:
         shapes_.emplace_back(
             Text{.words = words, .at = at, .anchor = anchor, .em = size, .color = color});
     }
+    [[nodiscard]] bool counts_voxels() const {
+        return comparison_.table->unit == PrintedUnit::MillionsPerSecond;
+    }
+    [[nodiscard]] const char* lost_words_for(std::size_t lost) const {
+        if (counts_voxels()) return lost == 1 ? " wrong voxel" : " wrong voxels";
+        return lost == 1 ? " pixel wrong" : " pixels wrong";
+    }
     /// A text whose digits' middle is at a height; returns its right end.
     double write_at(const std::string& words, double x, double y, std::uint32_t color) {
         write(words, {x, y - digits_middle_em * small_em}, Anchor::TopLeft, small_em, color);
@@ -135,8 +142,7 @@ void PlotMaker::add_row(const ComparedRow& row, double y) {
     if (row.times) words += "  " + ratio_text(*row.times);
     const double gap = dot + 5.0;
     const std::size_t lost = row.wrong.missed + row.wrong.added;
-    const std::string lost_words =
-        lost == 0 ? "" : std::to_string(lost) + (lost == 1 ? " pixel wrong" : " pixels wrong");
+    const std::string lost_words = lost == 0 ? "" : std::to_string(lost) + lost_words_for(lost);
     constexpr double lost_gap = 8.0;
     double end = at + gap + width_(words, small_em);
     if (lost > 0) end += lost_gap + width_(lost_words, small_em);
@@ -174,8 +180,9 @@ void PlotMaker::add_axis(double bottom) {
 
 void PlotMaker::add_heading() {
     const PrintedTable& table = *comparison_.table;
-    write(std::string(table.source) + ": time of a frame", {16.0, 12.0}, Anchor::TopLeft, 15.0,
-          ink);
+    const char* const what =
+        counts_voxels() ? ": time of a million intersections" : ": time of a frame";
+    write(std::string(table.source) + what, {16.0, 12.0}, Anchor::TopLeft, 15.0, ink);
     const double y = 48.0;
     double x = 20.0;
     shapes_.emplace_back(Circle{.middle = {x, y}, .radius = dot, .color = here});

@@ -30,7 +30,11 @@ struct PrintedBoxes {
     int rays, all_rays;         ///< with boxes, and nine a pixel everywhere
 };
 
-enum class PrintedUnit : std::uint8_t { FramesPerSecond, Seconds };
+enum class PrintedUnit : std::uint8_t {
+    FramesPerSecond,
+    Seconds,
+    MillionsPerSecond  ///< of intersections: a time is that of a million
+};
 
 /// A table of a paper, as data.
 struct PrintedTable {

@@ -70,7 +70,7 @@ TEST_P(Cost, ChangesNothing) {
 
 std::vector<std::string> names_of_tracers() {
     std::vector<std::string> names;
-    for (const Tracer& tracer : tracers())
+    for (const Tracer& tracer : tracers_of_all_formulas())
         names.emplace_back(tracer.name);
     return names;
 }

@@ -2,6 +2,7 @@
 #include "engine/language/parse.hpp"
 #include "engine/render/render.hpp"
 #include "engine/render/tracers.hpp"
+#include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -144,7 +145,7 @@ TEST(SeveralSurfaces, TheirOrderDoesNotMatterForDepths) {
 }
 
 TEST(SeveralSurfaces, LaterOnesAreNotLookedForBehindWhatIsFound) {
-    for (const Tracer& tracer : tracers()) {
+    for (const Tracer& tracer : tracers_of_all_formulas()) {
         TraceSettings settings;
         settings.tracer = tracer.name;
         settings.stop.value = 16;

@@ -1,0 +1,45 @@
+#include "engine/trace/voxels/isosurface.hpp"
+
+#include "engine/base/translation.hpp"
+#include "engine/kernel/field_level.hpp"
+#include "engine/kernel/point_batch.hpp"
+
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+const Volume* volume_of(const Kernel& surface) {
+    return dynamic_cast<const Volume*>(surface.memory->of<FieldLevel>()->field.get());
+}
+
+}  // namespace
+
+const char* no_isosurface(const Kernel& surface) {
+    const Volume* const volume = volume_of(surface);
+    if (volume == nullptr) {
+        return marked(
+            "it draws only plain isosurfaces of a volume, such as scan(x, y, z) = 400 without cuts "
+            "in the formula; choose another tracer, such as beams or k-bisection, for all "
+            "formulas");
+    }
+    if (volume->options().outside != Outside::Undefined) {
+        return marked(
+            "it draws volumes only within their samples; leave out what is typed for beyond them, "
+            "such as edge, or choose another tracer, such as beams");
+    }
+    return nullptr;
+}
+
+std::optional<Isosurface> isosurface(const Kernel& surface, const Scene& scene) {
+    if (no_isosurface(surface) != nullptr) return std::nullopt;
+    PointBatch<double> point(1);
+    point.set(0, 0.0, 0.0, 0.0);
+    point.pad();
+    surface.memory->of<FieldLevel>()->level(point.batch(scene.uniforms.points<double>()));
+    const double level = point.f(0);
+    if (!std::isfinite(level)) return std::nullopt;
+    return Isosurface{.volume = volume_of(surface), .level = level};
+}
+
+}  // namespace zeroset

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/kernel/kernel.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/volume/volume.hpp"
+
+#include <optional>
+
+namespace zeroset {
+
+/// A surface volume(x, y, z) = level.
+struct Isosurface {
+    const Volume* volume;
+    double level;
+};
+
+/// Why a surface is no plain isosurface of one trilinear volume: a line to be translated that says
+/// what to type instead; nullptr: it is one.
+const char* no_isosurface(const Kernel& surface);
+
+/// The surface for the uniforms of a scene, in upward rounding; nothing where it is none.
+std::optional<Isosurface> isosurface(const Kernel& surface, const Scene& scene);
+
+}  // namespace zeroset
