@@ -39,7 +39,7 @@ HWY_INLINE std::uint32_t bits_of(M mask) {
 
 void place_boxes(const IndexMap& map, const GridSize& size, BoxLanes& boxes) {
     boxes.inside = 0;
-    for (std::size_t at = 0; at < most_lanes; at += width) {
+    for (std::size_t at = 0; at < boxes.count; at += width) {
         M inside = hn::Eq(hn::Zero(d), hn::Zero(d));
         for (std::size_t i = 0; i < 3; ++i) {
             V from = number(map.shift[i]);
@@ -206,7 +206,7 @@ template <class Wide>
 void place_points_in(const IndexMap& map, const GridSize& size, PointLanes& points) {
     const Wide kind = widened(Wide{}, hn::Zero(d));
     points.inside = 0;
-    for (std::size_t at = 0; at < most_lanes; at += width) {
+    for (std::size_t at = 0; at < points.count; at += width) {
         M inside = hn::Eq(hn::Zero(d), hn::Zero(d));
         for (std::size_t i = 0; i < 3; ++i) {
             Wide index = widened(kind, number(map.shift[i]));
@@ -276,7 +276,7 @@ HWY_INLINE void store_world_slopes(const IndexMap& map, const V (&corners)[8], c
 template <class Wide>
 void mix_points_in(const IndexMap& map, bool with_slopes, PointLanes& points) {
     const Wide kind = widened(Wide{}, hn::Zero(d));
-    for (std::size_t at = 0; at < most_lanes; at += width) {
+    for (std::size_t at = 0; at < points.count; at += width) {
         V corners[8];
         for (std::size_t i = 0; i < 8; ++i)
             corners[i] = hn::Load(d, points.corners[i] + at);
@@ -336,7 +336,7 @@ HWY_INLINE Hull world_slope(const IndexMap& map, const V (&lo)[3], const V (&hi)
 template <class Real>
 void make_forms_in(const IndexMap& map, const BoxLanes& boxes, const PointLanes& middles,
                    double unit, const FormLanes& forms, FormColumns<Real>& columns) {
-    for (std::size_t at = 0; at < most_lanes; at += width) {
+    for (std::size_t at = 0; at < boxes.count; at += width) {
         const auto put = [&](std::size_t column, V bound) {
             store_above(bound, columns.column[column] + at);
         };

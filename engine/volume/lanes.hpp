@@ -7,9 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 
-// Questions to a volume for many lanes at once: what is computed of each is the same as for one
-// (index_box.hpp, trilinear.hpp), in the machine's widest vectors. Arrays hold a number for each
-// lane; those beyond `lanes` are computed, too, and mean nothing. In any rounding mode.
+// Questions to a volume for many lanes at once, in the machine's widest vectors: as in
+// index_box.hpp and trilinear.hpp. Arrays hold a number for each lane; those beyond `count` mean
+// nothing, if they are computed at all. A lane's numbers do not depend on the others. In any
+// rounding mode.
 
 namespace zeroset {
 
@@ -23,6 +24,7 @@ struct BoxLanes {
     Lanes16 from[3], to[3], terms[3];
     Lanes16 first[3], last[3];  ///< the cells that hold them
     std::uint32_t inside;       ///< bits of the lanes that are surely in the grid
+    std::size_t count;          ///< lanes that are asked for
 };
 void place_boxes(const IndexMap& map, const GridSize& size, BoxLanes& boxes);
 
@@ -50,6 +52,7 @@ struct PointLanes {
     Lanes16 value;
     Lanes16 slope[3];      ///< in the world
     std::uint32_t inside;  ///< bits of the lanes that are in the grid
+    std::size_t count;     ///< lanes that are asked for
 };
 /// Whether numbers are computed as sums of two doubles, far beyond the digits of long double, or in
 /// double.

@@ -17,6 +17,7 @@
 
 // The questions to a volume in vectors of lanes (lanes.hpp), where they are the usual ones: points
 // and small boxes within the grid, away from holes. All others are left to be answered one by one.
+// A lane is answered alike among whatever others, to the last bit.
 
 namespace zeroset {
 
@@ -100,7 +101,7 @@ private:
     template <class Ask>
     static LaneBits in_chunks(int lanes, const Ask& ask) {
         LaneBits answered;
-        if (lanes < 2 || lanes > LaneBits::most) return answered;
+        if (lanes > LaneBits::most) return answered;
         for (int first = 0; first < lanes; first += static_cast<int>(most_lanes)) {
             const int count = std::min(lanes - first, static_cast<int>(most_lanes));
             answered.add(first, ask(first, count));
@@ -275,6 +276,7 @@ std::uint32_t VolumeLanes<Sample>::values_at(const Columns<const Real>& in,
     PointLanes points;
     for (std::size_t c = 0; c < 3; ++c)
         in.copy_to(points.at[c], FieldValue::x + c);
+    points.count = static_cast<std::size_t>(in.count);
     place_points(map_, trilinear_.size(), digits_for<Real>, points);
     std::uint32_t lanes = points.inside & bits_for(in.count);
     if (lanes == 0) return 0;
@@ -298,6 +300,7 @@ std::uint32_t VolumeLanes<Sample>::ranges_at(const Columns<const Real>& in,
         in.copy_to(boxes.lo[c], FieldRange::neg_lo + c, -1);
         in.copy_to(boxes.hi[c], FieldRange::hi + c);
     }
+    boxes.count = static_cast<std::size_t>(in.count);
     place_boxes(map_, trilinear_.size(), boxes);
     Parts parts;
     const std::uint32_t lanes = enclose(boxes, boxes.inside & bits_for(in.count), parts);
@@ -322,7 +325,9 @@ std::uint32_t VolumeLanes<Sample>::forms_at(const Columns<const Real>& in, const
         in.copy_to(boxes.hi[c], FieldForm::hi + c);
         in.copy_to(middles.at[c], FieldForm::middle + c);
     }
+    boxes.count = static_cast<std::size_t>(in.count);
     place_boxes(map_, trilinear_.size(), boxes);
+    middles.count = boxes.count;
     place_points(map_, trilinear_.size(), digits_for<Real>, middles);
     Parts parts;
     std::uint32_t lanes = enclose(boxes, boxes.inside & middles.inside & bits_for(in.count), parts);

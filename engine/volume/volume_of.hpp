@@ -9,6 +9,7 @@
 
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 // The questions to a volume of samples of one type.
 
@@ -220,6 +221,11 @@ void VolumeOf<Between>::values_of(int derivative, const Real* in, Real* out, int
     const LanesOf<Between> vectors(between_, map_);
     const LaneBits answered = order == 0 ? vectors.values(in, out, lanes) : LaneBits();
     if (answered.all(lanes)) return;
+    // A first derivative is to the last bit the slope that the function itself is told with.
+    std::vector<Real> function(order == 1 ? FieldValue::answers * static_cast<std::size_t>(lanes)
+                                          : 0);
+    const LaneBits has_slopes =
+        order == 1 ? vectors.values(in, function.data(), lanes) : LaneBits();
     const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
         if (answered.has(lane)) continue;
@@ -227,7 +233,11 @@ void VolumeOf<Between>::values_of(int derivative, const Real* in, Real* out, int
         std::array<Wide, 4> answer{at.value, at.slope[0], at.slope[1], at.slope[2]};
         if (order == 1) {
             const auto& row = at.bend[axes[0]];
-            answer = {at.slope[axes[0]], row[0], row[1], row[2]};
+            const std::size_t slope =
+                (FieldValue::slope + axes[0]) * static_cast<std::size_t>(lanes) +
+                static_cast<std::size_t>(lane);
+            answer = {has_slopes.has(lane) ? static_cast<Wide>(function[slope]) : at.slope[axes[0]],
+                      row[0], row[1], row[2]};
         } else if (order > 1) {
             answer = {at.bend[axes[0]][axes[1]], unknown, unknown, unknown};
         }
