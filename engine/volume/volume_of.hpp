@@ -370,8 +370,6 @@ ValueBounds VolumeOf<Between>::at_middle(const std::array<double, 3>& middle, co
 template <class Between>
 template <class Real>
 void VolumeOf<Between>::forms_of(const Real* in, Real* out, int lanes) const {
-    // Values in double are computed in long double: of its errors few are left.
-    constexpr double wide_share = Between::share_of_errors;
     const LanesOf<Between> vectors(between_, map_);
     const LaneBits answered =
         vectors.forms(in, out, lanes, static_cast<double>(unit_of<WideOf<Real>>));
@@ -395,7 +393,8 @@ void VolumeOf<Between>::forms_of(const Real* in, Real* out, int lanes) const {
             answer.set(FieldForm::slopes + 2 * i, world_slope(over.range.slopes, i));
             rounding += box.terms[i] * over.range.slopes[i].size();
         }
-        answer.set_above(FieldForm::rounding, 2 * over.range.value.size() + wide_share * rounding);
+        answer.set_above(FieldForm::rounding,
+                         2 * over.range.value.size() + Between::share_of_errors * rounding);
     }
 }
 
