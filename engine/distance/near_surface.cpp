@@ -35,6 +35,8 @@ std::expected<NearSurface, std::size_t> NearSurface::make(const SurfaceFunction&
         cells = divided(cells);
     }
     if (surface.pieces_.empty()) return surface;
+    surface.has_zero_ = std::ranges::any_of(
+        surface.pieces_, [](const SurfacePiece& piece) { return piece.crosses || piece.has_zero; });
     surface.nodes_.emplace_back();
     surface.arrange(0, 0, static_cast<std::uint32_t>(surface.pieces_.size()));
     return surface;
@@ -76,8 +78,9 @@ DistanceBounds NearSurface::distance(const glm::dvec3& point, double known) cons
     tasks[count++] = {0, distance_below(nodes_[0].box, point)};
     while (count > 0) {
         const Task task = tasks[--count];
-        // What lies farther than a zero that is proved changes neither bound.
-        if (task.from > bounds.hi) continue;
+        // What lies farther than a zero that is proved changes neither bound, and what lies
+        // farther than the lower one does not change that.
+        if (task.from > (has_zero_ ? bounds.hi : bounds.lo)) continue;
         const Node& node = nodes_[task.node];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const DistanceBounds own = pieces_[i].distance(point);

@@ -56,6 +56,7 @@ private:
 
     std::vector<SurfacePiece> pieces_;
     std::vector<Node> nodes_;  ///< the first is the root
+    bool has_zero_ = false;    ///< whether a piece tells of a zero that is proved
 };
 
 }  // namespace zeroset
