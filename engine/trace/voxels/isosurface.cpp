@@ -23,6 +23,11 @@ const char* no_isosurface(const Kernel& surface) {
             "in the formula; choose another tracer, such as beams or k-bisection, for all "
             "formulas");
     }
+    if (volume->spline() != nullptr) {
+        return marked(
+            "it draws only volumes that are trilinear between their samples; leave out cubic or "
+            "smooth, or choose another tracer, such as beams");
+    }
     if (volume->options().outside != Outside::Undefined) {
         return marked(
             "it draws volumes only within their samples; leave out what is typed for beyond them, "

@@ -1,6 +1,7 @@
 #include "engine/real/rounding.hpp"
 #include "engine/render/render.hpp"
 #include "engine/trace/voxels/isosurface.hpp"
+#include "engine/volume/spline.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/voxel_scenes.hpp"
 
@@ -185,6 +186,9 @@ TEST(Isosurface, RefusesWhatIsNoPlainOne) {
     const auto edge = volume_from({3, 3, 3}, {}, [](double i, double, double) { return i; },
                                   {.outside = Outside::Edge});
     EXPECT_NE(no_isosurface(kernel_with_level(level_set(edge, 0.1))), nullptr);
+    const auto spline = SplineData::of(volume->shared_data(), SplineKind::Interpolating).value();
+    const auto curved = Volume::make(spline, VolumeOptions{}, "volume(\"test\", cubic)");
+    EXPECT_NE(no_isosurface(kernel_with_level(level_set(curved, 0.1))), nullptr);
 }
 
 TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
