@@ -32,8 +32,8 @@ struct Tracer {
     /// Whether it certifies roots and rays without any; else all it says is undecided, and where it
     /// shows nothing there may be a root.
     bool proves = true;
-    /// Why it cannot draw a surface: one line, to be translated; nullptr: it can. What it refuses it
-    /// leaves undecided. No function: it draws all formulas.
+    /// Why it cannot draw a surface: one line, to be translated; nullptr: it can. What it refuses
+    /// it leaves undecided. No function: it draws all formulas.
     const char* (*refuses)(const Kernel& surface) = nullptr;
 };
 

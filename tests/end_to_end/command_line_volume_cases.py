@@ -63,8 +63,9 @@ class VolumeTest(ProgramTest):
             self.assertAlmostEqual(found, math.hypot(*point) - 1, delta=0.0101)
 
     def test_distances_that_are_not_proved_are_told(self):
-        result = self.run_ok("sample", "(x + y)^2", "-o", "d.nrrd", "--distance", "--size", "4",
-                             "--box", "1", "--tolerance", "0.1")
+        result = run("sample", "(x + y)^2", "-o", "d.nrrd", "--distance", "--size", "4", "--box",
+                     "1", "--tolerance", "0.1", cwd=self.folder)
+        self.assertEqual(result.code, 0, str(result))
         self.assertIn("of 64 of 64 samples the distance is not proved to 0.1", result.err)
 
     def test_a_spline_is_drawn_where_the_sphere_is(self):

@@ -11,9 +11,9 @@
 
 namespace zeroset::ui {
 
-/// Zooms towards the pointer, orbits or pans as the wheel was turned in this frame, or as two fingers
-/// pinched. For whatever is
-/// over the picture and has no use for the wheel, while the pointer is over it.
+/// Zooms towards the pointer, orbits or pans as the wheel was turned in this frame, or as two
+/// fingers pinched. For whatever is over the picture and has no use for the wheel, while the
+/// pointer is over it.
 void follow_wheel(UiState& state);
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
