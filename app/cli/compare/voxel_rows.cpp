@@ -206,6 +206,7 @@ std::vector<ComparedRow> plotted_rows(const VoxelTable& table, const std::vector
         made.tracer = std::string(row.printed->name);
         made.median_ms = made.min_ms = made.max_ms = 1000 / row.mean;
         made.printed_ms = 1000 / plotted_figure(table, *row.printed);
+        made.of_table = true;
         made.wrong.missed = row.counts.missed;
         made.wrong.added = row.counts.added;
     }
