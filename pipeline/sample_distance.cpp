@@ -133,7 +133,8 @@ struct RowErrors {
 
 /// From bounds of the distance without its sign.
 Answer answer_of(const DistanceBounds& bounds, PointSign sign, double guess) {
-    if (sign == PointSign::Undefined) return {std::numeric_limits<double>::quiet_NaN(), 0};
+    if (sign == PointSign::Undefined)
+        return {.value = std::numeric_limits<double>::quiet_NaN(), .error = 0};
     const bool negative = sign == PointSign::Below || (sign == PointSign::Unknown && guess < 0);
     Answer answer{.value = 0.5 * (bounds.lo + bounds.hi), .error = 0.5 * bounds.gap()};
     if (!std::isfinite(bounds.hi)) answer = {.value = bounds.lo, .error = infinity};

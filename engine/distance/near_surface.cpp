@@ -75,7 +75,7 @@ DistanceBounds NearSurface::distance(const glm::dvec3& point, double known) cons
     if (nodes_.empty()) return bounds;
     std::array<Task, 128> tasks;  // two a level, of at most 32
     std::size_t count = 0;
-    tasks[count++] = {0, distance_below(nodes_[0].box, point)};
+    tasks[count++] = {.node = 0, .from = distance_below(nodes_[0].box, point)};
     while (count > 0) {
         const Task task = tasks[--count];
         // What lies farther than a zero that is proved changes neither bound, and what lies
@@ -88,8 +88,8 @@ DistanceBounds NearSurface::distance(const glm::dvec3& point, double known) cons
             bounds.hi = std::min(bounds.hi, own.hi);
         }
         if (node.count > 0) continue;
-        Task near{node.first, distance_below(nodes_[node.first].box, point)};
-        Task far{node.first + 1, distance_below(nodes_[node.first + 1].box, point)};
+        Task near{.node = node.first, .from = distance_below(nodes_[node.first].box, point)};
+        Task far{.node = node.first + 1, .from = distance_below(nodes_[node.first + 1].box, point)};
         if (far.from < near.from) std::swap(near, far);
         tasks[count++] = far;
         tasks[count++] = near;

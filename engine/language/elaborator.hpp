@@ -78,7 +78,7 @@ private:
     // elaborator_solids.cpp: conditions that stand alone
     Number solid(const Value& condition, const StatementSyntax& statement);
     Number boundary(NodeId condition, std::size_t offset);
-    Number boundary_of(const Node& condition, std::size_t offset);
+    Number boundary_of(NodeId id, std::size_t offset);
 
     // elaborator_graphs.cpp: functions that stand alone
     bool build_graphs();

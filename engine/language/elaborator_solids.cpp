@@ -38,14 +38,14 @@ Elaborator::Number Elaborator::solid(const Value& condition, const StatementSynt
 Elaborator::Number Elaborator::boundary(NodeId condition, std::size_t offset) {
     if (const auto known = boundaries_.find(condition); known != boundaries_.end())
         return known->second;
-    const Number result = boundary_of(builder_.node(condition), offset);
+    const Number result = boundary_of(condition, offset);
     if (result && !done(*result, offset)) return std::nullopt;
     boundaries_[condition] = result;
     return result;
 }
 
-Elaborator::Number Elaborator::boundary_of(const Node& node, std::size_t offset) {
-    const Node condition = node;
+Elaborator::Number Elaborator::boundary_of(NodeId id, std::size_t offset) {
+    const Node condition = builder_.node(id);
     if (condition.op == Op::Less || condition.op == Op::LessEqual)
         return make_subtract(builder_, condition.a, condition.b);
     if (condition.op == Op::Not) {

@@ -146,7 +146,7 @@ auto CubicSpline<Number>::range(const IndexBox& box, bool with_slopes) const -> 
     result.holes = about.holes;
     result.somewhere = about.any();
     if (!about.any()) return result;
-    result.value = {about.lo, about.hi};
+    result.value = {.lo = about.lo, .hi = about.hi};
     result.largest = result.value.size();
     const double error = roundings * unit_of<double> * result.largest;
     if (!points || about.holes) {

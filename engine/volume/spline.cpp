@@ -79,7 +79,7 @@ public:
           numbers_(numbers) {}
 
     /// Of sample (i, j, k).
-    Number& at(std::uint64_t i, std::uint64_t j, std::uint64_t k) const {
+    [[nodiscard]] Number& at(std::uint64_t i, std::uint64_t j, std::uint64_t k) const {
         return numbers_[((k + 1) * height_ + j + 1) * width_ + i + 1];
     }
 

@@ -47,7 +47,7 @@ private:
     std::shared_ptr<const void> pyramid_;
 };
 
-inline const std::shared_ptr<const VolumeData>& volume_data(
+inline std::shared_ptr<const VolumeData> volume_data(
     const std::shared_ptr<const SplineData>& spline) {
     return spline->volume();
 }

@@ -180,7 +180,8 @@ auto Trilinear<Sample>::range_in_cell(const IndexBox& box) const -> std::optiona
     result.largest = samples.size();
     const double error = mixing_roundings * unit_of<double> * result.largest;
     const ValueBounds mixed = hull_of(cut(in_yz, 0));
-    result.value = {std::max(mixed.lo, samples.lo) - error, std::min(mixed.hi, samples.hi) + error};
+    result.value = {.lo = std::max(mixed.lo, samples.lo) - error,
+                    .hi = std::min(mixed.hi, samples.hi) + error};
     result.slopes = {hull_of_differences(in_yz, 0).widened(error),
                      hull_of_differences(cut(in_z, 0), 1).widened(error),
                      hull_of_differences(cut(cut(values, 0), 1), 2).widened(error)};
@@ -198,7 +199,7 @@ auto Trilinear<Sample>::range(const IndexBox& box, bool with_slopes) const -> Ra
     result.holes = samples.holes;
     result.somewhere = samples.any();
     if (!samples.any()) return result;
-    result.value = {samples.lo, samples.hi};
+    result.value = {.lo = samples.lo, .hi = samples.hi};
     result.largest = result.value.size();
     const double error = mixing_roundings * unit_of<double> * result.largest;
     if (!values || samples.holes) {
@@ -216,8 +217,8 @@ auto Trilinear<Sample>::range(const IndexBox& box, bool with_slopes) const -> Ra
     narrow(narrow_in_all, box, 0);
     // Between samples nothing is beyond them.
     const ValueBounds mixed = bounds(narrow_in_all, error);
-    result.value = {std::max(mixed.lo, result.value.lo - error),
-                    std::min(mixed.hi, result.value.hi + error)};
+    result.value = {.lo = std::max(mixed.lo, result.value.lo - error),
+                    .hi = std::min(mixed.hi, result.value.hi + error)};
     if (!with_slopes) return result;
     narrow_in_yz.differentiate(0);
     result.slopes[0] = bounds(narrow_in_yz, error);

@@ -60,8 +60,7 @@ private:
 };
 
 /// The data themselves, as what a Trilinear is made of (SplineData has another).
-inline const std::shared_ptr<const VolumeData>& volume_data(
-    const std::shared_ptr<const VolumeData>& data) {
+inline std::shared_ptr<const VolumeData> volume_data(std::shared_ptr<const VolumeData> data) {
     return data;
 }
 

@@ -51,7 +51,8 @@ public:
             if (!head) return damaged();
             if (head->tag == pixel_data) {
                 found_.elements[pixel_data] = {
-                    at_, std::min<std::size_t>(head->length, bytes_.size() - at_)};
+                    .offset = at_,
+                    .length = std::min<std::size_t>(head->length, bytes_.size() - at_)};
                 return found_;
             }
             const bool passed =
@@ -106,7 +107,7 @@ private:
     /// Notes an element and goes on behind it.
     bool take(const Head& head) {
         if (!skip(head.length)) return false;
-        found_.elements[head.tag] = {at_ - head.length, head.length};
+        found_.elements[head.tag] = {.offset = at_ - head.length, .length = head.length};
         return true;
     }
     bool skip(std::size_t length) {
