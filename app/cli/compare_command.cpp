@@ -16,7 +16,6 @@
 #include "engine/render/tracers.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <iterator>
 #include <optional>
@@ -171,7 +170,6 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     ComparePlan plan;
     const auto table = table_of(command);
     if (!table) return std::unexpected(table.error());
-    plan.frames.table = *table;
     auto items = items_of(command, **table);
     if (!items) return std::unexpected(items.error());
     plan.items = std::move(*items);
@@ -179,26 +177,14 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     if (!measurements) return std::unexpected(measurements.error());
     plan.measurements = std::move(*measurements);
     plan.all_tracers = command.tracers == "all";
-    const auto size = read_size("--size", command.size.value_or(std::to_string((*table)->size_px)));
-    if (!size) return std::unexpected(size.error());
-    plan.frames.size = *size;
-    const auto repeats = read_repeats(command.repeat, plan.frames.repeats);
-    if (!repeats) return std::unexpected(repeats.error());
-    plan.frames.repeats = *repeats;
-    const auto budget = read_budget(command.budget);
-    if (!budget) return std::unexpected(budget.error());
-    plan.frames.budget_s = *budget;
-    if (command.plot) {
-        plan.plot = plot_format(*command.plot);
-        if (!plan.plot)
-            return wrong_input("--plot " + *command.plot + ": type a name ending in .svg or .png");
-    }
+    const auto frames = read_frames(command, std::to_string((*table)->size_px));
+    if (!frames) return std::unexpected(frames.error());
+    plan.frames = *frames;
+    plan.frames.table = *table;
+    const auto plot = read_plot(command);
+    if (!plot) return std::unexpected(plot.error());
+    plan.plot = *plot;
     return plan;
-}
-
-void print(const std::string& text) {
-    std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
 }
 
 OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan, bool prints) {

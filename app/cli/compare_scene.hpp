@@ -18,7 +18,7 @@ struct ComparedScene {
     Camera camera;
 };
 
-/// What all such comparisons read of the command.
+/// The options that comparisons of one scene have, read.
 struct ComparedSettings {
     TraceSettings settings;
     int size_px = 0;

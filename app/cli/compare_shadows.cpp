@@ -50,7 +50,7 @@ std::uint64_t differences(const ShadowBits& a, const ShadowBits& b, bool of_prov
     return count(differ);
 }
 
-/// What a way to find the shadows of a picture came to.
+/// The figures of one way to find the shadows of a picture.
 struct ShadowRow {
     std::string scene, way;
     double ms = 0.0;  ///< the median

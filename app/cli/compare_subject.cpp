@@ -16,7 +16,7 @@
 namespace zeroset {
 namespace {
 
-/// What mirrored rays are drawn with: metal under two lights [Stolte05, fig. 5].
+/// The light of scenes with mirrored rays: metal under two lights [Stolte05, fig. 5].
 Lighting mirror_lighting() {
     Lighting lighting;
     lighting.look = Look::Metal;
@@ -31,6 +31,29 @@ TraceSettings finest() {
 }
 
 }  // namespace
+
+OrInputError<CompareFrames> read_frames(const CompareCommand& command,
+                                        const std::string& usual_size) {
+    CompareFrames frames;
+    const auto size = read_size("--size", command.size.value_or(usual_size));
+    if (!size) return std::unexpected(size.error());
+    frames.size = *size;
+    const auto repeats = read_repeats(command.repeat, frames.repeats);
+    if (!repeats) return std::unexpected(repeats.error());
+    frames.repeats = *repeats;
+    const auto budget = read_budget(command.budget);
+    if (!budget) return std::unexpected(budget.error());
+    frames.budget_s = *budget;
+    return frames;
+}
+
+OrInputError<std::optional<PlotFormat>> read_plot(const CompareCommand& command) {
+    if (!command.plot) return std::nullopt;
+    const auto format = plot_format(*command.plot);
+    if (!format)
+        return wrong_input("--plot " + *command.plot + ": type a name ending in .svg or .png");
+    return format;
+}
 
 CompareSubject::CompareSubject(std::string name, PictureRequest request)
     : name_(std::move(name)),
@@ -111,7 +134,7 @@ double CompareSubject::prepared_ms(const Scene& scene, const TraceSettings& sett
     return ms_since(start);
 }
 
-/// What a tracer with boxes counts in one frame.
+/// The counts of one frame of a tracer with boxes.
 ImageBoxCounters CompareSubject::boxes(const Scene& scene, const TraceSettings& settings,
                                        double budget_s, Framebuffer& frame) const {
     ImageBoxCounters sum;

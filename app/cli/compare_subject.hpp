@@ -3,6 +3,7 @@
 #include "app/cli/bench_suite.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/compare/compared_row.hpp"
+#include "app/cli/compare/plot.hpp"
 #include "app/cli/compare/printed_tables.hpp"
 #include "app/cli/options/options.hpp"
 #include "app/cli/timing.hpp"
@@ -17,13 +18,19 @@
 
 namespace zeroset {
 
-/// What the frames of a comparison share.
+/// How the frames of a comparison are drawn and timed.
 struct CompareFrames {
     const PrintedTable* table = nullptr;  ///< nullptr: no times of frames are printed
     Size size{};
     int repeats = 3;
     double budget_s = default_budget_s;  ///< for each frame
 };
+
+/// The typed numbers of frames, or the usual ones.
+OrInputError<CompareFrames> read_frames(const CompareCommand& command,
+                                        const std::string& usual_size);
+/// The format of the wanted plot; nothing: none is wanted.
+OrInputError<std::optional<PlotFormat>> read_plot(const CompareCommand& command);
 
 /// A surface, ready to be drawn by tracers that are compared.
 class CompareSubject {

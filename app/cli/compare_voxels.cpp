@@ -30,7 +30,7 @@ struct VoxelPlan {
     std::optional<PlotFormat> plot;
 };
 
-/// What was measured: single voxels, and frames of the scenes.
+/// The rows of a table: of single voxels, and of frames of the scenes.
 struct VoxelResult {
     std::vector<VoxelRow> rows;
     std::vector<ComparedRow> frames;
@@ -71,31 +71,19 @@ OrInputError<VoxelPlan> plan_of(const CompareCommand& command, const VoxelTable&
     auto scenes = scenes_of(command);
     if (!scenes) return std::unexpected(scenes.error());
     plan.scenes = std::move(*scenes);
-    const auto size = read_size("--size", command.size.value_or("640x480"));
-    if (!size) return std::unexpected(size.error());
-    plan.frames.size = *size;
-    const auto repeats = read_repeats(command.repeat, plan.frames.repeats);
-    if (!repeats) return std::unexpected(repeats.error());
-    plan.frames.repeats = *repeats;
-    const auto budget = read_budget(command.budget);
-    if (!budget) return std::unexpected(budget.error());
-    plan.frames.budget_s = *budget;
+    const auto frames = read_frames(command, "640x480");
+    if (!frames) return std::unexpected(frames.error());
+    plan.frames = *frames;
     TraceText text;
     text.threads = command.threads.value_or("1");
     text.d_stop = command.d_stop.value_or("14");
     auto settings = read_trace_settings(text);
     if (!settings) return std::unexpected(settings.error());
     plan.settings = std::move(*settings);
-    if (!command.plot) return plan;
-    plan.plot = plot_format(*command.plot);
-    if (!plan.plot)
-        return wrong_input("--plot " + *command.plot + ": type a name ending in .svg or .png");
+    const auto plot = read_plot(command);
+    if (!plot) return std::unexpected(plot.error());
+    plan.plot = *plot;
     return plan;
-}
-
-void print(const std::string& text) {
-    std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
 }
 
 /// Adds a row for each method of the table.

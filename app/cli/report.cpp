@@ -2,6 +2,7 @@
 
 #include "engine/export/file.hpp"
 
+#include <cstdio>
 #include <iostream>
 
 namespace zeroset {
@@ -14,6 +15,11 @@ int report(const InputError& error) {
 int report_run_time(const std::string& message) {
     std::cerr << "error: " << message << "\n";
     return exit_run_time;
+}
+
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
 }
 
 std::optional<std::string> first_unwritable(

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-// The end of a command: its exit code, and one line on stderr for an error.
+// What a command prints, and its end: the exit code, and one line on stderr for an error.
 
 namespace zeroset {
 
@@ -17,6 +17,9 @@ inline constexpr int exit_wrong_input = 2;
 /// Prints the error and returns its exit code.
 int report(const InputError& error);
 int report_run_time(const std::string& message);
+
+/// Prints to stdout at once, also where that is a pipe.
+void print(const std::string& text);
 
 /// Why the first of the files that cannot be written cannot be; absent ones, and "-" for standard
 /// output, are left out.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-// What a session asks, and what it does at the answers.
+// A session's questions, and what follows from the answers.
 
 namespace zeroset {
 

@@ -1,12 +1,12 @@
 #include "app/platform/image_clipboard.hpp"
 
+#include "engine/base/owned.hpp"
 #include "engine/base/translation.hpp"
 
 #include <xcb/xcb.h>
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <mutex>
 #include <string_view>
@@ -15,15 +15,6 @@
 
 namespace zeroset {
 namespace {
-
-/// What X11 gives must be freed.
-template <class Reply>
-using Owned = std::unique_ptr<Reply, decltype(&std::free)>;
-
-template <class Reply>
-Owned<Reply> owned(Reply* reply) {
-    return Owned<Reply>(reply, &std::free);
-}
 
 /// Bytes of a request beside its data.
 constexpr std::size_t request_head = 64;

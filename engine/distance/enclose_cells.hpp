@@ -6,7 +6,7 @@
 
 namespace zeroset {
 
-/// What enclosures tell of the zeros in some cells.
+/// Whether cells hold zeros, as far as enclosures tell.
 struct EnclosedCells {
     std::vector<SurfacePiece> pieces;  ///< enclosed finely enough
     std::vector<Box> open;             ///< to be divided; all other cells hold no zero

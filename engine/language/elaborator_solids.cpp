@@ -9,8 +9,7 @@
 
 namespace zeroset {
 
-/// What is below 0 where the condition and all that restrict it hold, and above 0 where they do
-/// not.
+/// A number below 0 where the condition and all that restrict it hold, above 0 elsewhere.
 Elaborator::Number Elaborator::solid(const Value& condition, const StatementSyntax& statement) {
     const std::size_t offset = tree_[statement.relation].offset;
     Number all = boundary(condition.id, offset);
@@ -33,8 +32,8 @@ Elaborator::Number Elaborator::solid(const Value& condition, const StatementSynt
     return all;
 }
 
-/// The same of one condition; nothing of one that is no inequality and not joined of them, or after
-/// an error.
+/// A number below 0 where the condition holds and above 0 where it does not; nothing of one that is
+/// no inequality and not joined of them, or after an error.
 Elaborator::Number Elaborator::boundary(NodeId condition, std::size_t offset) {
     if (const auto known = boundaries_.find(condition); known != boundaries_.end())
         return known->second;

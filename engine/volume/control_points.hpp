@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <span>
 
 namespace zeroset {
 
@@ -79,19 +79,7 @@ public:
         --degree_[axis];
     }
     /// The least and the largest of the finite ones.
-    [[nodiscard]] SampleRange range() const {
-        SampleRange range;
-        for (std::size_t i = 0; i < size(); ++i) {
-            const double value = values_[i];
-            if (!(std::abs(value) <= std::numeric_limits<double>::max())) {
-                range.holes = true;
-                continue;
-            }
-            range.lo = value < range.lo ? value : range.lo;
-            range.hi = value > range.hi ? value : range.hi;
-        }
-        return range;
-    }
+    [[nodiscard]] SampleRange range() const { return range_of(std::span(values_.data(), size())); }
 
 private:
     /// By the round of insertions and the place from the end: the share of the inner neighbour.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace zeroset {
 
@@ -59,19 +60,7 @@ public:
         *this = result;
     }
     /// The least and the largest of the finite ones.
-    [[nodiscard]] SampleRange range() const {
-        SampleRange range;
-        for (std::size_t i = 0; i < size(); ++i) {
-            const double value = values_[i];
-            if (!(std::abs(value) <= std::numeric_limits<double>::max())) {
-                range.holes = true;
-                continue;
-            }
-            range.lo = value < range.lo ? value : range.lo;
-            range.hi = value > range.hi ? value : range.hi;
-        }
-        return range;
-    }
+    [[nodiscard]] SampleRange range() const { return range_of(std::span(values_.data(), size())); }
 
 private:
     static double mix(double a, double b, double t) { return a * (1 - t) + b * t; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,6 +35,20 @@ struct SampleRange {
 
 template <class Sample>
 struct RowRange;
+
+/// The range of numbers; those that are not finite are holes.
+inline SampleRange range_of(std::span<const double> numbers) {
+    SampleRange range;
+    for (const double number : numbers) {
+        if (!(std::abs(number) <= std::numeric_limits<double>::max())) {
+            range.holes = true;
+            continue;
+        }
+        range.lo = number < range.lo ? number : range.lo;
+        range.hi = number > range.hi ? number : range.hi;
+    }
+    return range;
+}
 
 /// Minima and maxima of the samples of bricks of 4^3 cells, of 8^3 and so on up to one brick.
 /// `Sample` is the grid's own type. Immutable.

@@ -1,10 +1,11 @@
 #include "ui/window/pinch.hpp"
 
+#include "engine/base/owned.hpp"
+
 #include <sys/socket.h>
 #include <xcb/xcb.h>
 #include <xcb/xinput.h>
 
-#include <cstdlib>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -13,15 +14,6 @@ namespace zeroset::ui {
 namespace {
 
 constexpr double one = 65536.0;  ///< of 16.16 fixed point
-
-/// What XCB returns must be freed.
-template <class Reply>
-using Owned = std::unique_ptr<Reply, decltype(&std::free)>;
-
-template <class Reply>
-Owned<Reply> owned(Reply* reply) {
-    return Owned<Reply>(reply, &std::free);
-}
 
 /// Asks for the pinches of all pointers over the window; false where the server does not know them.
 bool select_pinches(xcb_connection_t* display, xcb_window_t window) {

@@ -13,7 +13,7 @@
 
 namespace zeroset {
 
-/// What a method finds on rays in voxels, beside what is proved of them.
+/// How often a method is right on rays in voxels, by the roots that are proved.
 struct VoxelCounts {
     std::size_t voxels = 0;
     std::size_t roots = 0;    ///< with a first root that is proved
@@ -31,7 +31,7 @@ inline constexpr double moved_by = 0.01;  ///< of a voxel's edge
 /// or 1, the level is 0.5. The same each time.
 std::vector<VoxelRays> synthetic_voxels(std::size_t rays, std::size_t at_once);
 
-/// What was measured of a method.
+/// A method's figures: what it finds, and how fast.
 struct VoxelRow {
     std::string scene;
     const PrintedVoxels* printed = nullptr;
@@ -44,7 +44,7 @@ struct VoxelRow {
 VoxelRow measured_voxels(const VoxelTable& table, const PrintedVoxels& printed,
                          std::span<const VoxelRays> voxels, std::span<const ProvedRoot> proved);
 
-/// What is proved of all voxels.
+/// The proved roots of all voxels.
 std::vector<ProvedRoot> proved_roots(std::span<const VoxelRays> voxels);
 
 std::string voxel_heading_text(const VoxelTable& table);
