@@ -21,6 +21,7 @@ inline constexpr int first_flat_level = 2;
 /// colours; and where f may have kinks.
 inline constexpr double most_turn = 0.5;
 inline constexpr double most_turn_at_kinks = 0.15;
+constexpr double most_turn_of(bool kinked) { return kinked ? most_turn_at_kinks : most_turn; }
 /// The error of the f of a cell, in parts of its change across the square, from which on the cell
 /// is halved rather than the square divided.
 inline constexpr double most_cell_error = 0.25;

@@ -83,7 +83,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     if (!at.is_ray() && at.level < at.least_level) return {.step = Step::Divide, .surface = first};
     if (front.state == State::Edged && is_rest) return {.step = Step::Divide, .surface = first};
     if (front.state == State::Edged) return {.step = Step::Edge, .surface = first};
-    const bool uneven = front.turn > most_turn_of(work_[first].frame);
+    const bool uneven = front.is_uneven();
     if (uneven && is_rest) return {.step = Step::Divide, .surface = first};
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};

@@ -60,7 +60,7 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
         if (thread) return take_thread(square, stretches, samples, *thread);
     }
     const bool all = samples.roots() == square_ray_count;
-    const bool kinked = frame_.kernel.branches;
+    const bool kinked = front.kinked;
     const bool creased = all && is_inside && (!fit || (kinked && is_all_below(samples)));
     if (creased && at.level < last_color_level) {
         creases_.add(square, stretches, samples);
@@ -75,7 +75,7 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     const SquarePart part = part_below_zero(fit);
     if (!(part.share > 0.0)) return pass(square);
     const CoverSquare at = field_.square(square);
-    if (frame_.kernel.branches && at.level < last_kinked_edge_level) {
+    if (field_.fronts(square)[surface_].kinked && at.level < last_kinked_edge_level) {
         field_.divide(square);
         return false;
     }
