@@ -15,8 +15,9 @@ int last_level_of(bool is_inside) { return is_inside ? last_edge_level : last_wa
 
 std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square,
                                       bool is_inside) {
+    const double in_pixels = is_inside ? most_error_of_line : most_error_at_walls;
     const double error = square.level < last_level_of(is_inside)
-                             ? std::min(most_error_of_line / square.side, most_error_of_edge)
+                             ? std::min(in_pixels / square.side, most_error_of_edge)
                              : 2.0 * most_error_of_edge;
     return fit_edge(samples, error, square.level >= first_flat_level);
 }
