@@ -125,8 +125,13 @@ void CoverSearch::finish_level() {
 }
 
 void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out) {
-    for (const MixedPixel& pixel : pixels)
-        field_.begin(pixel);
+    for (const MixedPixel& pixel : pixels) {
+        if (pixel.is_sheet()) {
+            work_[pixel.surface].drafts.add(pixel);
+        } else {
+            field_.begin(pixel);
+        }
+    }
     do {
         finish_level();
     } while (!stopped() && field_.go_down());
