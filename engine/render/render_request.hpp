@@ -41,6 +41,7 @@ struct RenderResult {
     Camera camera;
     Precision precision = Precision::Float;
     Coloring coloring = {};  ///< with the range that was found, if there is one
+    std::optional<SectionValues> section_values = {};  ///< the scene's
     Uniforms uniforms = {};  ///< of the scene
 };
 

@@ -66,6 +66,8 @@ struct ShownPicture {
     std::shared_ptr<const Framebuffer> frame;
     Camera camera;                                      ///< that the frame was taken with
     std::optional<Legend> legend;                       ///< of its colours
+    std::optional<Legend> section_legend = std::nullopt;  ///< of the values that sections show
+    std::optional<ValueRange> usual_section_range = std::nullopt;  ///< of most of these
     Shapes contour_labels = {};                         ///< in pixels of the canvas
     std::optional<double> contour_step = std::nullopt;  ///< of its contour lines
     bool tracing = false;                               ///< a finer picture is on its way

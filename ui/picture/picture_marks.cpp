@@ -59,6 +59,8 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
                              style));
     }
     const CornerLegend legend{.legend = picture.legend ? &*picture.legend : nullptr,
+                              .sections =
+                                  picture.section_legend ? &*picture.section_legend : nullptr,
                               .undecided = edited.document.mark_undecided,
                               .coarse = shown.figures.counts.coarse > 0};
     const glm::dvec2 margin(style.unit);
