@@ -25,12 +25,14 @@ void walk_block(const LevelGrid<Sample>& grid, const RayBlock& block, const Look
                                       ? LayerRange{.low = layer, .high = std::min(last, end)}
                                       : LayerRange{.low = std::max(first, end), .high = layer};
         const CellRectangle cells = block.cells(layers.low, layers.high);
-        if (!cells.empty() && grid.bricks_may_hold(level, cells, layer, block.axes())) {
-            if (level > 0) {
-                --level;
-                continue;
-            }
-            if (!look(cells, layers)) return;
+        if (!cells.empty() && level > 0 &&
+            grid.bricks_may_hold(level, cells, layer, block.axes())) {
+            --level;
+            continue;
+        }
+        if (!cells.empty() && level == 0) {
+            const CellRectangle held = grid.in_bricks(cells, layer, block.axes());
+            if (!held.empty() && !look(held, layers)) return;
         }
         layer = step > 0 ? layers.high + 1 : layers.low - 1;
         // Look at a larger brick where the rays have left one.

@@ -16,17 +16,20 @@
 
 #include "engine/trace/voxels/proved_voxels.hpp"
 
-#include "engine/trace/along_rays/hit_writer.hpp"
+#include "engine/kernel/point_batch.hpp"
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/voxels/block_walk.hpp"
 #include "engine/trace/voxels/isosurface.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 namespace zeroset {
 namespace {
@@ -36,8 +39,10 @@ constexpr int block_size = 8;  ///< pixels along a side of a bundle
 /// A ray of a bundle that has not ended.
 struct OpenRay {
     std::uint32_t pixel = 0;
-    bool begun = false;
     IndexRays::Ray ray{};
+    /// Its place across the axis k as a line in the place along it.
+    double i_at = 0, i_slope = 0, j_at = 0, j_slope = 0;
+    bool begun = false;  ///< what follows is known
     double from = 0, to = 0;
     FirstRoot root = {};
 };
@@ -80,12 +85,12 @@ public:
         : frame_(frame),
           tile_(tile),
           rays_(frame, tile),
-          index_rays_(rays_, surface.volume->data().map()),
+          map_(surface.volume->data().map()),
+          index_rays_(rays_, map_),
           error_(bounds.error()),
           grid_(surface.volume->data(), samples, surface.level, error_),
           hits_(hits),
           lines_(lines),
-          writer_(rays_, lines_, hits),
           counters_(counters) {
         for (std::size_t i = 0; i < 3; ++i)
             last_cell_[i] = static_cast<std::int32_t>(surface.volume->data().samples().size[i]) - 2;
@@ -152,33 +157,94 @@ private:
         const RayBlock block = bundle(col, row, cols, rows, from);
         if (!block.usable()) return leave_block(col, row, cols, rows);
         if (block.empty()) return;
-        open_.clear();
-        for (int y = row; y < row + rows; ++y) {
-            for (int x = col; x < col + cols; ++x)
-                open_.push_back({.pixel = static_cast<std::uint32_t>(y * tile_size + x)});
-        }
+        open_ = 0;
+        bool made = false;
         std::uint64_t looks = 0;
         walk_block(grid_, block, [&](const CellRectangle& cells, const LayerRange& layers) {
             ++looks;
             const bool fits = cells.i_last - cells.i_first < CellMask::most_cells - 1 &&
-                              cells.j_last - cells.j_first < CellMask::most_cells - 1;
-            const CellMask* mask = nullptr;
-            if (fits) {
-                grid_.find(cells, layers, block.axes(), mask_);
-                if (!mask_.any) return true;
-                mask = &mask_;
-            }
-            std::erase_if(open_, [&](OpenRay& ray) {
-                return !begin(ray) || walk(ray, mask, layers, block);
-            });
-            return !open_.empty();
+                              cells.j_last - cells.j_first < CellMask::most_cells - 1 &&
+                              layers.high - layers.low < CellMask::most_layers;
+            if (fits) grid_.find(cells, layers, block.axes(), mask_);
+            if (fits && !mask_.any) return true;
+            if (!made) make_rays(col, row, cols, rows, block);
+            made = true;
+            walk_slab(fits ? &mask_ : nullptr, layers, block);
+            return open_ != 0;
         });
         count(col, row, cols, rows, looks);
-        for (OpenRay& ray : open_) {
-            if (ray.begun && ray.root.finish()) tell(ray);
+        for_each_bit(open_, [&](std::size_t ray) {
+            if (bundle_[ray].begun && bundle_[ray].root.finish()) tell(bundle_[ray]);
+        });
+    }
+    template <class Take>
+    static void for_each_bit(std::uint64_t bits, const Take& take) {
+        for (; bits != 0; bits &= bits - 1)
+            take(static_cast<std::size_t>(std::countr_zero(bits)));
+    }
+    /// Makes all rays of a bundle, as a ray and as columns.
+    void make_rays(int col, int row, int cols, int rows, const RayBlock& block) {
+        open_ = 0;
+        steepest_ = 0;
+        const std::int32_t first = block.first_layer();
+        const CellRectangle cells = block.cells(first, first);
+        i_shared_ = cells.i_first;
+        j_shared_ = cells.j_first;
+        first_layer_ = first;
+        for (int y = 0; y < rows; ++y) {
+            for (int x = 0; x < cols; ++x) {
+                const auto at = static_cast<std::size_t>(y * block_size + x);
+                const OpenRay& ray = bundle_[at] = ray_at(col + x, row + y, block.axes());
+                open_ |= std::uint64_t{1} << at;
+                steepest_ = std::max({steepest_, std::abs(ray.i_slope), std::abs(ray.j_slope)});
+                columns_.i_at[at] =
+                    static_cast<float>(ray.i_at + ray.i_slope * first - i_shared_);
+                columns_.j_at[at] =
+                    static_cast<float>(ray.j_at + ray.j_slope * first - j_shared_);
+                columns_.i_slope[at] = static_cast<float>(ray.i_slope);
+                columns_.j_slope[at] = static_cast<float>(ray.j_slope);
+            }
         }
     }
-    /// Makes the ray when it first comes near the surface; false: it is nowhere in the region.
+    [[nodiscard]] OpenRay ray_at(int col, int row, const WalkAxes& axes) const {
+        OpenRay ray{.pixel = static_cast<std::uint32_t>(row * tile_size + col),
+                    .ray = index_rays_.ray(rays_.u(col), rays_.v(row))};
+        const double per_layer = 1 / ray.ray.along[axes.k];
+        ray.i_slope = ray.ray.along[axes.i] * per_layer;
+        ray.j_slope = ray.ray.along[axes.j] * per_layer;
+        ray.i_at = ray.ray.at[axes.i] - ray.i_slope * ray.ray.at[axes.k];
+        ray.j_at = ray.ray.at[axes.j] - ray.j_slope * ray.ray.at[axes.k];
+        return ray;
+    }
+    /// Takes the open rays through the layers of a slab.
+    void walk_slab(const CellMask* mask, const LayerRange& layers, const RayBlock& block) {
+        const int step = block.step();
+        for (std::int32_t layer = step > 0 ? layers.low : layers.high;
+             layer >= layers.low && layer <= layers.high && open_ != 0; layer += step) {
+            if (mask != nullptr && !mask->layer_any[static_cast<std::size_t>(layer - mask->layers.low)])
+                continue;
+            for_each_bit(open_ & near(mask, layer), [&](std::size_t at) {
+                OpenRay& ray = bundle_[at];
+                if (mask != nullptr && !may_hold(*mask, ray, layer)) return;
+                if (!begin(ray) || walk_layer(ray, mask, layer, block.axes()))
+                    open_ &= ~(std::uint64_t{1} << at);
+            });
+        }
+    }
+    /// The rays that may be in marked cells of a layer.
+    [[nodiscard]] std::uint64_t near(const CellMask* mask, std::int32_t layer) const {
+        constexpr double most_layers = 512;  ///< that float is fine enough for
+        const double layers = layer - first_layer_;
+        if (mask == nullptr || !mask->is_small() || steepest_ > 1.5 ||
+            std::abs(layers) > most_layers)
+            return ~std::uint64_t{0};
+        NearCells cells = mask->near(layer);
+        cells.layer = static_cast<float>(layers);
+        cells.i_first = static_cast<float>(mask->cells.i_first - i_shared_);
+        cells.j_first = static_cast<float>(mask->cells.j_first - j_shared_);
+        return rays_near(columns_, cells);
+    }
+    /// Finds where the ray is in the region when it first comes near the surface; false: nowhere.
     bool begin(OpenRay& ray) {
         if (ray.begun) return true;
         const auto col = static_cast<int>(ray.pixel % tile_size);
@@ -186,47 +252,37 @@ private:
         if (!lines_.take(tile_, rays_, col, row)) return false;
         const RayLine& line = lines_.of(ray.pixel);
         ray.begun = true;
-        ray.ray = index_rays_.ray(rays_.u(col), rays_.v(row));
         ray.from = line.from;
         ray.to = line.to;
         ray.root = FirstRoot(error_, lines_.finest(line, line.from));
         return true;
     }
 
-    /// Takes the ray through the layers of a slab; whether it has ended.
-    bool walk(OpenRay& ray, const CellMask* mask, const LayerRange& layers, const RayBlock& block) {
-        const WalkAxes& axes = block.axes();
-        const double along = ray.ray.along[axes.k];
-        const double per_layer = 1 / along;
-        const int step = block.step();
-        const auto depth_of = [&](std::int32_t slice) {
-            return (slice - ray.ray.at[axes.k]) * per_layer;
-        };
-        std::int32_t layer = step > 0 ? layers.low : layers.high;
-        double next = depth_of(step > 0 ? layer : layer + 1);
-        for (; layer >= layers.low && layer <= layers.high; layer += step) {
-            const double from = next;
-            next = depth_of(step > 0 ? layer + 1 : layer);
-            if (from >= ray.to) break;
-            if (next <= ray.from ||
-                (mask != nullptr && !mask->layer_any[static_cast<std::size_t>(layer - layers.low)]))
-                continue;
-            if (walk_layer(ray, mask, layer, axes,
-                           {.from = std::max(from, ray.from), .to = std::min(next, ray.to)}))
-                return true;
-        }
-        if (next < ray.to) return false;
-        if (ray.root.finish()) tell(ray);
-        return true;
+    /// Whether the level may be in a cell of a layer that the ray is in.
+    static bool may_hold(const CellMask& mask, const OpenRay& ray, std::int32_t layer) {
+        const double i = ray.i_at + ray.i_slope * layer;
+        const double j = ray.j_at + ray.j_slope * layer;
+        const double beyond_i = i + ray.i_slope;
+        const double beyond_j = j + ray.j_slope;
+        return mask.may_hold_between(std::min(i, beyond_i), std::max(i, beyond_i),
+                                     std::min(j, beyond_j), std::max(j, beyond_j), layer);
     }
     struct Stretch {
         double from, to;
     };
+    /// The stretch of the ray in a layer, as far as it is looked for roots.
+    static Stretch stretch_in(const OpenRay& ray, std::int32_t layer, std::size_t axis) {
+        const double per_layer = 1 / ray.ray.along[axis];
+        const auto [from, to] = std::minmax({(layer - ray.ray.at[axis]) * per_layer,
+                                             (layer + 1 - ray.ray.at[axis]) * per_layer});
+        return {.from = std::max(from, ray.from), .to = std::min(to, ray.to)};
+    }
     /// Takes the ray through the cells of a layer; whether it has ended.
-    bool walk_layer(OpenRay& ray, const CellMask* mask, std::int32_t layer, const WalkAxes& axes,
-                    const Stretch& whole) {
+    bool walk_layer(OpenRay& ray, const CellMask* mask, std::int32_t layer, const WalkAxes& axes) {
         const auto& at = ray.ray.at;
         const auto& along = ray.ray.along;
+        const Stretch whole = stretch_in(ray, layer, axes.k);
+        if (!(whole.from <= whole.to)) return whole.from >= ray.to && end(ray);
         double from = whole.from;
         auto i = static_cast<std::int32_t>(std::floor(at[axes.i] + from * along[axes.i]));
         auto j = static_cast<std::int32_t>(std::floor(at[axes.j] + from * along[axes.j]));
@@ -264,6 +320,11 @@ private:
         cell[axes.k] = layer;
         return cell;
     }
+    /// Ends a ray that has left the region.
+    bool end(OpenRay& ray) {
+        if (ray.root.finish()) tell(ray);
+        return true;
+    }
     /// Looks at the ray in a cell; whether it has ended.
     bool look(OpenRay& ray, const std::array<std::int32_t, 3>& cell, const Stretch& stretch) {
         const auto place = [&](double s) {
@@ -283,10 +344,55 @@ private:
     /// Hands on the ray's root. It is certified if it is inside the region, too.
     void tell(const OpenRay& ray) {
         const FirstRoot& root = ray.root;
-        const DepthRange& inside = lines_.of(ray.pixel).inside;
-        const bool proved = root.is_proved() && root.from() >= inside.enter_hi &&
-                            root.to() <= inside.exit_lo;
-        writer_.push(ray.pixel, root.depth(), proved);
+        const RayLine& line = lines_.of(ray.pixel);
+        const bool proved = root.is_proved() && root.from() >= line.inside.enter_hi &&
+                            root.to() <= line.inside.exit_lo && lines_.certifies(line);
+        const int col = static_cast<int>(ray.pixel % tile_size);
+        const int row = static_cast<int>(ray.pixel / tile_size);
+        const auto distance = static_cast<float>(
+            rays_.distance_at(root.depth(), rays_.u(col), rays_.v(row)));
+        hits_.push({.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
+                   line.at(root.depth()), distance,
+                   proved ? Certificate::Certified : Certificate::Undecided);
+        tell_gradient(ray);
+    }
+    /// Tells the gradient of the hit that was pushed last, unless it cannot be known here.
+    void tell_gradient(const OpenRay& ray) {
+        std::array<std::int32_t, 3> cell{};
+        std::array<double, 3> place{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            place[axis] = ray.ray.at[axis] + ray.root.depth() * ray.ray.along[axis];
+            cell[axis] = std::clamp(static_cast<std::int32_t>(place[axis]), 0, last_cell_[axis]);
+            place[axis] -= cell[axis];
+        }
+        const auto slopes = cell_slopes(grid_.corners(cell), place);
+        glm::dvec3 gradient(0.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (int c = 0; c < 3; ++c)
+                gradient[c] += map_.index_from_world[axis][static_cast<std::size_t>(c)] *
+                               slopes[axis];
+        }
+        if (sign_ == 0) find_sign(gradient);
+        if (!(std::abs(sign_) == 1) || gradient == glm::dvec3(0.0)) return;
+        const auto rounded = float_gradient({sign_ * gradient.x, sign_ * gradient.y,
+                                             sign_ * gradient.z});
+        for (std::size_t c = 0; c < 3; ++c)
+            hits_.gradient[c][ray.pixel] = rounded[c];
+        hits_.points.pop_back();
+    }
+    /// Finds whether f is the volume less the level, or the level less the volume, at the hit that
+    /// was pushed last, where the volume has this gradient.
+    void find_sign(const glm::dvec3& gradient) {
+        const auto& position = hits_.points.back().position;
+        PointBatch<double> point(1);
+        point.set(0, position[0], position[1], position[2]);
+        point.pad();
+        ++counters_.value;
+        if (counters_.costs != nullptr) counters_.costs->add(hits_.points.back().pixel);
+        frame_.kernel.in_double.value(point.batch(frame_.scene.uniforms.points<double>()));
+        const glm::dvec3 of_f(point.gradient(0, 0), point.gradient(1, 0), point.gradient(2, 0));
+        const double along = glm::dot(of_f, gradient);
+        sign_ = along > 0 ? 1 : along < 0 ? -1 : 0;
     }
     void leave_block(int col, int row, int cols, int rows) {
         for (int y = row; y < row + rows; ++y) {
@@ -302,15 +408,20 @@ private:
     const TraceFrame& frame_;
     const Tile& tile_;
     TileRays rays_;
+    const IndexMap& map_;
     IndexRays index_rays_;
     double error_;
     LevelGrid<Sample> grid_;
     std::array<std::int32_t, 3> last_cell_{};
     TileHits& hits_;
     RayLines& lines_;
-    HitWriter writer_;
     Counters& counters_;
-    std::vector<OpenRay> open_;
+    std::array<OpenRay, block_rays> bundle_;
+    int sign_ = 0;            ///< of f's gradient against the volume's; 0: not known yet
+    std::uint64_t open_ = 0;  ///< the rays of the bundle that have not ended, a bit each
+    RayColumns columns_;
+    std::int32_t i_shared_ = 0, j_shared_ = 0, first_layer_ = 0;  ///< where columns_ count from
+    double steepest_ = 0;                                         ///< of the bundle's slopes
     CellMask mask_;
 };
 

@@ -42,7 +42,8 @@ double monotone_root(const std::array<double, 4>& b) {
                                   t * t * (b[3] - b[2]));
         const double next = t - f / slope;
         const double inside = next > lo && next < hi ? next : 0.5 * (lo + hi);
-        if (std::abs(inside - t) <= 1e-12) return inside;
+        // After such a step the next one would be smaller than rounding.
+        if (std::abs(inside - t) <= 1e-6) return inside;
         t = inside;
     }
     return t;
@@ -75,6 +76,19 @@ RayCubic ray_cubic(const CellCorners& corners, const std::array<double, 3>& at_f
                   third * (ends[3] + ends[5] + ends[6]), ends[7]},
             .from = from,
             .to = to};
+}
+
+std::array<double, 3> cell_slopes(const CellCorners& corners, const std::array<double, 3>& at) {
+    const auto mix = [](double x, double y, double share) { return x + share * (y - x); };
+    std::array<double, 4> edge{};
+    std::array<double, 4> slope{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        slope[i] = corners[2 * i + 1] - corners[2 * i];
+        edge[i] = corners[2 * i] + at[0] * slope[i];
+    }
+    return {mix(mix(slope[0], slope[1], at[1]), mix(slope[2], slope[3], at[1]), at[2]),
+            mix(edge[1] - edge[0], edge[3] - edge[2], at[2]),
+            mix(edge[2], edge[3], at[1]) - mix(edge[0], edge[1], at[1])};
 }
 
 auto FirstRoot::side_of(double value) const -> Side {

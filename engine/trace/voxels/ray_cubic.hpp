@@ -20,6 +20,9 @@ using CellCorners = std::array<double, 8>;
 RayCubic ray_cubic(const CellCorners& corners, const std::array<double, 3>& at_from,
                    const std::array<double, 3>& at_to, double from, double to);
 
+/// The slopes of f along the cell's axes at a place in it.
+std::array<double, 3> cell_slopes(const CellCorners& corners, const std::array<double, 3>& at);
+
 /// The first root along a ray, stretch by stretch, front to back, of numbers that are known to
 /// +-`error`. Between two stretches that are given, f must be farther from 0 than that, if
 /// anything is between them.
