@@ -3,13 +3,13 @@
 //   layer    the cells between two neighbouring slices of samples, across the axis k of the grid
 //            that rays are nearest to
 //   slab     some layers, one behind the other
-// Bundles of 8 x 8 rays go through the pyramid of minima and maxima together [as Knoll's packets
-// do, Knoll09b]: its bricks between the bundle's outermost rays are looked at slab by slab, front
-// to back. In a slab of four layers that may hold the level, the cells that may are marked by a bit
-// each, for all rays at once. Each ray goes through the cells of these layers one by one; in one
-// that is marked f is a cubic along it, of which Bernstein coefficients tell all (ray_cubic.hpp).
+// Bundles of 8 x 8 rays go through the pyramid of minima and maxima together: its bricks between
+// the bundle's outermost rays are looked at slab by slab, front to back. In a slab of four layers
+// that may hold the level, the cells that may are marked by a bit each, for all rays at once. Each
+// ray goes through the marked cells of these layers one by one; in them f is a cubic along it, of
+// which Bernstein coefficients tell all (ray_cubic.hpp).
 //
-// What is proved: in double, numbers are known to +-error (`error_of`), and places to less than
+// What is proved: in double, numbers are known to +-error (`GridBounds`), and places to less than
 // that changes f by. A ray that slips by rounding through the edge of another cell than those it is
 // looked for in is there for so short a stretch that f changes by less than `error`, so a stretch
 // on which f is farther from 0 than that has no root beside it either.
@@ -42,6 +42,7 @@ struct OpenRay {
     IndexRays::Ray ray{};
     /// Its place across the axis k as a line in the place along it.
     double i_at = 0, i_slope = 0, j_at = 0, j_slope = 0;
+    double per_layer = 0;  ///< depth from a layer to the next one up
     bool begun = false;  ///< what follows is known
     double from = 0, to = 0;
     FirstRoot root = {};
@@ -70,7 +71,7 @@ struct GridBounds {
     }
     /// What rounding may make of f: of places, some ulp of their terms times f's steepest slope;
     /// of sums of samples, some ulp of these.
-    [[nodiscard]] double error() const { return 0x1p-46 * (indices + 16) * size; }
+    [[nodiscard]] double error() const { return 0x1p-44 * (indices + 16) * size; }
     /// Whether places are known well enough.
     [[nodiscard]] bool usable() const { return indices < 0x1p30 && std::isfinite(size); }
 };
@@ -209,9 +210,9 @@ private:
     [[nodiscard]] OpenRay ray_at(int col, int row, const WalkAxes& axes) const {
         OpenRay ray{.pixel = static_cast<std::uint32_t>(row * tile_size + col),
                     .ray = index_rays_.ray(rays_.u(col), rays_.v(row))};
-        const double per_layer = 1 / ray.ray.along[axes.k];
-        ray.i_slope = ray.ray.along[axes.i] * per_layer;
-        ray.j_slope = ray.ray.along[axes.j] * per_layer;
+        ray.per_layer = 1 / ray.ray.along[axes.k];
+        ray.i_slope = ray.ray.along[axes.i] * ray.per_layer;
+        ray.j_slope = ray.ray.along[axes.j] * ray.per_layer;
         ray.i_at = ray.ray.at[axes.i] - ray.i_slope * ray.ray.at[axes.k];
         ray.j_at = ray.ray.at[axes.j] - ray.j_slope * ray.ray.at[axes.k];
         return ray;
@@ -272,9 +273,8 @@ private:
     };
     /// The stretch of the ray in a layer, as far as it is looked for roots.
     static Stretch stretch_in(const OpenRay& ray, std::int32_t layer, std::size_t axis) {
-        const double per_layer = 1 / ray.ray.along[axis];
-        const auto [from, to] = std::minmax({(layer - ray.ray.at[axis]) * per_layer,
-                                             (layer + 1 - ray.ray.at[axis]) * per_layer});
+        const auto [from, to] = std::minmax({(layer - ray.ray.at[axis]) * ray.per_layer,
+                                             (layer + 1 - ray.ray.at[axis]) * ray.per_layer});
         return {.from = std::max(from, ray.from), .to = std::min(to, ray.to)};
     }
     /// Takes the ray through the cells of a layer; whether it has ended.
@@ -284,8 +284,18 @@ private:
         const Stretch whole = stretch_in(ray, layer, axes.k);
         if (!(whole.from <= whole.to)) return whole.from >= ray.to && end(ray);
         double from = whole.from;
-        auto i = static_cast<std::int32_t>(std::floor(at[axes.i] + from * along[axes.i]));
-        auto j = static_cast<std::int32_t>(std::floor(at[axes.j] + from * along[axes.j]));
+        const auto cell_of = [&](std::size_t axis, double s) {
+            return static_cast<std::int32_t>(std::floor(at[axis] + s * along[axis]));
+        };
+        std::int32_t i = cell_of(axes.i, from);
+        std::int32_t j = cell_of(axes.j, from);
+        const auto look_in = [&](const Stretch& stretch) {
+            const bool inside =
+                i >= 0 && i <= last_cell_[axes.i] && j >= 0 && j <= last_cell_[axes.j];
+            return inside && (mask == nullptr || mask->may_hold(i, j, layer)) &&
+                   look(ray, cell_at(i, j, layer, axes), stretch);
+        };
+        if (i == cell_of(axes.i, whole.to) && j == cell_of(axes.j, whole.to)) return look_in(whole);
         const int step_i = along[axes.i] > 0 ? 1 : -1;
         const int step_j = along[axes.j] > 0 ? 1 : -1;
         const auto leaves = [&](std::size_t axis, std::int32_t cell, int step) {
@@ -296,11 +306,7 @@ private:
         double leaves_j = leaves(axes.j, j, step_j);
         for (;;) {
             const double to = std::max(from, std::min({whole.to, leaves_i, leaves_j}));
-            const bool inside = i >= 0 && i <= last_cell_[axes.i] && j >= 0 &&
-                                j <= last_cell_[axes.j];
-            if (inside && (mask == nullptr || mask->may_hold(i, j, layer)) &&
-                look(ray, cell_at(i, j, layer, axes), {.from = from, .to = to}))
-                return true;
+            if (look_in({.from = from, .to = to})) return true;
             if (!(to < whole.to)) return false;
             from = to;
             if (leaves_i <= leaves_j) {

@@ -42,8 +42,8 @@ double monotone_root(const std::array<double, 4>& b) {
                                   t * t * (b[3] - b[2]));
         const double next = t - f / slope;
         const double inside = next > lo && next < hi ? next : 0.5 * (lo + hi);
-        // After such a step the next one would be smaller than rounding.
-        if (std::abs(inside - t) <= 1e-6) return inside;
+        // The next step would be as small as the square of this one.
+        if (std::abs(inside - t) <= 1e-4) return inside;
         t = inside;
     }
     return t;
