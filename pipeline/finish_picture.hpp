@@ -22,7 +22,7 @@ struct FrameSubject {
     const Coloring& coloring;  ///< the frame's colouring, with the range of its values
     const Uniforms& uniforms;  ///< the frame's, of what contour lines are of
     const std::optional<SectionValues>& section_values = no_section_values;  ///< the frame's
-    bool legend = true;        ///< draw a legend, if the colours stand for something
+    bool legend = true;  ///< draw a legend, if the colours stand for something
 };
 
 /// Whether there are axes, a clip box, a grid, markers or a legend to be drawn over the frame.

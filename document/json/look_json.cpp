@@ -99,7 +99,8 @@ SectionChoice section_choice_of(const Json& json, std::vector<std::string>& unkn
         values.map = color_map_named(string_of(*map, fields.at("map")));
         if (!values.map) throw Damage{filled(tr("{0} is no color map"), {fields.at("map")})};
     }
-    if (const Json* range = fields.find("range")) values.range = range_of(*range, fields.at("range"));
+    if (const Json* range = fields.find("range"))
+        values.range = range_of(*range, fields.at("range"));
     return values;
 }
 

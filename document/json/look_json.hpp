@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-// Conversions of the fields "color", "section_values" and "markers" of a document. Reading throws Damage.
+// Conversions of the fields "color", "section_values" and "markers" of a document. Reading throws
+// Damage.
 
 namespace zeroset {
 

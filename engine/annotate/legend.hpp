@@ -44,8 +44,8 @@ Shapes swatch_shapes(const glm::dvec2& lo, double size, PixelMark mark, const Ca
 struct CornerLegend {
     const Legend* legend = nullptr;    ///< nullptr: the colours need no words
     const Legend* sections = nullptr;  ///< with a range; nullptr: sections show no values
-    bool undecided = false;          ///< undecided pixels are marked
-    bool coarse = false;             ///< and there are certified ones with a coarse bracket
+    bool undecided = false;            ///< undecided pixels are marked
+    bool coarse = false;               ///< and there are certified ones with a coarse bracket
 };
 
 /// A card whose right lower corner is `corner`, no wider than `room`; nothing where there is

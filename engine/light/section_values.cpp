@@ -80,8 +80,8 @@ void show_section_values(const TraceFrame& frame, const Tile& tile, int fineness
     if (pixels.empty()) return;
     counters.value += 2 * pixels.size();
     const bool of_f = layer.surface >= shown.values.size();
-    const auto& numbers = points.evaluate(
-        of_f ? frame.kernel.in_double.value : shown.values[layer.surface], frame);
+    const auto& numbers =
+        points.evaluate(of_f ? frame.kernel.in_double.value : shown.values[layer.surface], frame);
     std::vector<Reflectance> colors;
     colors.reserve(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i)

@@ -42,7 +42,7 @@ struct RenderResult {
     Precision precision = Precision::Float;
     Coloring coloring = {};  ///< with the range that was found, if there is one
     std::optional<SectionValues> section_values = {};  ///< the scene's
-    Uniforms uniforms = {};  ///< of the scene
+    Uniforms uniforms = {};                            ///< of the scene
 };
 
 }  // namespace zeroset

@@ -235,10 +235,9 @@ void CapFinder::put(TileHits& hits) const {
             continue;
         }
         const bool certain = entry.state == State::Certain;
-        hits.put_cap(pixel, entry.distance,
-                     certain ? Certificate::Certified : Certificate::Undecided,
-                     entry.section->normal,
-                     entry.section->values ? CapKind::Values : CapKind::Solid);
+        hits.put_cap(
+            pixel, entry.distance, certain ? Certificate::Certified : Certificate::Undecided,
+            entry.section->normal, entry.section->values ? CapKind::Values : CapKind::Solid);
     }
     if (hits.any_cap) {
         std::erase_if(hits.points,

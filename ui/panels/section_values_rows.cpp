@@ -63,8 +63,7 @@ void draw_section_values(Document& document, const ShownPicture& picture) {
     Window window(choice.range.value_or(usual_range));
     const bool level =
         draw_part(tr_in("section", "level"), tr("The value in the middle of the colors."),
-                  window.level,
-                  {.value = usual.level, .lo = usual_range.lo, .hi = usual_range.hi});
+                  window.level, {.value = usual.level, .lo = usual_range.lo, .hi = usual_range.hi});
     const bool width = draw_part(
         tr_in("section", "window"), tr("The values from one end of the colors to the other."),
         window.width, {.value = usual.width, .lo = 0.0, .hi = 2.0 * usual.width});

@@ -45,9 +45,8 @@ std::optional<InputError> read_range(const std::string& text, SectionChoice& cho
     if (!numbers) return numbers.error();
     const ValueRange range{.lo = (*numbers)[0], .hi = (*numbers)[1]};
     if (!(range.lo < range.hi)) {
-        return InputError{.reason =
-                              "--section-range " + text +
-                              ": the first number must be below the second, for example 0,1"};
+        return InputError{.reason = "--section-range " + text +
+                                    ": the first number must be below the second, for example 0,1"};
     }
     choice.range = range;
     return std::nullopt;

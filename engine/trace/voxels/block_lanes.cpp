@@ -35,10 +35,10 @@ std::uint64_t rays_near_lanes(const RayColumns& rays, const NearCells& cells) {
     const V<float> layers = hn::Set(tag, cells.layer);
     std::uint64_t near = 0;
     for (std::size_t ray = 0; ray < block_rays; ray += lanes<float>) {
-        const auto i = least_cell(tag, &rays.i_at[ray], &rays.i_slope[ray], layers, cells.i_first,
-                                  31.0F);
-        const auto j = least_cell(tag, &rays.j_at[ray], &rays.j_slope[ray], layers, cells.j_first,
-                                  63.0F);
+        const auto i =
+            least_cell(tag, &rays.i_at[ray], &rays.i_slope[ray], layers, cells.i_first, 31.0F);
+        const auto j =
+            least_cell(tag, &rays.j_at[ray], &rays.j_slope[ray], layers, cells.j_first, 63.0F);
         const auto row = hn::GatherIndex(words, cells.rows.data(), j);
         const auto mark = hn::And(hn::Shr(row, hn::BitCast(words, i)), hn::Set(words, 1U));
         const auto marked = hn::Eq(hn::BitCast(whole, mark), hn::Set(whole, 1));
@@ -66,7 +66,8 @@ HWY_INLINE SampleBits row_bits(const float* samples, std::size_t count, float ab
 void sample_bits_lanes(const float* samples, std::ptrdiff_t stride, std::size_t rows,
                        std::size_t count, float above, float below, SampleBits* bits) {
     for (std::size_t row = 0; row < rows; ++row)
-        bits[row] = row_bits(samples + static_cast<std::ptrdiff_t>(row) * stride, count, above, below);
+        bits[row] =
+            row_bits(samples + static_cast<std::ptrdiff_t>(row) * stride, count, above, below);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -21,9 +21,8 @@ void walk_block(const LevelGrid<Sample>& grid, const RayBlock& block, const Look
         const int shift = LevelGrid<Sample>::lowest_shift + level;
         const std::int32_t first = layer >> shift << shift;
         const std::int32_t last = first + (std::int32_t{1} << shift) - 1;
-        const LayerRange layers = step > 0
-                                      ? LayerRange{.low = layer, .high = std::min(last, end)}
-                                      : LayerRange{.low = std::max(first, end), .high = layer};
+        const LayerRange layers = step > 0 ? LayerRange{.low = layer, .high = std::min(last, end)}
+                                           : LayerRange{.low = std::max(first, end), .high = layer};
         const CellRectangle cells = block.cells(layers.low, layers.high);
         if (!cells.empty() && level > 0 &&
             grid.bricks_may_hold(level, cells, layer, block.axes())) {

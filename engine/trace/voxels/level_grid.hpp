@@ -69,8 +69,7 @@ struct CellMask {
                                                cells.j_last - cells.j_first);
         if (first > last) return false;
         const auto& rows = bits[static_cast<std::size_t>(layer - layers.low)];
-        const std::uint64_t wanted =
-            (std::uint64_t{2} << last) - (std::uint64_t{1} << first);
+        const std::uint64_t wanted = (std::uint64_t{2} << last) - (std::uint64_t{1} << first);
         for (std::int32_t row = first_row; row <= last_row; ++row) {
             if ((rows[static_cast<std::size_t>(row)] & wanted) != 0) return true;
         }
@@ -107,8 +106,8 @@ public:
               CellMask& mask) const;
     /// The corners of a cell, less the level, in the order of the grid's own axes.
     [[nodiscard]] CellCorners corners(const std::array<std::int32_t, 3>& cell) const {
-        const Sample* const base = samples_ + cell[0] * strides_[0] + cell[1] * strides_[1] +
-                                   cell[2] * strides_[2];
+        const Sample* const base =
+            samples_ + cell[0] * strides_[0] + cell[1] * strides_[1] + cell[2] * strides_[2];
         CellCorners corners{};
         for (std::size_t corner = 0; corner < 8; ++corner) {
             const std::ptrdiff_t at = ((corner & 1U) != 0 ? strides_[0] : 0) +
@@ -161,7 +160,7 @@ void LevelGrid<Sample>::visit_bricks(int level, const CellRectangle& cells, std:
             at[axes.j] = j;
             const auto& brick = pyramid_.brick(level, at[0], at[1], at[2]);
             const bool may_hold =
-                static_cast<float>(brick.lo) < above_ && static_cast<float>(brick.hi) > below_;
+                static_cast<float>(brick.lo)<above_&& static_cast<float>(brick.hi)> below_;
             if (may_hold && !take(i, j)) return;
         }
     }

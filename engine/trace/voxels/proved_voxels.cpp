@@ -16,11 +16,12 @@
 
 #include "engine/trace/voxels/proved_voxels.hpp"
 
-#include "engine/kernel/point_batch.hpp"
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/voxels/block_walk.hpp"
+#include "engine/trace/voxels/grid_bounds.hpp"
 #include "engine/trace/voxels/isosurface.hpp"
+#include "engine/trace/voxels/voxel_hits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,37 +44,9 @@ struct OpenRay {
     /// Its place across the axis k as a line in the place along it.
     double i_at = 0, i_slope = 0, j_at = 0, j_slope = 0;
     double per_layer = 0;  ///< depth from a layer to the next one up
-    bool begun = false;  ///< what follows is known
+    bool begun = false;    ///< what follows is known
     double from = 0, to = 0;
     FirstRoot root = {};
-};
-
-/// Bounds of the numbers of a volume and a level.
-struct GridBounds {
-    double size;     ///< of samples and level
-    double indices;  ///< of all terms of places in the grid
-
-    GridBounds(const Isosurface& surface, const TraceFrame& frame)
-        : size(std::abs(surface.level)), indices(0) {
-        const VolumeData& data = surface.volume->data();
-        size += std::max(std::abs(data.range().lo), std::abs(data.range().hi));
-        const Box& clip = frame.scene.clip;
-        const glm::dvec3 eye = glm::abs(frame.view.eye);
-        const glm::dvec3 box = glm::max(glm::abs(clip.lo), glm::abs(clip.hi));
-        const double reach = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z}) +
-                             frame.view.look_distance;
-        for (std::size_t i = 0; i < 3; ++i) {
-            double sum = std::abs(data.map().shift[i]);
-            for (const double entry : data.map().index_from_world[i])
-                sum += 4 * std::abs(entry) * reach;
-            indices = std::max({indices, sum, static_cast<double>(data.samples().size[i])});
-        }
-    }
-    /// What rounding may make of f: of places, some ulp of their terms times f's steepest slope;
-    /// of sums of samples, some ulp of these.
-    [[nodiscard]] double error() const { return 0x1p-44 * (indices + 16) * size; }
-    /// Whether places are known well enough.
-    [[nodiscard]] bool usable() const { return indices < 0x1p30 && std::isfinite(size); }
 };
 
 /// The rays of a tile in the grid of one type of samples.
@@ -90,8 +63,8 @@ public:
           index_rays_(rays_, map_),
           error_(bounds.error()),
           grid_(surface.volume->data(), samples, surface.level, error_),
-          hits_(hits),
           lines_(lines),
+          hits_(frame, rays_, lines_, map_, hits, counters),
           counters_(counters) {
         for (std::size_t i = 0; i < 3; ++i)
             last_cell_[i] = static_cast<std::int32_t>(surface.volume->data().samples().size[i]) - 2;
@@ -109,7 +82,7 @@ public:
                 const int cols = std::min(block_size, tile_.cols - col);
                 const int rows = std::min(block_size, tile_.rows - row);
                 if (frame_.stopped()) {
-                    leave_block(col, row, cols, rows);
+                    hits_.leave(col, row, cols, rows);
                 } else {
                     trace_block(col, row, cols, rows, from);
                 }
@@ -156,7 +129,7 @@ private:
 
     void trace_block(int col, int row, int cols, int rows, double from) {
         const RayBlock block = bundle(col, row, cols, rows, from);
-        if (!block.usable()) return leave_block(col, row, cols, rows);
+        if (!block.usable()) return hits_.leave(col, row, cols, rows);
         if (block.empty()) return;
         open_ = 0;
         bool made = false;
@@ -198,10 +171,8 @@ private:
                 const OpenRay& ray = bundle_[at] = ray_at(col + x, row + y, block.axes());
                 open_ |= std::uint64_t{1} << at;
                 steepest_ = std::max({steepest_, std::abs(ray.i_slope), std::abs(ray.j_slope)});
-                columns_.i_at[at] =
-                    static_cast<float>(ray.i_at + ray.i_slope * first - i_shared_);
-                columns_.j_at[at] =
-                    static_cast<float>(ray.j_at + ray.j_slope * first - j_shared_);
+                columns_.i_at[at] = static_cast<float>(ray.i_at + ray.i_slope * first - i_shared_);
+                columns_.j_at[at] = static_cast<float>(ray.j_at + ray.j_slope * first - j_shared_);
                 columns_.i_slope[at] = static_cast<float>(ray.i_slope);
                 columns_.j_slope[at] = static_cast<float>(ray.j_slope);
             }
@@ -222,7 +193,8 @@ private:
         const int step = block.step();
         for (std::int32_t layer = step > 0 ? layers.low : layers.high;
              layer >= layers.low && layer <= layers.high && open_ != 0; layer += step) {
-            if (mask != nullptr && !mask->layer_any[static_cast<std::size_t>(layer - mask->layers.low)])
+            if (mask != nullptr &&
+                !mask->layer_any[static_cast<std::size_t>(layer - mask->layers.low)])
                 continue;
             for_each_bit(open_ & near(mask, layer), [&](std::size_t at) {
                 OpenRay& ray = bundle_[at];
@@ -347,23 +319,8 @@ private:
         tell(ray);
         return true;
     }
-    /// Hands on the ray's root. It is certified if it is inside the region, too.
+    /// Hands on the ray's root.
     void tell(const OpenRay& ray) {
-        const FirstRoot& root = ray.root;
-        const RayLine& line = lines_.of(ray.pixel);
-        const bool proved = root.is_proved() && root.from() >= line.inside.enter_hi &&
-                            root.to() <= line.inside.exit_lo && lines_.certifies(line);
-        const int col = static_cast<int>(ray.pixel % tile_size);
-        const int row = static_cast<int>(ray.pixel / tile_size);
-        const auto distance = static_cast<float>(
-            rays_.distance_at(root.depth(), rays_.u(col), rays_.v(row)));
-        hits_.push({.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
-                   line.at(root.depth()), distance,
-                   proved ? Certificate::Certified : Certificate::Undecided);
-        tell_gradient(ray);
-    }
-    /// Tells the gradient of the hit that was pushed last, unless it cannot be known here.
-    void tell_gradient(const OpenRay& ray) {
         std::array<std::int32_t, 3> cell{};
         std::array<double, 3> place{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -371,44 +328,7 @@ private:
             cell[axis] = std::clamp(static_cast<std::int32_t>(place[axis]), 0, last_cell_[axis]);
             place[axis] -= cell[axis];
         }
-        const auto slopes = cell_slopes(grid_.corners(cell), place);
-        glm::dvec3 gradient(0.0);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            for (int c = 0; c < 3; ++c)
-                gradient[c] += map_.index_from_world[axis][static_cast<std::size_t>(c)] *
-                               slopes[axis];
-        }
-        if (sign_ == 0) find_sign(gradient);
-        if (!(std::abs(sign_) == 1) || gradient == glm::dvec3(0.0)) return;
-        const auto rounded = float_gradient({sign_ * gradient.x, sign_ * gradient.y,
-                                             sign_ * gradient.z});
-        for (std::size_t c = 0; c < 3; ++c)
-            hits_.gradient[c][ray.pixel] = rounded[c];
-        hits_.points.pop_back();
-    }
-    /// Finds whether f is the volume less the level, or the level less the volume, at the hit that
-    /// was pushed last, where the volume has this gradient.
-    void find_sign(const glm::dvec3& gradient) {
-        const auto& position = hits_.points.back().position;
-        PointBatch<double> point(1);
-        point.set(0, position[0], position[1], position[2]);
-        point.pad();
-        ++counters_.value;
-        if (counters_.costs != nullptr) counters_.costs->add(hits_.points.back().pixel);
-        frame_.kernel.in_double.value(point.batch(frame_.scene.uniforms.points<double>()));
-        const glm::dvec3 of_f(point.gradient(0, 0), point.gradient(1, 0), point.gradient(2, 0));
-        const double along = glm::dot(of_f, gradient);
-        sign_ = along > 0 ? 1 : along < 0 ? -1 : 0;
-    }
-    void leave_block(int col, int row, int cols, int rows) {
-        for (int y = row; y < row + rows; ++y) {
-            for (int x = col; x < col + cols; ++x) {
-                const TileHits::Pixel at{.col = static_cast<std::int16_t>(x),
-                                         .row = static_cast<std::int16_t>(y)};
-                hits_.certificate[at.index()] = Certificate::Undecided;
-                hits_.mark_unsettled(at, 0.0F);
-            }
-        }
+        hits_.tell(ray.pixel, ray.root, cell_slopes(grid_.corners(cell), place));
     }
 
     const TraceFrame& frame_;
@@ -419,11 +339,10 @@ private:
     double error_;
     LevelGrid<Sample> grid_;
     std::array<std::int32_t, 3> last_cell_{};
-    TileHits& hits_;
     RayLines& lines_;
+    VoxelHits hits_;
     Counters& counters_;
     std::array<OpenRay, block_rays> bundle_;
-    int sign_ = 0;            ///< of f's gradient against the volume's; 0: not known yet
     std::uint64_t open_ = 0;  ///< the rays of the bundle that have not ended, a bit each
     RayColumns columns_;
     std::int32_t i_shared_ = 0, j_shared_ = 0, first_layer_ = 0;  ///< where columns_ count from

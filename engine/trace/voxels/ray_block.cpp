@@ -84,8 +84,8 @@ CellRectangle RayBlock::cells(std::int32_t low, std::int32_t high) const {
     }
     // Within the grid, or beside it so that the rectangle is empty
     const auto cell = [](double place, std::int32_t least, std::int32_t most) {
-        return static_cast<std::int32_t>(std::clamp(std::floor(place), static_cast<double>(least),
-                                                    static_cast<double>(most)));
+        return static_cast<std::int32_t>(
+            std::clamp(std::floor(place), static_cast<double>(least), static_cast<double>(most)));
     };
     const std::int32_t i_last = last_cell_[axes_.i];
     const std::int32_t j_last = last_cell_[axes_.j];

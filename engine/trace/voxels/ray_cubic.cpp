@@ -38,8 +38,8 @@ double monotone_root(const std::array<double, 4>& b) {
         const double f = value_at(b, t);
         ((f > 0) == falls ? lo : hi) = t;
         const double s = 1 - t;
-        const double slope = 3 * (s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) +
-                                  t * t * (b[3] - b[2]));
+        const double slope =
+            3 * (s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) + t * t * (b[3] - b[2]));
         const double next = t - f / slope;
         const double inside = next > lo && next < hi ? next : 0.5 * (lo + hi);
         // The next step would be as small as the square of this one.

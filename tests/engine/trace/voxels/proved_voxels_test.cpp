@@ -26,8 +26,8 @@ namespace {
 
 /// Waves with some noise, -100 to 100.
 double waves(double i, double j, double k, RandomNumbers& random) {
-    return 60 * std::sin(0.41 * i + 0.13 * k) * std::cos(0.37 * j) + 30 * std::sin(0.29 * k + j / 9) +
-           random.uniform(-6, 6);
+    return 60 * std::sin(0.41 * i + 0.13 * k) * std::cos(0.37 * j) +
+           30 * std::sin(0.29 * k + j / 9) + random.uniform(-6, 6);
 }
 
 constexpr GridSize size{41, 35, 29};
@@ -55,16 +55,15 @@ std::shared_ptr<const Volume> wavy_volume(double shift, double noise_of_type = 1
         }
     }
     const double angle = 0.3;
-    const Geometry place{
-        .world_from_index = {{{0.05 * std::cos(angle), -0.06 * std::sin(angle), 0},
-                              {0.05 * std::sin(angle), 0.06 * std::cos(angle), 0},
-                              {0, 0, 0.07}}},
-        .origin = {-0.7, -1.2, -1.0}};
-    const auto data = VolumeData::make(
-        {.type = type_of<Sample>(),
-         .size = size,
-         .data = std::shared_ptr<const void>(numbers, numbers->data())},
-        place);
+    const Geometry place{.world_from_index = {{{0.05 * std::cos(angle), -0.06 * std::sin(angle), 0},
+                                               {0.05 * std::sin(angle), 0.06 * std::cos(angle), 0},
+                                               {0, 0, 0.07}}},
+                         .origin = {-0.7, -1.2, -1.0}};
+    const auto data =
+        VolumeData::make({.type = type_of<Sample>(),
+                          .size = size,
+                          .data = std::shared_ptr<const void>(numbers, numbers->data())},
+                         place);
     return Volume::make(data.value(), {}, "volume(\"test\")");
 }
 
@@ -110,9 +109,14 @@ TEST(ProvedVoxels, AgreeWithBeamsFromAllSides) {
     const Scene scene = scene_of_level(volume, 10);
     const Scene other = by_beams(scene, volume, 10);
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
-        for (const glm::dvec3& eye :
-             {glm::dvec3(4, 0.3, 0.2), {-4, 0.4, -0.3}, {0.2, 4, 0.1}, {0.1, -4, 0.5},
-              {0.3, 0.2, 4}, {-0.2, 0.4, -4}, {3, 3, 2.7}, {-2, 2.5, -3}}) {
+        for (const glm::dvec3& eye : {glm::dvec3(4, 0.3, 0.2),
+                                      {-4, 0.4, -0.3},
+                                      {0.2, 4, 0.1},
+                                      {0.1, -4, 0.5},
+                                      {0.3, 0.2, 4},
+                                      {-0.2, 0.4, -4},
+                                      {3, 3, 2.7},
+                                      {-2, 2.5, -3}}) {
             Camera camera{eye, {0, 0, 0}, {0, 0.1, 1}, 0.7, projection};
             expect_alike(drawn(scene, camera), drawn(other, camera),
                          std::to_string(eye.x) + "," + std::to_string(eye.y));

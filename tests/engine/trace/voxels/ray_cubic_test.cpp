@@ -63,8 +63,8 @@ TEST(RayCubic, IsTheTrilinearFunctionAlongTheRay) {
         const RayCubic cubic = ray_cubic(cell.corners, cell.from, cell.to, 2, 5);
         for (int i = 0; i <= 8; ++i) {
             const double t = i / 8.0;
-            EXPECT_NEAR(value_of(cubic, t),
-                        trilinear(cell.corners, between(cell.from, cell.to, t)), 1e-14);
+            EXPECT_NEAR(value_of(cubic, t), trilinear(cell.corners, between(cell.from, cell.to, t)),
+                        1e-14);
         }
     }
 }
@@ -80,8 +80,8 @@ TEST(CellSlopes, AreThoseOfTheTrilinearFunction) {
             Place high = cell.from;
             low[axis] = 0;
             high[axis] = 1;
-            EXPECT_NEAR(slopes[axis],
-                        trilinear(cell.corners, high) - trilinear(cell.corners, low), 1e-14);
+            EXPECT_NEAR(slopes[axis], trilinear(cell.corners, high) - trilinear(cell.corners, low),
+                        1e-14);
         }
     }
 }
@@ -111,9 +111,8 @@ TEST(FirstRoot, FindsTheFirstOfThree) {
         const auto* const first =
             std::ranges::find_if(roots, [](double root) { return root > 0 && root < 1; });
         const bool apart = roots[1] - roots[0] > 1e-3 && roots[2] - roots[1] > 1e-3;
-        const bool near_end = std::ranges::any_of(roots, [](double root) {
-            return std::abs(root) < 1e-4 || std::abs(root - 1) < 1e-4;
-        });
+        const bool near_end = std::ranges::any_of(
+            roots, [](double root) { return std::abs(root) < 1e-4 || std::abs(root - 1) < 1e-4; });
         if (near_end) continue;
         ASSERT_EQ(found, first != roots.end());
         if (!found) continue;
