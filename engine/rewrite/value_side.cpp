@@ -31,7 +31,7 @@ Expr below(const Expr& f, NodeId id) {
 }  // namespace
 
 Expr value_side(const Expr& f) {
-    const Expr whole = unrestricted(f).value_or(f);
+    Expr whole = unrestricted(f).value_or(f);
     const Node& root = whole.node(whole.root());
     if (root.op != Op::Subtract) return whole;
     const std::vector<bool> depends = depend_on_space(whole);

@@ -13,11 +13,10 @@ namespace zeroset {
 
 /// Bounds of the numbers of a volume and a level.
 struct GridBounds {
-    double size;     ///< of samples and level
-    double indices;  ///< of all terms of places in the grid
+    double size;         ///< of samples and level
+    double indices = 0;  ///< of all terms of places in the grid
 
-    GridBounds(const Isosurface& surface, const TraceFrame& frame)
-        : size(std::abs(surface.level)), indices(0) {
+    GridBounds(const Isosurface& surface, const TraceFrame& frame) : size(std::abs(surface.level)) {
         const VolumeData& data = surface.volume->data();
         size += std::max(std::abs(data.range().lo), std::abs(data.range().hi));
         const Box& clip = frame.scene.clip;

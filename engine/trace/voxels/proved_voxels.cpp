@@ -95,7 +95,7 @@ private:
     static double from_front() { return -std::numeric_limits<double>::infinity(); }
 
     /// The bundle of some pixels' rays, from a depth on.
-    RayBlock bundle(int col, int row, int cols, int rows, double from) const {
+    [[nodiscard]] RayBlock bundle(int col, int row, int cols, int rows, double from) const {
         const double u = rays_.u(col + 0.5 * (cols - 1));
         const double v = rays_.v(row + 0.5 * (rows - 1));
         const double u_radius = 0.5 * cols * rays_.pixel();
