@@ -393,7 +393,9 @@ std::optional<std::string> Elaborator::function_text_of(Definition& definition,
     }
     const std::size_t offset = tree_.statements[definition.statement].offset;
     if (!arguments.empty() && !done(arguments.back().part(0).id, offset)) return std::nullopt;
+    reads_function_ = true;
     const Built value = function_value(definition, arguments);
+    reads_function_ = false;
     if (!value) return std::nullopt;
     std::ranges::copy(parameters_, names.begin());
     return text + ") = " + text_of(*value, names);

@@ -158,11 +158,15 @@ private:
     // elaborator_call.cpp: functions
     Built call(const Syntax& syntax, const Binding* scope);
     Built repeated(const Syntax& syntax, const Binding* scope);
+    Built repeated_up_to(const Syntax& syntax, const Binding* scope, double first, NodeId last);
     Built defined_call(const Syntax& syntax, const Binding* scope);
     Built function_value(Definition& definition, const Values& arguments);
     void add_key(const Value& value, std::vector<NodeId>& key);
     Built applied(const Syntax& syntax, const Values& arguments);
     Built library_call(const Syntax& syntax, const Binding* scope);
+    bool fits(const Syntax& syntax, Values& arguments);
+    bool make_point(char kind, Value& argument, const Syntax& syntax, std::size_t index);
+    Built iterated(const Syntax& syntax, const Binding* scope);
     Built volume(const Syntax& syntax, const Binding* scope);
     std::shared_ptr<const Field> field_of(const Syntax& syntax);
     Built kept_value(const Syntax& syntax, const Binding* scope);
@@ -206,6 +210,7 @@ private:
     bool says_w_ = false;                            ///< the text has w for the fourth coordinate
     bool says_t_ = false;                            ///< and t
     bool refuses_undefined_ = true;
+    bool reads_function_ = false;  ///< its arguments are parameters that stand for any number
     bool wants_vector_ = false;  ///< the error is a number in place of a vector
     int depth_ = 0;
     std::size_t steps_ = 0;

@@ -141,6 +141,17 @@ void DefinitionTable::collect_uses(SyntaxId id, Bound& bound) {
         --bound[syntax.text];
         return;
     }
+    const bool iterates =
+        syntax.function != nullptr && syntax.function->composed == Composed::Iterate;
+    if (iterates && tree_[syntax.operands[0]].kind == SyntaxKind::Name) {
+        const std::string_view name = tree_[syntax.operands[0]].text;
+        collect_uses(syntax.operands[1], bound);
+        collect_uses(syntax.operands[2], bound);
+        ++bound[name];
+        collect_uses(syntax.operands[3], bound);
+        --bound[name];
+        return;
+    }
     const bool repeats = syntax.function != nullptr && syntax.function->repeats() &&
                          syntax.operands.size() > 1 &&
                          tree_[syntax.operands[1]].kind == SyntaxKind::Name;

@@ -120,6 +120,19 @@ std::vector<Function> make_table() {
                      .body = (formula)});
 #include "engine/language/vocabulary/library.def"
 #undef ZEROSET_LIBRARY
+#define ZEROSET_WORD(part, word, list, letters, about, formula)              \
+    table.push_back({.name = (word),                                         \
+                     .least = count(list) - (letters[0] == 'p' ? 1 : 0),     \
+                     .most = count(list),                                    \
+                     .arguments = (list),                                    \
+                     .meaning = (about),                                     \
+                     .op = std::nullopt,                                     \
+                     .composed = std::nullopt,                               \
+                     .body = (formula),                                      \
+                     .kinds = (letters),                                     \
+                     .section = WordSection::part});
+#include "engine/language/vocabulary/shapes.def"
+#undef ZEROSET_WORD
     return table;
 }
 
@@ -335,6 +348,7 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Vector2:
         case Composed::Vector3:
         case Composed::Vector4:
+        case Composed::Iterate:
         case Composed::Keep:
         case Composed::Kept:
         case Composed::Least:
@@ -376,6 +390,11 @@ const Function* find_function(std::string_view name) {
     static const Index index = make_index();
     const auto found = index.find(name);
     return found == index.end() ? nullptr : found->second;
+}
+
+const Function* find_fixed_function(std::string_view name) {
+    const Function* const function = find_function(name);
+    return function != nullptr && function->is_word() ? nullptr : function;
 }
 
 std::vector<std::string_view> function_spellings() {
