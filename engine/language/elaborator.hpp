@@ -133,6 +133,7 @@ private:
     Built mapped(std::span<const Value> values, std::size_t offset, const Make& make);
     using Binary = NodeId (*)(ExprBuilder&, NodeId, NodeId);
     Built combined(const Value& a, const Value& b, std::size_t offset, Binary make);
+    std::nullopt_t refuse_index(const Value& of, std::size_t offset);
     Built sizes_differ(const Value& a, const Value& b, std::size_t offset);
     Built joined_parts(const Syntax& syntax, const Value& of);
     Built length(const Function& function, const Values& values, std::size_t offset);
@@ -211,7 +212,7 @@ private:
     bool says_t_ = false;                            ///< and t
     bool refuses_undefined_ = true;
     bool reads_function_ = false;  ///< its arguments are parameters that stand for any number
-    bool wants_vector_ = false;  ///< the error is a number in place of a vector
+    bool wants_vector_ = false;    ///< the error is a number in place of a vector
     int depth_ = 0;
     std::size_t steps_ = 0;
 };

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double max_terms = 10'000;
 constexpr double most_terms_of_slider = 32;  // where a slider gives the last index
-constexpr double largest_bound = 1e15;  // up to here i + 1 is exact and differs from i
+constexpr double largest_bound = 1e15;       // up to here i + 1 is exact and differs from i
 
 using Join = NodeId (*)(ExprBuilder&, NodeId, NodeId);
 
@@ -76,10 +76,11 @@ Elaborator::Built Elaborator::applied(const Syntax& syntax, const Values& argume
         return joined_parts(syntax, arguments[0]);
     if (is_alone && !function.takes_a_number()) {
         if (library_offset_ && function.repeats()) return arguments[0];
-        return fail(syntax.offset, function.refusal(1),
-                    filled(tr("type {0}, or a list: {1}"),
-                           {std::string(function.name) + "(" + std::string(function.arguments) + ")",
-                            std::string(function.name) + "([a, b, c])"}));
+        return fail(
+            syntax.offset, function.refusal(1),
+            filled(tr("type {0}, or a list: {1}"),
+                   {std::string(function.name) + "(" + std::string(function.arguments) + ")",
+                    std::string(function.name) + "([a, b, c])"}));
     }
     return mapped(arguments, syntax.offset, [&](std::span<const NodeId> of) {
         return make_function(builder_, function, of);
@@ -198,8 +199,7 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
     }
     const Number last = number(syntax.operands[3], scope);
     if (!last) return std::nullopt;
-    const bool is_of_sliders =
-        !reads_function_ && facts_[*last].uniform && !facts_[*last].constant;
+    const bool is_of_sliders = !reads_function_ && facts_[*last].uniform && !facts_[*last].constant;
     std::optional<double> bounds[2];
     for (std::size_t i = 0; i < (is_of_sliders ? 1U : 2U); ++i) {
         const std::string rule = library_offset_
@@ -221,9 +221,8 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
                     tr("let m be at most n"));
     Built total = Value{.id = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0)};
     for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
-        const Binding binding{.name = index.text,
-                              .value = {.id = builder_.constant(i)},
-                              .outer = scope};
+        const Binding binding{
+            .name = index.text, .value = {.id = builder_.constant(i)}, .outer = scope};
         if (!done(binding.value.id, index.offset)) return std::nullopt;
         const Built term = operand(syntax.operands[0], &binding);
         if (!term) return std::nullopt;
@@ -267,10 +266,9 @@ Elaborator::Built Elaborator::repeated_up_to(const Syntax& syntax, const Binding
         const NodeId some = make_call(builder_, Op::LessEqual, builder_.constant(first), last);
         holds = make_call(builder_, Op::And, some, holds);
     }
-    return mapped(std::array<Value, 2>{*total, Value{.id = holds}}, syntax.offset,
-                  [&](std::span<const NodeId> of) {
-                      return make_call(builder_, Op::Where, of[0], of[1]);
-                  });
+    return mapped(
+        std::array<Value, 2>{*total, Value{.id = holds}}, syntax.offset,
+        [&](std::span<const NodeId> of) { return make_call(builder_, Op::Where, of[0], of[1]); });
 }
 
 Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* scope) {

@@ -280,8 +280,8 @@ Elaborator::Built Elaborator::sum(const Syntax& syntax, const Binding* scope) {
         const std::size_t offset = tree_[syntax.operands[i]].offset;
         if (total->is_vector() != term->is_vector() && !total->is_list() && !term->is_list())
             note(offset, tr("a number beside a vector counts for each of its parts"));
-        total = combined(*total, *term, offset,
-                         syntax.marks[i - 1] == '+' ? make_add : make_subtract);
+        total =
+            combined(*total, *term, offset, syntax.marks[i - 1] == '+' ? make_add : make_subtract);
     }
     return total;
 }
@@ -297,6 +297,9 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
                             "cross(a, b) for their products"));
         }
         switch (syntax.marks[i - 1]) {
+            case '[':
+                if (!total->is_single()) return refuse_index(*total, offset);
+                [[fallthrough]];
             case '*': total = combined(*total, *factor, offset, make_multiply); break;
             case '/':
                 if (is_zero_by_name(syntax.operands[i], *factor)) return std::nullopt;

@@ -64,9 +64,9 @@ Elaborator::Built Elaborator::iterated(const Syntax& syntax, const Binding* scop
     const std::string example = filled(tr("for example {0}"), {"iterate(u, 3, x, u^2 + y)"});
     if (name.kind != SyntaxKind::Name)
         return fail(name.offset, tr("the first argument of iterate is a name"), example);
-    const auto count = whole_number(syntax.operands[1], scope,
-                                    {.reason = tr("the number of steps is a whole number"),
-                                     .hint = example});
+    const auto count =
+        whole_number(syntax.operands[1], scope,
+                     {.reason = tr("the number of steps is a whole number"), .hint = example});
     if (!count) return std::nullopt;
     if (*count < 0 || *count > most_steps) {
         return fail(tree_[syntax.operands[1]].offset,

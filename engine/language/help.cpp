@@ -73,17 +73,22 @@ constexpr Line expressions[] = {
 };
 
 constexpr Line vectors[] = {
-    {"p = (x, y, z)", marked("a vector of 2, 3 or 4 numbers, for all statements; also vec3(x, y, z)")},
+    {"p = (x, y, z)",
+     marked("a vector of 2, 3 or 4 numbers, for all statements; also vec3(x, y, z)")},
     {"length(p - (1, 0, 0)) = 1", marked("sums of vectors, and a number times a vector: 2p")},
     {"p.x  p.z  p.xy", marked("parts of a vector, one or several: (p.x, p.y)")},
-    {"f(p) = length(p) - 1", marked("functions of vectors, which may give vectors; f(x, y, z) takes one, too")},
+    {"f(p) = length(p) - 1",
+     marked("functions of vectors, which may give vectors; f(x, y, z) takes one, too")},
     {"|p|", marked("the length of a vector")},
     {"max(abs(p) - 1, 0)", marked("functions of numbers go over the parts of vectors")},
     {"[1, 2, 3]", marked("a list of numbers or of vectors, over which all functions go")},
     {"sum([a, b, c])", marked("joins a list, or the parts of a vector; also prod, min, max")},
-    {"min(length(p - [(1, 0, 0), (0, 1, 0)])) = 1/2", marked("two balls: the least of a list of distances")},
-    {"iterate(q, 5, (x, y, z, 0), f(q))", marked("a step f done 5 times: up to 100 steps, 20 000 operations")},
-    {"vec3 q = abs(p) - b;", marked("vectors as GLSL writes them, within functions, too; p.xy *= 2. is read there")},
+    {"min(length(p - [(1, 0, 0), (0, 1, 0)])) = 1/2",
+     marked("two balls: the least of a list of distances")},
+    {"iterate(q, 5, (x, y, z, 0), f(q))",
+     marked("a step f done 5 times: up to 100 steps, 20 000 operations")},
+    {"vec3 q = abs(p) - b;",
+     marked("vectors as GLSL writes them, within functions, too; p.xy *= 2. is read there")},
 };
 
 constexpr Line elsewhere[] = {

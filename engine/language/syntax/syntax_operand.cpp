@@ -90,9 +90,8 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (called && defined_.defines_function(full)) return call_of_text(token);
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
-    const bool is_letter =
-        function != nullptr && function->is_of_library() && !called &&
-        (full.size() <= longest_letter || function->is_word());
+    const bool is_letter = function != nullptr && function->is_of_library() && !called &&
+                           (full.size() <= longest_letter || function->is_word());
     const bool hides = function != nullptr && function->is_of_library() && defined;
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);

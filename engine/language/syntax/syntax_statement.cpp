@@ -278,8 +278,8 @@ bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
         const auto part = has_part ? tokens_[at - 1].text : std::string_view();
         if (changes) {
             const std::string_view sign = tokens_[at].text;
-            const SyntaxKind kind = sign == "+" || sign == "-" ? SyntaxKind::Sum
-                                                               : SyntaxKind::Product;
+            const SyntaxKind kind =
+                sign == "+" || sign == "-" ? SyntaxKind::Sum : SyntaxKind::Product;
             SyntaxId before = old();
             if (has_part) before = add(SyntaxKind::Part, name.end(), {before}, {}, part);
             value = add(kind, name.offset, {before, *value}, sign);

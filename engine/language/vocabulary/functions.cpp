@@ -120,16 +120,16 @@ std::vector<Function> make_table() {
                      .body = (formula)});
 #include "engine/language/vocabulary/library.def"
 #undef ZEROSET_LIBRARY
-#define ZEROSET_WORD(part, word, list, letters, about, formula)              \
-    table.push_back({.name = (word),                                         \
-                     .least = count(list) - (letters[0] == 'p' ? 1 : 0),     \
-                     .most = count(list),                                    \
-                     .arguments = (list),                                    \
-                     .meaning = (about),                                     \
-                     .op = std::nullopt,                                     \
-                     .composed = std::nullopt,                               \
-                     .body = (formula),                                      \
-                     .kinds = (letters),                                     \
+#define ZEROSET_WORD(part, word, list, letters, about, formula)          \
+    table.push_back({.name = (word),                                     \
+                     .least = count(list) - (letters[0] == 'p' ? 1 : 0), \
+                     .most = count(list),                                \
+                     .arguments = (list),                                \
+                     .meaning = (about),                                 \
+                     .op = std::nullopt,                                 \
+                     .composed = std::nullopt,                           \
+                     .body = (formula),                                  \
+                     .kinds = (letters),                                 \
                      .section = WordSection::part});
 #include "engine/language/vocabulary/shapes.def"
 #undef ZEROSET_WORD

@@ -37,6 +37,17 @@ std::string product_of(const std::vector<std::string>& factors) {
     return product;
 }
 
+/// Whether the value of a function has a name in it that an argument, or a product of some, may be.
+bool mentions_argument(const Candidate& candidate) {
+    return std::ranges::any_of(candidate.value, [&](const Token& token) {
+        const std::string name = plain_name(token.text);
+        return token.kind == TokenKind::Name && find_function(name) == nullptr &&
+               std::ranges::any_of(candidate.arguments, [&](const std::string& argument) {
+                   return name.contains(argument);
+               });
+    });
+}
+
 }  // namespace
 
 bool is_type_word(std::string_view word) {
@@ -199,6 +210,8 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
         return called || candidate.arguments.size() > 1;
     }
     if (is_built_in_value(name)) return uses.calls > 0 || candidate.arguments.size() > 1;
+    if (const Function* const function = find_function(name); function && function->is_word())
+        return mentions_argument(candidate);  // else it is an equation, as sphere(p, r) = 1
     if (find_fixed_function(name) != nullptr) {
         return uses.calls > 0 && candidates_.depends_on_arguments_only(candidate);
     }

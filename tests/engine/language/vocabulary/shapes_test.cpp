@@ -1,5 +1,5 @@
-// Compares the words of shapes.def with plain arithmetic that is written otherwise: distances by the
-// nearest point, moves by the point from where a shape was moved.
+// Compares the words of shapes.def with plain arithmetic that is written otherwise: distances by
+// the nearest point, moves by the point from where a shape was moved.
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
@@ -84,7 +84,8 @@ double frame(const Point& p, const Point& size, double t) {
 
 std::map<std::string, Typed> shapes() {
     return {
-        {"sphere", {"sphere(1.5)", [](const Point& p) { return length_of(p[0], p[1], p[2]) - 1.5; }}},
+        {"sphere",
+         {"sphere(1.5)", [](const Point& p) { return length_of(p[0], p[1], p[2]) - 1.5; }}},
         {"ellipsoid",
          {"ellipsoid((1, 2, 0.5))",
           [](const Point& p) { return (length_of(p[0], p[1] / 2, p[2] * 2) - 1) * 0.5; }}},
@@ -217,8 +218,7 @@ std::map<std::string, Typed> moves_and_blends() {
         {"bend",
          {"length(bend((x, y, z), 0.5))",
           [](const Point& p) { return length_of(p[0], p[1], p[2]); }}},
-        {"thicken",
-         {"thicken(x + y, 0.25)", [](const Point& p) { return p[0] + p[1] - 0.25; }}},
+        {"thicken", {"thicken(x + y, 0.25)", [](const Point& p) { return p[0] + p[1] - 0.25; }}},
         {"shell",
          {"shell(sphere(1), 0.5)",
           [](const Point& p) {
@@ -236,8 +236,7 @@ std::map<std::string, Typed> moves_and_blends() {
 std::map<std::string, Typed> of_vectors() {
     return {
         {"dot",
-         {"dot((x, y, z), (1, 2, 3))",
-          [](const Point& p) { return p[0] + 2 * p[1] + 3 * p[2]; }}},
+         {"dot((x, y, z), (1, 2, 3))", [](const Point& p) { return p[0] + 2 * p[1] + 3 * p[2]; }}},
         {"cross",
          {"dot(cross((x, y, z), (1, 2, 3)), (1, 10, 100))",
           [](const Point& p) {
@@ -351,15 +350,16 @@ TEST(Words, QuaternionJuliaIsThatOfPlainArithmetic) {
     ASSERT_TRUE(expr);
     RandomNumbers random(5);
     for (int round = 0; round < 100; ++round) {
-        std::array<double, 4> q{random.uniform(-1, 1), random.uniform(-1, 1),
-                                random.uniform(-1, 1), 0};
+        std::array<double, 4> q{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
+                                0};
         const double value = value_at(*expr, {q[0], q[1], q[2], 0}).value;
         for (int i = 0; i < 6; ++i) {
             const auto [a, b, c, d] = q;
             q = {a * a - b * b - c * c - d * d - 0.2, 2 * a * b + 0.6, 2 * a * c + 0.2,
                  2 * a * d + 0.2};
         }
-        const double expected = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 2;
+        const double expected =
+            std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 2;
         ASSERT_NEAR(value, expected, 1e-9 * std::max(1.0, std::abs(expected)));
     }
 }
