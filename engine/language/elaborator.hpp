@@ -159,6 +159,9 @@ private:
     // elaborator_call.cpp: functions
     Built call(const Syntax& syntax, const Binding* scope);
     Built repeated(const Syntax& syntax, const Binding* scope);
+    Built repeated_from(const Syntax& syntax, const Binding* scope, double first, double last);
+    Built argument_of(const Function& function, std::size_t place, SyntaxId id,
+                      const Binding* scope);
     Built repeated_up_to(const Syntax& syntax, const Binding* scope, double first, NodeId last);
     Built defined_call(const Syntax& syntax, const Binding* scope);
     Built function_value(Definition& definition, const Values& arguments);

@@ -48,18 +48,21 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
             if (const auto truth = known_truth(arguments[0].id))
                 return build(syntax.operands[*truth ? 1 : 2], scope);
         }
-        const bool is_condition = (op == Op::If && place == 0) || (op == Op::Where && place == 1);
-        Built argument;
-        if (is_condition) {
-            const Number holds = condition(id, scope, Numbers::TrueUnlessZero);
-            if (holds) argument = Value{.id = *holds};
-        } else {
-            argument = operand(id, scope);
-        }
+        Built argument = argument_of(*syntax.function, place, id, scope);
         if (!argument) return std::nullopt;
         arguments.push_back(std::move(*argument));
     }
     return applied(syntax, arguments);
+}
+
+/// The argument of a function at `place`, which is a condition of if and where.
+Elaborator::Built Elaborator::argument_of(const Function& function, std::size_t place, SyntaxId id,
+                                          const Binding* scope) {
+    const bool is_condition =
+        (function.op == Op::If && place == 0) || (function.op == Op::Where && place == 1);
+    if (!is_condition) return operand(id, scope);
+    const Number holds = condition(id, scope, Numbers::TrueUnlessZero);
+    return holds ? Built(Value{.id = *holds}) : std::nullopt;
 }
 
 /// A function of op.def or functions.def over values.
@@ -219,16 +222,24 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
     if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
         return fail(syntax.offset, filled(tr("{0} has no terms"), {name}),
                     tr("let m be at most n"));
-    Built total = Value{.id = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0)};
-    for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
+    return repeated_from(syntax, scope, *bounds[0], *bounds[1]);
+}
+
+/// Joins the terms of a sum, product, least or greatest from one index to another.
+Elaborator::Built Elaborator::repeated_from(const Syntax& syntax, const Binding* scope,
+                                            double first, double last) {
+    const Composed kind = *syntax.function->composed;
+    const Syntax& index = tree_[syntax.operands[1]];
+    Built total = done(builder_.constant(kind == Composed::Sum ? 0.0 : 1.0), syntax.offset);
+    for (double i = first; total && i <= last; ++i) {
         const Binding binding{
             .name = index.text, .value = {.id = builder_.constant(i)}, .outer = scope};
         if (!done(binding.value.id, index.offset)) return std::nullopt;
-        const Built term = operand(syntax.operands[0], &binding);
+        Built term = operand(syntax.operands[0], &binding);
         if (!term) return std::nullopt;
-        const bool first = i == *bounds[0];
-        total = first ? *term : combined(*total, *term, syntax.offset, joiner(kind));
-        if (!total) return std::nullopt;
+        if (i != first) term = combined(*total, *term, syntax.offset, joiner(kind));
+        if (!term) return std::nullopt;
+        total = std::move(term);
     }
     return total;
 }

@@ -256,7 +256,7 @@ bool Elaborator::settle(Definition& definition) {
 
 Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope) {
     const Built a = operand(syntax.operands[0], scope);
-    if (!a) return a;
+    if (!a) return std::nullopt;
     return mapped(std::span(&*a, 1), syntax.offset,
                   [&](std::span<const NodeId> of) { return make_negate(builder_, of[0]); });
 }
@@ -264,7 +264,7 @@ Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope
 Elaborator::Built Elaborator::power(const Syntax& syntax, const Binding* scope) {
     const Built a = operand(syntax.operands[0], scope);
     const Built b = a ? operand(syntax.operands[1], scope) : std::nullopt;
-    if (!b) return b;
+    if (!b) return std::nullopt;
     if (a->is_vector() || b->is_vector()) {
         return fail(syntax.offset, tr("a vector has no powers"),
                     tr("type dot(p, p) for its squared length"));
@@ -331,7 +331,7 @@ bool Elaborator::is_zero_by_name(SyntaxId id, const Value& divisor) {
 /// Builds an expression that follows a local value in a function's body.
 Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Binding* scope) {
     const Built value = build(syntax.operands[0], scope);
-    if (!value) return value;
+    if (!value) return std::nullopt;
     const Binding binding{.name = syntax.text, .value = *value, .outer = scope};
     return build(syntax.operands[1], &binding);
 }

@@ -28,7 +28,7 @@ void Elaborator::note(std::size_t offset, std::string text) {
 }
 
 Elaborator::Built Elaborator::operand(SyntaxId id, const Binding* scope) {
-    const Built value = build(id, scope);
+    Built value = build(id, scope);
     if (!value || !value->condition) return value;
     const Number number = number_of(*value, tree_[id].offset);
     if (!number) return std::nullopt;

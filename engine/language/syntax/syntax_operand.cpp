@@ -25,6 +25,12 @@ std::string decimal(std::string_view typed) {
     return text;
 }
 
+/// Whether a function's name is a parameter, or words that the text defines, where it calls
+/// nothing.
+bool may_be_letter(const Function& function, std::string_view name) {
+    return function.is_word() || (function.is_of_library() && name.size() <= longest_letter);
+}
+
 }  // namespace
 
 SyntaxParser::Parsed SyntaxParser::operand() {
@@ -90,8 +96,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (called && defined_.defines_function(full)) return call_of_text(token);
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
-    const bool is_letter = function != nullptr && function->is_of_library() && !called &&
-                           (full.size() <= longest_letter || function->is_word());
+    const bool is_letter = !called && function != nullptr && may_be_letter(*function, full);
     const bool hides = function != nullptr && function->is_of_library() && defined;
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);

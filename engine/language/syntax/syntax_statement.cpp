@@ -253,6 +253,21 @@ SyntaxParser::Parsed SyntaxParser::block() {
     return result;
 }
 
+/// The value that a local name has behind `p.xy *= value`; without a part or a sign they are empty.
+SyntaxId SyntaxParser::new_value(const Token& name, std::string_view part, std::string_view sign,
+                                 SyntaxId value) {
+    const auto old = [&] { return add(SyntaxKind::Name, name.offset, {}, {}, full_name(name)); };
+    if (!sign.empty()) {
+        const bool adds = sign == "+" || sign == "-";
+        SyntaxId before = old();
+        if (!part.empty()) before = add(SyntaxKind::Part, name.end(), {before}, {}, part);
+        value =
+            add(adds ? SyntaxKind::Sum : SyntaxKind::Product, name.offset, {before, value}, sign);
+    }
+    if (part.empty()) return value;
+    return add(SyntaxKind::Replace, name.end(), {old(), value}, {}, part);
+}
+
 /// Reads `float a = 1, b = 2;`, and what changes a value: `p.xy *= 2;`.
 bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
     const bool is_certain = skip_type_words();
@@ -272,19 +287,8 @@ bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
         at_ = at + (changes ? 2 : 1);
         Parsed value = choice();
         if (!value) return false;
-        const auto old = [&] {
-            return add(SyntaxKind::Name, name.offset, {}, {}, full_name(name));
-        };
         const auto part = has_part ? tokens_[at - 1].text : std::string_view();
-        if (changes) {
-            const std::string_view sign = tokens_[at].text;
-            const SyntaxKind kind =
-                sign == "+" || sign == "-" ? SyntaxKind::Sum : SyntaxKind::Product;
-            SyntaxId before = old();
-            if (has_part) before = add(SyntaxKind::Part, name.end(), {before}, {}, part);
-            value = add(kind, name.offset, {before, *value}, sign);
-        }
-        if (has_part) value = add(SyntaxKind::Replace, name.end(), {old(), *value}, {}, part);
+        value = new_value(name, part, changes ? tokens_[at].text : std::string_view(), *value);
         locals.push_back({.name = full_name(name), .offset = name.offset, .value = *value});
         if (next().kind == TokenKind::Break) return true;
     } while (is_certain && declares_more() && take().kind == TokenKind::Symbol);

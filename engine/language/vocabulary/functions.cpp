@@ -120,16 +120,16 @@ std::vector<Function> make_table() {
                      .body = (formula)});
 #include "engine/language/vocabulary/library.def"
 #undef ZEROSET_LIBRARY
-#define ZEROSET_WORD(part, word, list, letters, about, formula)          \
-    table.push_back({.name = (word),                                     \
-                     .least = count(list) - (letters[0] == 'p' ? 1 : 0), \
-                     .most = count(list),                                \
-                     .arguments = (list),                                \
-                     .meaning = (about),                                 \
-                     .op = std::nullopt,                                 \
-                     .composed = std::nullopt,                           \
-                     .body = (formula),                                  \
-                     .kinds = (letters),                                 \
+#define ZEROSET_WORD(part, word, list, letters, about, formula)            \
+    table.push_back({.name = (word),                                       \
+                     .least = count(list) - ((letters)[0] == 'p' ? 1 : 0), \
+                     .most = count(list),                                  \
+                     .arguments = (list),                                  \
+                     .meaning = (about),                                   \
+                     .op = std::nullopt,                                   \
+                     .composed = std::nullopt,                             \
+                     .body = (formula),                                    \
+                     .kinds = (letters),                                   \
                      .section = WordSection::part});
 #include "engine/language/vocabulary/shapes.def"
 #undef ZEROSET_WORD
@@ -241,11 +241,17 @@ NodeId make_angle(ExprBuilder& builder, NodeId a, NodeId p, NodeId q) {
     return make_multiply(builder, make_divide(builder, p, q), a);
 }
 
-/// Blends all but the last argument from left to right; `blend` knows the width k.
-template <class Blend>
-NodeId blended(std::span<const NodeId> a, Blend blend) {
+using Blend = NodeId (*)(ExprBuilder&, NodeId, NodeId, NodeId);
+
+NodeId smooth_without(ExprBuilder& builder, NodeId a, NodeId b, NodeId k) {
+    return smooth_max(builder, a, make_negate(builder, b), k);
+}
+
+/// Blends all but the last argument, which is the width k, from left to right.
+NodeId blended(ExprBuilder& builder, std::span<const NodeId> a, Blend blend) {
     const auto solids = a.first(a.size() - 1);
-    return std::accumulate(solids.begin() + 1, solids.end(), solids.front(), blend);
+    return std::accumulate(solids.begin() + 1, solids.end(), solids.front(),
+                           [&](NodeId of, NodeId b) { return blend(builder, of, b, a.back()); });
 }
 
 NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
@@ -327,16 +333,9 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Clamp: return make_clamp(builder, a[0], a[1], a[2]);
         case Composed::SmoothMin: return smooth_min(builder, a[0], a[1], a[2]);
         case Composed::SmoothMax: return smooth_max(builder, a[0], a[1], a[2]);
-        case Composed::SmoothUnion:
-            return blended(
-                a, [&](NodeId of, NodeId b) { return smooth_min(builder, of, b, a.back()); });
-        case Composed::SmoothIntersect:
-            return blended(
-                a, [&](NodeId of, NodeId b) { return smooth_max(builder, of, b, a.back()); });
-        case Composed::SmoothSubtract:
-            return blended(a, [&](NodeId of, NodeId b) {
-                return smooth_max(builder, of, make_negate(builder, b), a.back());
-            });
+        case Composed::SmoothUnion: return blended(builder, a, smooth_min);
+        case Composed::SmoothIntersect: return blended(builder, a, smooth_max);
+        case Composed::SmoothSubtract: return blended(builder, a, smooth_without);
         case Composed::Sphere: return make_subtract(builder, length_of(builder, a.first(3)), a[3]);
         case Composed::Torus: return make_torus(builder, a);
         case Composed::Ellipsoid: return make_ellipsoid(builder, a);
