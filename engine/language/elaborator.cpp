@@ -15,30 +15,6 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t first_argument =
-    ProgramLimits::parameters;                     // first number of the parameters that stand for
-                                                   // functions' arguments
-constexpr std::size_t longest_readings = 200'000;  // bytes, all definitions together
-
-/// The formula to type for a built-in value whose name the text gives another meaning.
-std::string_view spelled_out(std::string_view name) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> spellings{
-        {{"r", "sqrt(x^2 + y^2 + z^2)"},
-         {"rho", "sqrt(x^2 + y^2)"},
-         {"theta", "atan2(y, x)"},
-         {"phi", "acos(z/sqrt(x^2 + y^2 + z^2))"},
-         {"t", "w"},
-         {"w", "t"},
-         {"e", "exp(1)"},
-         {"pi", "acos(-1)"},
-         {"tau", "2 acos(-1)"},
-         {"golden", "(1 + sqrt 5)/2"}}};
-    for (const auto& [built_in, spelling] : spellings) {
-        if (built_in == name) return spelling;
-    }
-    return {};
-}
-
 constexpr const char* no_surface = marked("a condition alone is no surface");
 
 }  // namespace
@@ -220,9 +196,27 @@ Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
         const Built value = build(statement.relation, nullptr);
         if (!value) return std::nullopt;
         if (value->condition) return solid(*value, statement);
+        if (!value->is_single()) return refuse_row(*value, statement.offset);
         f = value->id;
     }
     return restricted(*f, statement);
+}
+
+/// The three numbers of a vector of 3; nothing of another value.
+std::optional<std::array<NodeId, 3>> Elaborator::point_of(const Value& value) {
+    if (!value.is_vector() || value.size() != 3) return std::nullopt;
+    return std::array{value.part(0).id, value.part(1).id, value.part(2).id};
+}
+
+/// The error for a row that is a vector or a list.
+std::nullopt_t Elaborator::refuse_row(const Value& value, std::size_t offset) {
+    if (point_of(value)) {
+        return fail(offset,
+                    tr("a list in brackets is a point or a parametric surface, no equation"),
+                    tr("type an equation in x, y and z"));
+    }
+    return fail(offset, filled(tr("this is {0}, and no surface"), {described(value)}),
+                tr("type an equation in x, y and z"));
 }
 
 Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
@@ -260,7 +254,8 @@ ParseError Elaborator::no_place_error(std::size_t statement) const {
     const StatementSyntax& syntax = tree_.statements[statement];
     std::string hint = tr("type an equation such as x^2 + y^2 + z^2 = 1");
     if (capital) hint = tr("write them as small letters");
-    if (parameter_index_.contains("p")) hint = tr("write the point p as x, y, z: length(x, y, z)");
+    if (parameter_index_.contains("p"))
+        hint = tr("for a point p type p = (x, y, z) in a row of its own");
     if (syntax.leading_sign != '\0')
         hint = filled(tr("to go on with the line above end that with {0}"),
                       {std::string(1, syntax.leading_sign)});
@@ -288,12 +283,6 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
     return true;
 }
 
-/// The longest reading of one definition, in bytes; many definitions share `longest_readings`.
-std::size_t Elaborator::longest_definition() {
-    const std::size_t count = std::max<std::size_t>(table_.all().size(), 1);
-    return std::clamp<std::size_t>(longest_readings / count, 20, 2'000);
-}
-
 bool Elaborator::build_definition(Definition& definition) {
     statement_ = definition.statement;
     const auto text = definition.is_function ? function_text(definition) : value_text(definition);
@@ -303,42 +292,6 @@ bool Elaborator::build_definition(Definition& definition) {
         .offset = tree_.statements[definition.statement].offset,
         .text = *text};
     return true;
-}
-
-std::optional<std::string> Elaborator::value_text(Definition& definition) {
-    const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
-    if (!defined_value(definition, tree_[relation.operands[0]])) return std::nullopt;
-    note_built_in(definition);
-    return definition.name + " = " +
-           builder_.text(definition.value->id, parameters_, longest_definition());
-}
-
-/// Notes that a definition gives a built-in name another meaning.
-void Elaborator::note_built_in(const Definition& definition) {
-    const std::string& name = definition.name;
-    if (!is_built_in_value(name) || built_in(name)->id == definition.value->id) return;
-    notes_.add(tree_.statements[definition.statement].offset,
-               filled(tr("{0} is this value in all statements; for the built-in {0} type {1}"),
-                      {name, spelled_out(name)}));
-}
-
-/// The reading of a function; its arguments are built as parameters of their own.
-std::optional<std::string> Elaborator::function_text(Definition& definition) {
-    std::vector<NodeId> arguments;
-    std::string text = definition.name + "(";
-    for (const std::string& argument : definition.arguments) {
-        const std::size_t number = first_argument + arguments.size();
-        arguments.push_back(builder_.variable(variable_w + 1 + static_cast<int>(number)));
-        text += (text.ends_with('(') ? "" : ", ") + argument;
-    }
-    const std::size_t offset = tree_.statements[definition.statement].offset;
-    if (!arguments.empty() && !done(arguments.back(), offset)) return std::nullopt;
-    const Built value = function_value(definition, arguments);
-    if (!value) return std::nullopt;
-    std::vector<std::string> names = parameters_;
-    names.resize(first_argument);
-    names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
-    return text + ") = " + builder_.text(value->id, names, longest_definition());
 }
 
 std::expected<Program, ParseError> Elaborator::result() {

@@ -23,7 +23,7 @@ enum class SyntaxKind : std::uint8_t {
     Name,     ///< text: the full name
     Negate,   ///< 1 operand
     Sum,      ///< marks: '+' or '-' before each operand but the first
-    Product,  ///< marks: '*', '/' or '%' before each operand but the first
+    Product,  ///< marks: '*', '/', '%' or, for '*' in p[1], '[' before each operand but the first
     Power,    ///< base, exponent
     Volume,   ///< text: volume("FILE", ...) as typed; 3 operands
     Call,     ///< function, or text: the name of a function that the text defines
@@ -35,6 +35,10 @@ enum class SyntaxKind : std::uint8_t {
     Cases,    ///< condition, value, condition, value, ..., and perhaps a last value for all other
               ///< cases; marks: "?" if written condition ? value : value
     Let,      ///< text: a name; operands: its value, and the expression that may use the name
+    Vector,   ///< 2 to 4 operands: (a, b, c)
+    Items,    ///< 2 operands or more: [a, b, c]
+    Part,     ///< text: the parts, as xz; 1 operand
+    Replace,  ///< text: parts, as xz; operands: a vector, and what takes the place of these parts
     List,     ///< values computed in order; the value of the list is the last one
     Earlier,  ///< an earlier value of the same list
 };

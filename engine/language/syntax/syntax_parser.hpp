@@ -64,6 +64,8 @@ private:
     [[nodiscard]] bool starts_pov_function() const;
     Parsed pov_function();
     Parsed block();
+    SyntaxId new_value(const Token& name, std::string_view part, std::string_view sign,
+                       SyntaxId value);
     bool local_value(std::vector<LocalValue>& locals);
 
     // syntax_instructions.cpp
@@ -97,7 +99,8 @@ private:
     Parsed volume(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);
-    [[nodiscard]] bool is_list() const;
+    Parsed tuple(const Token& opener, SyntaxId first);
+    Parsed part_of(SyntaxId vector);
     Parsed absolute(const Token& opener);
     Parsed floor_or_ceil(const Token& opener);
     Parsed fraction();

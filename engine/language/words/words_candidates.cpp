@@ -25,8 +25,8 @@ bool is_plain_name(const Token& token) {
 /// Number of words before a name that belong to its declaration, such as `const float`.
 std::size_t type_words_before(Tokens statement) {
     std::size_t count = 0;
-    while (count + 1 < statement.size() && statement[count].kind == TokenKind::Name &&
-           is_type_word(statement[count].text) && is_plain_name(statement[count + 1]))
+    while (count + 1 < statement.size() && declares(statement[count], statement[count + 1]) &&
+           is_plain_name(statement[count + 1]))
         ++count;
     return count;
 }
@@ -174,6 +174,9 @@ std::vector<std::string> indices_in(Tokens statement) {
                     ? find_function(in_small_letters(statement[i - 1].text))
                     : nullptr;
             open.push_back({.repeats = function != nullptr && function->repeats(), .commas = 0});
+            const bool iterates = function != nullptr && function->composed == Composed::Iterate;
+            if (iterates && i + 1 < statement.size() && is_plain_name(statement[i + 1]))
+                indices.push_back(plain_name(statement[i + 1].text));
         } else if (open.empty()) {
             continue;
         } else if (is_closer(token)) {
