@@ -288,8 +288,8 @@ void Session::load(const std::string& path) {
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
     use_volume_folder({.folder = std::filesystem::path(path).parent_path(), .closed = true});
-    begin(std::move(loaded->document), loaded->from_picture ? "" : path);
-    if (!loaded->from_picture) recent_.add(path);
+    begin(std::move(loaded->document), loaded->is_source ? "" : path);
+    if (!loaded->is_source) recent_.add(path);
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
 }
 
