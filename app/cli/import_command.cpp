@@ -122,13 +122,18 @@ private:
             brought.failure = read.rows.error().reason;
             return exit_ok;
         }
-        RenderPlan plan{.document = std::move(read.document),
-                        .rows = std::move(*read.rows),
-                        .settings = {.stop = imported.document.stop},
-                        .size = size_,
-                        .fits = !imported.tells_box,
-                        .fits_box = !imported.tells_box,
-                        .budget_s = budget_s_};
+        RenderPlan plan;
+        plan.document = std::move(read.document);
+        plan.rows = std::move(*read.rows);
+        plan.settings.stop = plan.document.stop;
+        plan.size = size_;
+        plan.fits = plan.fits_box = !imported.tells_box;
+        plan.budget_s = budget_s_;
+        RenderCommand as_typed;
+        as_typed.output = stem.string() + ".png";
+        const auto options = read_picture_options(as_typed, size_);
+        if (!options) return report(options.error());
+        plan.picture = *options;
         const RenderOutcome outcome = render_picture(plan, std::chrono::steady_clock::now());
         const RenderedPicture& made = *outcome.picture;
         if (outcome.stuck) end_process(report_run_time("a picture of " + imported.name +
@@ -142,13 +147,11 @@ private:
             return exit_ok;
         }
         imported.document = made.plan.document;
-        return write_picture(outcome.picture, stem, brought);
+        return write_picture(outcome.picture, as_typed, brought);
     }
 
     static int write_picture(const std::shared_ptr<const RenderedPicture>& made,
-                             const fs::path& stem, Brought& brought) {
-        RenderCommand as_typed;
-        as_typed.output = stem.string() + ".png";
+                             const RenderCommand& as_typed, Brought& brought) {
         RenderFiles files(as_typed);
         const FrameSubject subject{.document = made->plan.document,
                                    .camera = made->request.camera,
@@ -162,8 +165,8 @@ private:
         if (!added) return report_run_time(added.error().message);
         const auto written = files.finish();
         if (!written) return report_run_time(written.error().message);
-        const CertificateCounts& counts = files.certificates();
-        brought.empty = counts.certified + counts.undecided == counts.not_drawn;
+        brought.empty = std::ranges::all_of(
+            frame->surface, [](std::uint8_t surface) { return surface == no_surface; });
         return exit_ok;
     }
 

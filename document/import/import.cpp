@@ -23,6 +23,7 @@ constexpr std::array formats{
     ImportFormat{.name = "K3DSurf", .endings = ".k3ds", .read = read_k3ds},
     ImportFormat{.name = "Fidget, libfive", .endings = ".vm", .read = read_instructions},
     ImportFormat{.name = "ImpVis", .endings = ".toml", .read = read_impvis},
+    ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = read_pov},
 };
 
 std::expected<std::string, std::string> bytes_of(const fs::path& path) {

@@ -27,15 +27,19 @@ struct ImportNote {
 struct ImportedDocument {
     std::string name;  ///< as the file calls it; empty where it does not
     Document document{};
-    std::vector<std::size_t> row_lines = {};  ///< of each row; 0 where there is none
+    /// Of each row its line in the file, 0 where there is none, and whether it is a surface.
+    std::vector<std::size_t> row_lines = {};
+    std::vector<bool> row_draws = {};
     bool tells_box = false;                   ///< the clip box is the file's own
     std::string refusal = {};                 ///< why it draws nothing; empty where it does
     std::vector<ImportNote> notes = {};
 
     void note(std::size_t line, std::string_view entry, std::string reason);
-    /// Adds a row and returns its statement.
+    /// Adds a surface's row and returns its statement.
     Statement& add_row(std::string text, std::size_t line,
                        std::optional<std::uint32_t> color = std::nullopt);
+    /// Adds a row that draws nothing: a definition or a remark.
+    void add_definition(std::string text, std::size_t line);
 };
 
 /// What a file holds.
@@ -64,6 +68,7 @@ std::string exact_number(double value, bool inner = false);
 
 /// Reads the rows of the document as the language does. Rows that it refuses become remarks, each
 /// with a note of the reason; where no surface would be left they stay, and `refusal` says why.
+/// Definitions that the language takes for surfaces are hidden.
 void check_rows(ImportedDocument& imported);
 
 }  // namespace zeroset

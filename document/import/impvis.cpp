@@ -143,6 +143,7 @@ public:
     ImportedDocument run() {
         result_.name = text("name").empty() ? preset_.key : text("name");
         add_parameters();
+        add_powers();
         add_code("code_global");
         add_code("code_local");
         add_expression();
@@ -189,12 +190,12 @@ private:
     void add_parameter(const std::string& name, std::optional<double> value, std::size_t line) {
         if (!value || !(std::abs(*value) <= largest_number)) {
             result_.note(line, name, tr("its value cannot be read; it is left out"));
-        } else if (is_parameter_name(name)) {
+        } else if (can_have_slider(name)) {
             Slider slider;
             set_value(slider, *value);
             result_.document.parameters[name] = slider;
         } else {
-            result_.add_row(name + " = " + exact_number(*value), line);
+            result_.add_definition(name + " := " + exact_number(*value), line);
             result_.note(line, name, tr("a constant of the text, without a slider"));
         }
     }
@@ -203,7 +204,19 @@ private:
         const Entry* const entry = find(key);
         if (entry == nullptr) return;
         const std::string_view code = trimmed(entry->value);
-        if (!code.empty()) result_.add_row(std::string(code), entry->line);
+        if (!code.empty()) result_.add_definition(std::string(code), entry->line);
+    }
+
+    /// Powers that ImpVis has for GLSL: mpow2(x) to mpow18(x).
+    void add_powers() {
+        std::string all;
+        for (const char* const key : {"code_global", "code_local", "expression"})
+            all += text(key);
+        for (int power = 2; power <= 18; ++power) {
+            const std::string name = "mpow" + std::to_string(power);
+            if (all.contains(name + "("))
+                result_.add_definition(name + "(u) = u^" + std::to_string(power), 0);
+        }
     }
 
     void add_expression() {

@@ -18,7 +18,7 @@ ReadImport read_instructions(std::string_view text) {
     for (const std::string_view typed : split(text, '\n')) {
         ++line;
         if (first == 0 && typed.starts_with('#')) {
-            list.add_row(std::string(typed), line);
+            list.add_definition(std::string(typed), line);
             continue;
         }
         if (typed.empty() || typed.starts_with('#')) continue;

@@ -186,12 +186,12 @@ private:
             const std::string name = key.substr(prefix.size());
             const auto value = numbers(key, 1);
             if (!value || name.empty()) continue;
-            if (is_parameter_name(name)) {
+            if (can_have_slider(name)) {
                 Slider slider{.lo = 0.0, .hi = 1.0};
                 set_value(slider, (*value)[0]);
                 result_.document.parameters[name] = slider;
             } else {
-                result_.add_row(name + " = " + exact_number((*value)[0]), property.line);
+                result_.add_definition(name + " := " + exact_number((*value)[0]), property.line);
                 result_.note(property.line, key, tr("a constant of the text, without a slider"));
             }
         }
@@ -254,7 +254,7 @@ private:
                          filled(tr("read as the language reads it: {0}"), {term.error().reason}));
         }
         if (substituted_) {
-            result_.add_row("surface_1(x, y, z) = " + text, equation.line);
+            result_.add_definition("surface_1(x, y, z) = " + text, equation.line);
             text = "surface_1(" + coordinates_of(*substituted_) + ")";
         }
         result_.add_row(text + " = 0", equation.line, front);

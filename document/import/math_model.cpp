@@ -83,7 +83,7 @@ private:
     }
 
     void refuse_kind() {
-        result_.add_row("# " + model_.kind + " " + model_.name, model_.line);
+        result_.add_definition("# " + model_.kind + " " + model_.name, model_.line);
         result_.note(model_.line, model_.kind,
                      tr("surfaces of four coordinates and of complex functions are not drawn"));
     }
@@ -100,8 +100,8 @@ private:
         for (const ModelSlider& slider : model_.sliders) {
             values_[slider.name] = slider.value;
             slid_.insert(slider.name);
-            const bool free = is_parameter_name(slider.name) && names_.fresh(slider.name) == slider.name;
-            if (free && slider.lo < slider.hi) {
+            if (can_have_slider(slider.name) && slider.lo < slider.hi) {
+                names_.fresh(slider.name);
                 Slider own{.lo = slider.lo, .hi = slider.hi, .step = std::max(0.0, slider.step)};
                 set_value(own, slider.value);
                 result_.document.parameters[slider.name] = own;
@@ -109,7 +109,7 @@ private:
                 continue;
             }
             const std::string own = named("Sliders", 0, slider.name);
-            result_.add_row(own + " = " + exact_number(slider.value), model_.line);
+            result_.add_definition(own + " := " + exact_number(slider.value), model_.line);
             result_.note(model_.line, "Sliders." + slider.name,
                          tr("a constant of the text, without a slider"));
         }
@@ -130,7 +130,7 @@ private:
             if (const auto value = value_of_text(definition->formula)) values_[name] = *value;
             const bool again = renamed_.contains(name);
             const std::string own = again ? renamed_[name] : named("Const", i, name);
-            result_.add_row(own + " = " + formula, model_.line);
+            result_.add_definition(own + " := " + formula, model_.line);
         }
     }
 
@@ -147,10 +147,10 @@ private:
             const std::string formula = translated(definition->formula, "Varu", i, {"u"});
             const std::string stem(definition->name);
             const std::string function = names_.fresh(stem + "_of");
-            result_.add_row(function + "(u) = " + formula, model_.line);
+            result_.add_definition(function + "(u) = " + formula, model_.line);
             for (const char* const letter : {"x", "y", "z"}) {
                 const std::string own = named("Varu", i, stem + letter);
-                result_.add_row(own + " := " + function + "(" + letter + ")", model_.line);
+                result_.add_definition(own + " := " + function + "(" + letter + ")", model_.line);
             }
         }
     }
@@ -166,7 +166,7 @@ private:
             }
             const std::string formula = translated(definition->formula, "Funct", i);
             const std::string own = named("Funct", i, definition->name);
-            result_.add_row(own + "(" + variable_list() + ") = " + formula, model_.line);
+            result_.add_definition(own + "(" + variable_list() + ") = " + formula, model_.line);
         }
     }
 
@@ -272,7 +272,7 @@ private:
                 continue;
             }
             const std::string part = names_.fresh("part_" + std::to_string(i + 1));
-            result_.add_row(part + "(x, y, z) = " + formula, model_.line);
+            result_.add_definition(part + "(x, y, z) = " + formula, model_.line);
             const std::string holds = translated(condition, "Cnd", i);
             result_.add_row(part + "(x, y, z) = 0, " + holds + limits, model_.line);
             result_.add_row(part + "(x, y, z) = 0, not (" + holds + ")" + limits, model_.line);

@@ -17,7 +17,7 @@ bool is_coordinate(std::string_view name) {
 
 }  // namespace
 
-bool is_parameter_name(std::string_view name) {
+bool can_have_slider(std::string_view name) {
     const std::string text(name);
     const auto program = read_program(text + " + x");
     return program && program->parameters.size() == 1 && program->parameters[0] == text;

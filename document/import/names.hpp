@@ -9,7 +9,7 @@
 namespace zeroset {
 
 /// Whether a document may have a slider of this name: the language takes it for a parameter.
-bool is_parameter_name(std::string_view name);
+bool can_have_slider(std::string_view name);
 
 /// Names of another program's script as the language can define them.
 class ImportedNames {

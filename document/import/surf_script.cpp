@@ -250,7 +250,7 @@ private:
             return polynomials_.at(name).line;
         });
         for (const std::string& name : needed) {
-            drawn.add_row(polynomials_.at(name).row, polynomials_.at(name).line);
+            drawn.add_definition(polynomials_.at(name).row, polynomials_.at(name).line);
             done.insert(name);
         }
     }
@@ -271,7 +271,7 @@ private:
             std::string text = polynomial.row;
             if (view.substituted) {
                 const std::string function = names_.fresh("surface_" + (number.empty() ? "1" : number));
-                drawn.add_row(function + "(x, y, z) = " + text, polynomial.line);
+                drawn.add_definition(function + "(x, y, z) = " + text, polynomial.line);
                 text = function + "(" + coordinates_of(*view.substituted) + ")";
             }
             const auto front = color("surface" + number, 0x7B68EE);
@@ -279,6 +279,7 @@ private:
             const double transparence =
                 setting("transparence" + number, setting("transparency" + number, 0.0));
             if (transparence > 0.0) row.opacity = std::clamp(1.0 - transparence / 100.0, 0.0, 1.0);
+            if (row.opacity == 0.0) row.visible = false;
             if (color("inside" + number, 0xE6B41E) != front) {
                 drawn.note(polynomial.line, "inside" + number,
                            tr("the back has a colour that suits the front's"));
