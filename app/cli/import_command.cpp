@@ -66,6 +66,9 @@ public:
         return refused_ > 0 ? exit_wrong_input : exit_ok;
     }
 
+    /// Whether a thread of a picture still runs.
+    [[nodiscard]] bool is_stuck() const { return stuck_; }
+
 private:
     int bring(const std::string& file) {
         auto imported = load_import(file);
@@ -116,7 +119,7 @@ private:
     }
 
     /// Draws the document beside its session; fits its view where the file told none.
-    int draw(ImportedDocument& imported, const fs::path& stem, Brought& brought) const {
+    int draw(ImportedDocument& imported, const fs::path& stem, Brought& brought) {
         ReadDocument read = read_document(imported.document);
         if (!read.rows) {
             brought.failure = read.rows.error().reason;
@@ -136,8 +139,12 @@ private:
         plan.picture = *options;
         const RenderOutcome outcome = render_picture(plan, std::chrono::steady_clock::now());
         const RenderedPicture& made = *outcome.picture;
-        if (outcome.stuck) end_process(report_run_time("a picture of " + imported.name +
-                                                       " took much too long"));
+        if (outcome.stuck) {
+            // Its thread goes on; the process ends without waiting for it.
+            stuck_ = true;
+            brought.failure = "its picture takes much longer than the budget";
+            return exit_ok;
+        }
         if (made.error) {
             brought.failure = made.error->reason;
             return exit_ok;
@@ -202,6 +209,7 @@ private:
     Size size_;
     double budget_s_;
     std::size_t refused_ = 0;
+    bool stuck_ = false;
     std::set<std::string> taken_;
     std::vector<Brought> brought_;
 };
@@ -217,7 +225,13 @@ int run_import(const ImportCommand& command) {
     fs::create_directories(command.folder, error);
     if (error || !fs::is_directory(command.folder, error))
         return report_run_time("cannot make the folder '" + command.folder + "'");
-    return Importer(command, *size, *budget).run();
+    Importer importer(command, *size, *budget);
+    const int code = importer.run();
+    if (importer.is_stuck()) {
+        std::cout.flush();
+        end_process(code);
+    }
+    return code;
 }
 
 }  // namespace zeroset

@@ -23,14 +23,16 @@ constexpr std::array formats{
     ImportFormat{.name = "K3DSurf", .endings = ".k3ds", .read = read_k3ds},
     ImportFormat{.name = "Fidget, libfive", .endings = ".vm", .read = read_instructions},
     ImportFormat{.name = "ImpVis", .endings = ".toml", .read = read_impvis},
+    ImportFormat{.name = "3MF", .endings = ".3mf", .read = read_three_mf, .largest = 64U << 20U},
+    ImportFormat{.name = "formulas", .endings = ".txt", .read = read_formulas},
     ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = read_pov},
 };
 
-std::expected<std::string, std::string> bytes_of(const fs::path& path) {
+std::expected<std::string, std::string> bytes_of(const fs::path& path, std::size_t largest) {
     std::error_code error;
     if (!fs::exists(path, error)) return std::unexpected(tr("there is no such file"));
     if (!fs::is_regular_file(path, error)) return std::unexpected(tr("it is no file"));
-    if (fs::file_size(path, error) > largest_script) return std::unexpected(tr("it is too large"));
+    if (fs::file_size(path, error) > largest) return std::unexpected(tr("it is too large"));
     std::ifstream file(path, std::ios::binary);
     std::string bytes(std::istreambuf_iterator<char>(file), {});
     if (!file) return std::unexpected(std::generic_category().message(errno));
@@ -70,7 +72,7 @@ std::string import_endings() {
 ReadImport read_import(std::string_view file_name, std::string_view bytes) {
     const ImportFormat* const format = import_format(file_name);
     if (format == nullptr) return import_error(0, tr("it is no file of a format that is read"));
-    if (bytes.size() > largest_script) return import_error(0, tr("it is too large"));
+    if (bytes.size() > format->largest) return import_error(0, tr("it is too large"));
     ReadImport imported = format->read(bytes);
     if (!imported) return imported;
     const std::string stem = fs::path(file_name).stem().string();
@@ -87,7 +89,8 @@ ReadImport load_import(const fs::path& path) {
         return std::unexpected(
             filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
     };
-    const auto bytes = bytes_of(path);
+    const ImportFormat* const format = import_format(path.filename().string());
+    const auto bytes = bytes_of(path, format ? format->largest : largest_script);
     if (!bytes) return refused(bytes.error());
     ReadImport imported = read_import(path.filename().string(), *bytes);
     if (!imported) return refused(imported.error());

@@ -16,6 +16,7 @@ struct ImportFormat {
     std::string_view name;     ///< of the program or the format, for people
     std::string_view endings;  ///< of its files' names, each with its point, apart by blanks
     ReadImport (*read)(std::string_view bytes);
+    std::size_t largest = largest_script;  ///< of its files, in bytes
 };
 std::span<const ImportFormat> import_formats();
 

@@ -37,4 +37,14 @@ ReadImport read_instructions(std::string_view text) {
     return imported;
 }
 
+ReadImport read_formulas(std::string_view text) {
+    if (trimmed(text).empty()) return import_error(0, tr("it is empty"));
+    ImportedDocument formulas{.name = {}};
+    for (const std::string& row : rows_of(text))
+        formulas.add_row(row, 0);
+    Imported imported;
+    imported.documents.push_back(std::move(formulas));
+    return imported;
+}
+
 }  // namespace zeroset
