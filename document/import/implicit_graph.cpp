@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_definitions = 100'000;
 constexpr int deepest_call = 16;
+constexpr int most_calls = 10'000;
 
 /// Nodes that do the same with each component, and how that is written: A, B, C for the inputs.
 struct Componentwise {
@@ -85,7 +86,7 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     const auto found = functions_.find(id);
     if (found == functions_.end())
         return std::unexpected(filled(tr("there is no implicit function {0} before it"), {id}));
-    if (depth_ >= deepest_call)
+    if (depth_ >= deepest_call || ++calls_ > most_calls)
         return std::unexpected(tr("functions that call each other are nested too deeply"));
     ++depth_;
     Values values;

@@ -52,6 +52,7 @@ private:
     std::string definitions_;
     std::size_t count_ = 0;
     int depth_ = 0;
+    int calls_ = 0;
 };
 
 }  // namespace zeroset
