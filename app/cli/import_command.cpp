@@ -26,8 +26,8 @@ using Json = nlohmann::ordered_json;
 /// What became of one document of a file.
 struct Brought {
     std::string file, name, session;
-    std::string failure;   ///< why nothing is drawn; empty where something is
-    bool empty = false;    ///< the picture shows no pixel of a surface
+    std::string failure;  ///< why nothing is drawn; empty where something is
+    bool empty = false;   ///< the picture shows no pixel of a surface
     std::vector<ImportNote> notes;
 };
 
@@ -38,8 +38,10 @@ std::string file_name_of(const std::string& name) {
         const auto byte = static_cast<unsigned char>(letter);
         const bool keeps = byte >= 0x80 || std::isalnum(byte) != 0 || letter == '-' ||
                            letter == '_' || letter == '+' || letter == '.';
-        if (keeps) result += letter;
-        else if (!result.ends_with('_')) result += '_';
+        if (keeps)
+            result += letter;
+        else if (!result.ends_with('_'))
+            result += '_';
     }
     while (result.starts_with('.') || result.starts_with('_'))
         result.erase(0, 1);
@@ -110,7 +112,8 @@ private:
             if (const int failed = draw(imported, stem, brought); failed != exit_ok) return failed;
         }
         if (!brought.failure.empty())
-            std::cerr << file << "#" << imported.name << ": nothing is drawn: " << brought.failure << "\n";
+            std::cerr << file << "#" << imported.name << ": nothing is drawn: " << brought.failure
+                      << "\n";
         brought.session = stem.string() + document_ending;
         const auto written = save_document(brought.session, imported.document);
         if (!written) return report_run_time(written.error().message);
@@ -182,7 +185,8 @@ private:
         for (const Brought& brought : brought_) {
             Json notes = Json::array();
             for (const ImportNote& note : brought.notes)
-                notes.push_back({{"line", note.line}, {"entry", note.entry}, {"reason", note.reason}});
+                notes.push_back(
+                    {{"line", note.line}, {"entry", note.entry}, {"reason", note.reason}});
             documents.push_back({{"file", brought.file},
                                  {"name", brought.name},
                                  {"session", brought.session},

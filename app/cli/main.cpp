@@ -95,7 +95,8 @@ CLI::App* add_import(CLI::App& app, ImportCommand& imports) {
                        "code 2: a file could not be read.");
     import_app->add_option("FILE", imports.files, "the files; one may hold many surfaces")
         ->required();
-    add_value(*import_app, "-o,--output", imports.folder, "the folder, made if need be")->required();
+    add_value(*import_app, "-o,--output", imports.folder, "the folder, made if need be")
+        ->required();
     add_value(*import_app, "--size", imports.size, "WIDTHxHEIGHT of the pictures (default 320)");
     add_value(*import_app, "--budget", imports.budget,
               "seconds for a picture, which then stays unfinished (default 30)");

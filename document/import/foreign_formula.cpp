@@ -35,8 +35,7 @@ constexpr std::size_t operand_level = power_level + 1;
 
 std::size_t level_of_sign(std::string_view sign) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
-        if (std::ranges::find(levels[level].signs, sign) != levels[level].signs.end())
-            return level;
+        if (std::ranges::find(levels[level].signs, sign) != levels[level].signs.end()) return level;
     }
     return operand_level;
 }
@@ -46,8 +45,7 @@ std::size_t level_of(const Term& term) {
         case TermKind::Chain: return level_of_sign(term.signs[1]);
         case TermKind::Prefix: return prefix_level;
         case TermKind::Power: return power_level;
-        case TermKind::Number:
-            return term.text.starts_with('-') ? prefix_level : operand_level;
+        case TermKind::Number: return term.text.starts_with('-') ? prefix_level : operand_level;
         case TermKind::Name:
         case TermKind::Call: break;
     }
@@ -255,10 +253,9 @@ std::expected<Term, TermError> read_whole_term(std::string_view text, const Dial
     TokenReader tokens(script_tokens(text));
     auto term = read_term(tokens, dialect);
     if (term && !tokens.at_end()) {
-        return std::unexpected(
-            TermError{.line = tokens.line(),
-                      .reason = filled(tr("'{0}' does not continue the formula"),
-                                       {tokens.peek().text.substr(0, 20)})});
+        return std::unexpected(TermError{.line = tokens.line(),
+                                         .reason = filled(tr("'{0}' does not continue the formula"),
+                                                          {tokens.peek().text.substr(0, 20)})});
     }
     return term;
 }

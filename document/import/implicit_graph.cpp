@@ -20,24 +20,38 @@ constexpr int most_calls = 10'000;
 struct Componentwise {
     std::string_view node, pattern;
 };
-constexpr std::array componentwise{
-    Componentwise{"addition", "A + B"},       Componentwise{"subtraction", "A - B"},
-    Componentwise{"multiplication", "A*B"},   Componentwise{"division", "A/B"},
-    Componentwise{"sin", "sin(A)"},           Componentwise{"cos", "cos(A)"},
-    Componentwise{"tan", "tan(A)"},           Componentwise{"arcsin", "asin(A)"},
-    Componentwise{"arccos", "acos(A)"},       Componentwise{"arctan", "atan(A)"},
-    Componentwise{"arctan2", "atan2(A, B)"},  Componentwise{"min", "min(A, B)"},
-    Componentwise{"max", "max(A, B)"},        Componentwise{"abs", "abs(A)"},
-    Componentwise{"fmod", "fmod(A, B)"},      Componentwise{"mod", "mod(A, B)"},
-    Componentwise{"pow", "pow(A, B)"},        Componentwise{"sqrt", "sqrt(A)"},
-    Componentwise{"exp", "exp(A)"},           Componentwise{"log", "ln(A)"},
-    Componentwise{"log2", "log2(A)"},         Componentwise{"log10", "log10(A)"},
-    Componentwise{"cosh", "cosh(A)"},         Componentwise{"sinh", "sinh(A)"},
-    Componentwise{"tanh", "tanh(A)"},         Componentwise{"round", "round(A)"},
-    Componentwise{"ceil", "ceil(A)"},         Componentwise{"floor", "floor(A)"},
-    Componentwise{"sign", "sign(A)"},         Componentwise{"fract", "fract(A)"},
-    Componentwise{"clamp", "clamp(A, min, max)"},
-    Componentwise{"select", "if(A < B, C, D)"}};
+constexpr std::array componentwise{Componentwise{"addition", "A + B"},
+                                   Componentwise{"subtraction", "A - B"},
+                                   Componentwise{"multiplication", "A*B"},
+                                   Componentwise{"division", "A/B"},
+                                   Componentwise{"sin", "sin(A)"},
+                                   Componentwise{"cos", "cos(A)"},
+                                   Componentwise{"tan", "tan(A)"},
+                                   Componentwise{"arcsin", "asin(A)"},
+                                   Componentwise{"arccos", "acos(A)"},
+                                   Componentwise{"arctan", "atan(A)"},
+                                   Componentwise{"arctan2", "atan2(A, B)"},
+                                   Componentwise{"min", "min(A, B)"},
+                                   Componentwise{"max", "max(A, B)"},
+                                   Componentwise{"abs", "abs(A)"},
+                                   Componentwise{"fmod", "fmod(A, B)"},
+                                   Componentwise{"mod", "mod(A, B)"},
+                                   Componentwise{"pow", "pow(A, B)"},
+                                   Componentwise{"sqrt", "sqrt(A)"},
+                                   Componentwise{"exp", "exp(A)"},
+                                   Componentwise{"log", "ln(A)"},
+                                   Componentwise{"log2", "log2(A)"},
+                                   Componentwise{"log10", "log10(A)"},
+                                   Componentwise{"cosh", "cosh(A)"},
+                                   Componentwise{"sinh", "sinh(A)"},
+                                   Componentwise{"tanh", "tanh(A)"},
+                                   Componentwise{"round", "round(A)"},
+                                   Componentwise{"ceil", "ceil(A)"},
+                                   Componentwise{"floor", "floor(A)"},
+                                   Componentwise{"sign", "sign(A)"},
+                                   Componentwise{"fract", "fract(A)"},
+                                   Componentwise{"clamp", "clamp(A, min, max)"},
+                                   Componentwise{"select", "if(A < B, C, D)"}};
 
 pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
     for (const pugi::xml_node& inner : node.children())
@@ -76,8 +90,7 @@ std::expected<std::string, std::string> GraphWriter::output(const std::string& i
                                                             const GraphValue& position) {
     const auto result = call(id, channel, {{"pos", position}});
     if (!result) return std::unexpected(result.error());
-    if (result->size() != 1)
-        return std::unexpected(filled(tr("{0} is no scalar"), {channel}));
+    if (result->size() != 1) return std::unexpected(filled(tr("{0} is no scalar"), {channel}));
     return (*result)[0];
 }
 
@@ -153,7 +166,8 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     return {};
 }
 
-std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node, Values& values) {
+std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node,
+                                                        Values& values) {
     auto inputs = inputs_of(node, values);
     if (!inputs) return std::unexpected(inputs.error());
     const GraphValue id = (*inputs)["functionID"];
@@ -199,13 +213,15 @@ GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::x
             if (number) matrix.push_back(*number);
         }
         // 16 numbers, of which the turn and scale are taken.
-        if (matrix.size() != 16) return std::unexpected(tr("a constant is no matrix of 16 numbers"));
+        if (matrix.size() != 16)
+            return std::unexpected(tr("a constant is no matrix of 16 numbers"));
         return matrix;
     }
     if (kind == "composevector") return GraphValue{at(in["x"], 0), at(in["y"], 0), at(in["z"], 0)};
     if (kind == "vectorfromscalar") return GraphValue(3, at(in["A"], 0));
     if (kind == "dot") return GraphValue{sum_of_products(in["A"], 0, 1, in["B"])};
-    if (kind == "length") return GraphValue{named("sqrt(" + sum_of_products(in["A"], 0, 1, in["A"]) + ")")};
+    if (kind == "length")
+        return GraphValue{named("sqrt(" + sum_of_products(in["A"], 0, 1, in["A"]) + ")")};
     if (kind == "cross") {
         const GraphValue& a = in["A"];
         const GraphValue& b = in["B"];

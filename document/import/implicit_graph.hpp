@@ -17,8 +17,8 @@ namespace zeroset {
 /// An element's name without its prefix.
 std::string_view local_name(const pugi::xml_node& node);
 
-/// A scalar, vector or matrix (row by row) of a function of 3MF: the texts of its components, each a
-/// name or a number.
+/// A scalar, vector or matrix (row by row) of a function of 3MF: the texts of its components, each
+/// a name or a number.
 using GraphValue = std::vector<std::string>;
 
 /// Writes the functions of a 3MF model as definitions of the language, node by node.
@@ -28,7 +28,8 @@ public:
     void add_function(const pugi::xml_node& function);
 
     /// The output `channel` of a function at a position; the error is one line.
-    std::expected<std::string, std::string> output(const std::string& id, const std::string& channel,
+    std::expected<std::string, std::string> output(const std::string& id,
+                                                   const std::string& channel,
                                                    const GraphValue& position);
     /// The definitions so far, a line each.
     [[nodiscard]] const std::string& definitions() const { return definitions_; }

@@ -44,19 +44,23 @@ std::expected<ImportedDocument, std::string> load_imported(const ImportPlace& pl
     const auto index = chosen(imported->documents, place.choice);
     const std::size_t count = imported->documents.size();
     if (!index) {
-        return std::unexpected(filled(
-            tr("cannot open {0}: it has no surface '{1}'; its first is '{2}', and they have the numbers 1 to {3}"),
-            {"'" + place.file.string() + "'", place.choice, imported->documents[0].name,
-             std::to_string(count)}));
+        return std::unexpected(filled(tr("cannot open {0}: it has no surface '{1}'; its first is "
+                                         "'{2}', and they have the numbers 1 to {3}"),
+                                      {"'" + place.file.string() + "'", place.choice,
+                                       imported->documents[0].name, std::to_string(count)}));
     }
     ImportedDocument document = std::move(imported->documents[*index]);
     std::ranges::move(imported->notes, std::back_inserter(document.notes));
     if (count > 1 && place.choice.empty()) {
-        document.note(0, "", filled(tr("the first of {0}; the others are opened as {1}#2 and so on, or brought all at once by zeroset import"),
-                                    {std::to_string(count), place.file.filename().string()}));
+        document.note(0, "",
+                      filled(tr("the first of {0}; the others are opened as {1}#2 and so on, or "
+                                "brought all at once by zeroset import"),
+                             {std::to_string(count), place.file.filename().string()}));
     }
     if (!document.tells_box)
-        document.note(0, "", tr("the file tells no clip box; F, or --fit, finds how far the surface reaches"));
+        document.note(
+            0, "",
+            tr("the file tells no clip box; F, or --fit, finds how far the surface reaches"));
     return document;
 }
 
@@ -71,9 +75,8 @@ std::string note_text(std::string_view file, const ImportNote& note) {
 std::string notes_in_short(const std::vector<ImportNote>& notes) {
     if (notes.empty()) return {};
     const ImportNote& first = notes.front();
-    std::string place = first.line == 0
-                            ? std::string()
-                            : filled(tr("line {0}: "), {std::to_string(first.line)});
+    std::string place =
+        first.line == 0 ? std::string() : filled(tr("line {0}: "), {std::to_string(first.line)});
     std::string text = place + (first.entry.empty() ? "" : first.entry + ": ") + first.reason;
     if (notes.size() == 1) return text;
     return filled(tr("{0} (and {1} more that zeroset import lists)"),

@@ -117,7 +117,8 @@ void check_rows(ImportedDocument& imported) {
         return;
     }
     rows = as_written;
-    const std::string why = program ? std::string(tr("it has no surface")) : reason_of(program.error());
+    const std::string why =
+        program ? std::string(tr("it has no surface")) : reason_of(program.error());
     imported.refusal = refused.empty() ? why : refused.front().reason;
 }
 

@@ -30,8 +30,8 @@ struct ImportedDocument {
     /// Of each row its line in the file, 0 where there is none, and whether it is a surface.
     std::vector<std::size_t> row_lines = {};
     std::vector<bool> row_draws = {};
-    bool tells_box = false;                   ///< the clip box is the file's own
-    std::string refusal = {};                 ///< why it draws nothing; empty where it does
+    bool tells_box = false;    ///< the clip box is the file's own
+    std::string refusal = {};  ///< why it draws nothing; empty where it does
     std::vector<ImportNote> notes = {};
 
     void note(std::size_t line, std::string_view entry, std::string reason);

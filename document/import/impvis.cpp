@@ -45,7 +45,8 @@ public:
                 continue;
             }
             const std::string key = until("=\n");
-            if (!take('=')) return import_error(line, tr("it is no line of TOML, such as key = value"));
+            if (!take('='))
+                return import_error(line, tr("it is no line of TOML, such as key = value"));
             skip(false);
             auto entry = value();
             if (!entry) return std::unexpected(entry.error());
@@ -55,7 +56,9 @@ public:
     }
 
 private:
-    [[nodiscard]] bool at(std::string_view mark) const { return text_.substr(at_).starts_with(mark); }
+    [[nodiscard]] bool at(std::string_view mark) const {
+        return text_.substr(at_).starts_with(mark);
+    }
 
     void pass() {
         if (text_[at_] == '\n') ++line_;

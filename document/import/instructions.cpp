@@ -5,10 +5,21 @@
 
 #include <algorithm>
 
-// Lists of instructions of Fidget and libfive: "NAME OPERATION OPERANDS" a line, the last one is the
-// function. The language reads them as they stand.
+// Lists of instructions of Fidget and libfive: "NAME OPERATION OPERANDS" a line, the last one is
+// the function. The language reads them as they stand.
 
 namespace zeroset {
+namespace {
+
+/// Whether the text could be the name of a value or an operation.
+bool is_word(std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, [](char letter) {
+        return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+               (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
+    });
+}
+
+}  // namespace
 
 ReadImport read_instructions(std::string_view text) {
     ImportedDocument list{.name = {}};
@@ -28,8 +39,7 @@ ReadImport read_instructions(std::string_view text) {
     const auto words = split(std::string_view(row).substr(0, row.find('\n')), ' ');
     if (words.size() < 2)
         return import_error(0, tr("it is no list of instructions, such as \"_0 var-x\""));
-    const bool first_is_plain = std::ranges::none_of(words[0], [](char c) { return c == '=' || c == '('; });
-    if (!first_is_plain)
+    if (!is_word(words[0]) || !is_word(words[1]))
         return import_error(first, tr("it is no list of instructions, such as \"_0 var-x\""));
     list.add_row(row, first);
     Imported imported;

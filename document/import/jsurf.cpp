@@ -28,7 +28,8 @@ using Properties = std::map<std::string, Property, std::less<>>;
 /// The character that \uXXXX names, in UTF-8; nothing where `digits` is no number of four digits.
 std::optional<std::string> unicode(std::string_view digits) {
     unsigned code = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
     if (error != std::errc() || digits.size() != 4 || end != digits.data() + 4) return std::nullopt;
     const auto byte = [](unsigned value) { return static_cast<char>(value); };
     if (code < 0x80U) return std::string{byte(code)};
@@ -144,8 +145,9 @@ private:
         used_.insert(key);
         auto values = numbers_of(found->second.value);
         if (values.size() == count) return values;
-        result_.note(found->second.line, key,
-                     filled(tr("it should be {0} numbers; it is left out"), {std::to_string(count)}));
+        result_.note(
+            found->second.line, key,
+            filled(tr("it should be {0} numbers; it is left out"), {std::to_string(count)}));
         return std::nullopt;
     }
 
@@ -173,7 +175,8 @@ private:
         if (!m) return result;
         for (std::size_t row = 0; row < 3; ++row) {
             for (std::size_t column = 0; column < 3; ++column)
-                result.linear[static_cast<int>(column)][static_cast<int>(row)] = (*m)[4 * row + column];
+                result.linear[static_cast<int>(column)][static_cast<int>(row)] =
+                    (*m)[4 * row + column];
             result.shift[static_cast<int>(row)] = (*m)[4 * row + 3];
         }
         return result;
@@ -212,7 +215,8 @@ private:
         } else if (surface.inverse()) {
             substituted_ = surface;
         } else {
-            result_.note(0, "surface_transform_matrix", tr("it cannot be inverted; it is left out"));
+            result_.note(0, "surface_transform_matrix",
+                         tr("it cannot be inverted; it is left out"));
         }
         const glm::dvec3 centre = from_ball.of(glm::dvec3(0.0));
         result_.document.region.ball = Ball{.centre = centre, .radius = radius};
@@ -231,8 +235,8 @@ private:
         const double distance = std::max(1e-3, glm::dot(eye->shift, eye->linear[2]));
         Placement from_view = *eye;
         from_view.shift = eye->shift - distance * eye->linear[2];
-        const double half = parallel ? 0.5 * height
-                                     : distance * std::tan(std::numbers::pi * fov_deg / 360.0);
+        const double half =
+            parallel ? 0.5 * height : distance * std::tan(std::numbers::pi * fov_deg / 360.0);
         if (!(half > 0.0) || !std::isfinite(half)) return;
         const Camera camera = camera_of_view(from_view.then(from_world), half,
                                              parallel ? std::nullopt : std::optional(distance));
@@ -266,15 +270,16 @@ private:
 
     void add_light() {
         if (const auto background = color("background_color"))
-            result_.document.light.background = Background{.top = *background, .bottom = *background};
+            result_.document.light.background =
+                Background{.top = *background, .bottom = *background};
         const double diffuse = number("front_material_diffuse_intensity", 0.8);
         for (int i = 0; i < 8; ++i) {
             const std::string end = "_" + std::to_string(i);
             const bool on = word("light_status" + end) == "ON";
             const auto at = numbers("light_position" + end, 3);
             const auto rgb = color("light_color" + end);
-            const double power = std::clamp(diffuse * number("light_intensity" + end, 1.0), 0.0,
-                                            max_power);
+            const double power =
+                std::clamp(diffuse * number("light_intensity" + end, 1.0), 0.0, max_power);
             if (!on || !at || power == 0.0) continue;
             const glm::dvec3 towards((*at)[0], (*at)[1], (*at)[2]);
             if (!(glm::length(towards) > 0.0)) continue;
@@ -282,10 +287,11 @@ private:
                 result_.note(0, "light" + end, tr("there are four lights at most; it is left out"));
                 continue;
             }
-            result_.document.light.lights.push_back({.towards = towards,
-                                                     .with_camera = true,
-                                                     .color = light_of_color(rgb.value_or(0xFFFFFF)),
-                                                     .power = power});
+            result_.document.light.lights.push_back(
+                {.towards = towards,
+                 .with_camera = true,
+                 .color = light_of_color(rgb.value_or(0xFFFFFF)),
+                 .power = power});
         }
     }
 

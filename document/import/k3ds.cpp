@@ -17,12 +17,12 @@ struct Mark {
     bool is_limit = false;
 };
 constexpr std::array marks{
-    Mark{"F():", "Fxyz"},         Mark{"X():", "Fx"},       Mark{"Y():", "Fy"},
-    Mark{"Z():", "Fz"},           Mark{"[x]:", "X", true},  Mark{"[y]:", "Y", true},
-    Mark{"[z]:", "Z", true},      Mark{"[u]:", "U", true},  Mark{"[v]:", "V", true},
-    Mark{"Cnd:", "Cnd"},          Mark{"Name:", "Name"},    Mark{"A[u]:", "A[u]"},
-    Mark{"B[u]:", "B[u]"},        Mark{"C[u]:", "C[u]"},    Mark{"D[u,v]:", "D[u,v]"},
-    Mark{"E[u,v]:", "E[u,v]"},    Mark{"F[u,v]:", "F[u,v]"}};
+    Mark{"F():", "Fxyz"},      Mark{"X():", "Fx"},       Mark{"Y():", "Fy"},
+    Mark{"Z():", "Fz"},        Mark{"[x]:", "X", true},  Mark{"[y]:", "Y", true},
+    Mark{"[z]:", "Z", true},   Mark{"[u]:", "U", true},  Mark{"[v]:", "V", true},
+    Mark{"Cnd:", "Cnd"},       Mark{"Name:", "Name"},    Mark{"A[u]:", "A[u]"},
+    Mark{"B[u]:", "B[u]"},     Mark{"C[u]:", "C[u]"},    Mark{"D[u,v]:", "D[u,v]"},
+    Mark{"E[u,v]:", "E[u,v]"}, Mark{"F[u,v]:", "F[u,v]"}};
 
 class K3dsReader {
 public:

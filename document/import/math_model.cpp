@@ -68,8 +68,10 @@ public:
         add_constants();
         add_variables();
         add_functions();
-        if (model_.kind == "Iso3D") add_implicit();
-        else add_parametric();
+        if (model_.kind == "Iso3D")
+            add_implicit();
+        else
+            add_parametric();
         note_the_rest();
         return std::move(result_);
     }
@@ -188,18 +190,21 @@ private:
                 part.text = "round";
                 note(field, index, tr("int() rounds to the nearest integer, as it does there"));
             }
-            if (part.kind == TermKind::Chain && std::ranges::find(part.signs, "%") != part.signs.end())
+            if (part.kind == TermKind::Chain &&
+                std::ranges::find(part.signs, "%") != part.signs.end())
                 part = without_remainders(std::move(part));
             if (part.kind != TermKind::Name && !is_call) return;
             const auto own = renamed_.find(part.text);
-            if (own != renamed_.end()) part.text = own->second;
+            if (own != renamed_.end())
+                part.text = own->second;
             else if (part.kind == TermKind::Name && !is_known(part.text, extra))
                 note(field, index, filled(tr("{0} is not defined in the file"), {part.text}));
         });
         return text_of(*term);
     }
 
-    [[nodiscard]] bool is_known(std::string_view name, const std::vector<std::string>& extra) const {
+    [[nodiscard]] bool is_known(std::string_view name,
+                                const std::vector<std::string>& extra) const {
         static constexpr std::array<std::string_view, 5> always{"pi", "x", "y", "z", "t"};
         return std::ranges::find(always, name) != always.end() ||
                std::ranges::find(variables_, name) != variables_.end() ||
@@ -276,7 +281,8 @@ private:
             const std::string holds = translated(condition, "Cnd", i);
             result_.add_row(part + "(x, y, z) = 0, " + holds + limits, model_.line);
             result_.add_row(part + "(x, y, z) = 0, not (" + holds + ")" + limits, model_.line);
-            note("Cnd", i, tr("both parts are drawn, where it holds and where not, a row for each"));
+            note("Cnd", i,
+                 tr("both parts are drawn, where it holds and where not, a row for each"));
         }
     }
 
@@ -296,7 +302,8 @@ private:
                     const std::size_t at = last == 0 ? 0 : std::min(i, last - 1);
                     return translated(model_.text(field + end, at), field + end, at);
                 };
-                row += ", " + limit("min") + " < " + (letter == 'U' ? "u" : "v") + " < " + limit("max");
+                row += ", " + limit("min") + " < " + (letter == 'U' ? "u" : "v") + " < " +
+                       limit("max");
             }
             result_.add_row(row, model_.line);
             if (!trimmed(model_.text("Cnd", i)).empty())
@@ -306,9 +313,9 @@ private:
 
     void note_the_rest() {
         static constexpr std::array<std::string_view, 24> taken{
-            "Fxyz", "Const", "Funct", "Varu", "Cnd", "Name", "Component", "Description", "Xmin",
-            "Xmax", "Ymin", "Ymax", "Zmin", "Zmax", "Fx", "Fy", "Fz", "Umin", "Umax", "Vmin",
-            "Vmax", "Sliders", "Description ", ""};
+            "Fxyz", "Const", "Funct", "Varu", "Cnd",  "Name",    "Component",    "Description",
+            "Xmin", "Xmax",  "Ymin",  "Ymax", "Zmin", "Zmax",    "Fx",           "Fy",
+            "Fz",   "Umin",  "Umax",  "Vmin", "Vmax", "Sliders", "Description ", ""};
         for (const auto& [field, texts] : model_.fields) {
             if (std::ranges::find(taken, field) == taken.end())
                 note(field, 0, tr("not taken over"));

@@ -61,8 +61,10 @@ std::vector<std::string> texts_of(const Json& value) {
     if (value.is_number()) texts.push_back(value.dump());
     if (value.is_array()) {
         for (const Json& item : value) {
-            if (item.is_string()) texts.push_back(with_points(item.get<std::string>()));
-            else if (item.is_number()) texts.push_back(item.dump());
+            if (item.is_string())
+                texts.push_back(with_points(item.get<std::string>()));
+            else if (item.is_number())
+                texts.push_back(item.dump());
         }
     }
     return texts;
@@ -83,13 +85,13 @@ std::vector<ModelSlider> sliders_of(const Json& model) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::array<double, 4> numbers{0.0, -100.0, 100.0, 1.0};
         for (std::size_t k = 0; k < fields.size(); ++k) {
-            const auto number = i < fields[k].size()
-                                    ? number_from<double>(trimmed(fields[k][i]))
-                                    : std::nullopt;
+            const auto number =
+                i < fields[k].size() ? number_from<double>(trimmed(fields[k][i])) : std::nullopt;
             if (number && std::abs(*number) <= largest_number) numbers[k] = *number;
         }
         const std::string name(trimmed(names[i]));
-        if (!name.empty()) sliders.push_back({name, numbers[0], numbers[1], numbers[2], numbers[3]});
+        if (!name.empty())
+            sliders.push_back({name, numbers[0], numbers[1], numbers[2], numbers[3]});
     }
     return sliders;
 }
@@ -136,13 +138,13 @@ private:
         if (group.empty() && !model.text("Name", 0).empty()) model.name = model.text("Name", 0);
         model.sliders = sliders_of(object);
         ImportedDocument document = document_of(model);
-        if (!group.empty())
-            document.note(0, "ParIso", tr("its surfaces are opened one by one"));
+        if (!group.empty()) document.note(0, "ParIso", tr("its surfaces are opened one by one"));
         for (const auto& [other, value] : object.items()) {
             const bool color = other == "Texture" || other == "Pigment";
             if (color) document.note(0, other, tr("colours by formulas are not taken over"));
             if (other == "Sliders" && value.is_object() && value.contains("SetNames"))
-                document.note(0, "Sliders.SetNames", tr("only the first set of positions is taken"));
+                document.note(0, "Sliders.SetNames",
+                              tr("only the first set of positions is taken"));
         }
         imported.documents.push_back(std::move(document));
     }
@@ -159,7 +161,8 @@ ReadImport read_mathmod(std::string_view text) {
     } catch (const Json::parse_error& error) {
         const std::size_t at = std::min(error.byte, strict->size());
         const auto lines = std::ranges::count(strict->substr(0, at), '\n') + 1;
-        return import_error(static_cast<std::size_t>(lines), tr("it is no JSON, as MathMod writes it"));
+        return import_error(static_cast<std::size_t>(lines),
+                            tr("it is no JSON, as MathMod writes it"));
     }
     Collection collection;
     collection.add_all(json);

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-// Scenes of POV-Ray 3.7: their isosurfaces. POV-Ray's axes are left-handed, y is up and z leads into
-// the picture: (x, y, z) there is (x, z, y) here, where z is up. f below the threshold is inside, and
-// what is not open is closed by its container.
+// Scenes of POV-Ray 3.7: their isosurfaces. POV-Ray's axes are left-handed, y is up and z leads
+// into the picture: (x, y, z) there is (x, z, y) here, where z is up. f below the threshold is
+// inside, and what is not open is closed by its container.
 
 namespace zeroset {
 namespace {
@@ -68,9 +68,12 @@ public:
         while (script_.peek().kind != ScriptKind::End)
             item(shown_);
         if (shown_.empty())
-            return import_error(0, tr("it shows no isosurface, which is what is read of scenes of POV-Ray"));
+            return import_error(
+                0, tr("it shows no isosurface, which is what is read of scenes of POV-Ray"));
         add_rows();
-        result_.note(0, "", tr("y is up there and z leads into the picture; here z is up: (x, z, y) in the rows"));
+        result_.note(
+            0, "",
+            tr("y is up there and z leads into the picture; here z is up: (x, z, y) in the rows"));
         Imported imported;
         imported.documents.push_back(std::move(result_));
         return imported;
@@ -98,10 +101,11 @@ private:
 
     /// Reads the object behind its word; nothing where it is of another kind.
     std::optional<Surfaces> object(std::string_view word, std::size_t line) {
-        static constexpr std::array<std::string_view, 5> groups{"union", "merge", "object", "intersection",
-                                                                "difference"};
+        static constexpr std::array<std::string_view, 5> groups{"union", "merge", "object",
+                                                                "intersection", "difference"};
         if (word == "isosurface") return isosurface(line);
-        if (std::ranges::find(groups, word) == groups.end() || depth_ >= deepest) return std::nullopt;
+        if (std::ranges::find(groups, word) == groups.end() || depth_ >= deepest)
+            return std::nullopt;
         if (word == "intersection" || word == "difference")
             result_.note(line, word, tr("its parts are drawn whole, not cut by each other"));
         ++depth_;
@@ -129,7 +133,8 @@ private:
     }
 
     Surfaces isosurface(std::size_t line) {
-        PovSurface surface{.function = {}, .container = {}, .placement = {}, .look = {}, .line = line};
+        PovSurface surface{
+            .function = {}, .container = {}, .placement = {}, .look = {}, .line = line};
         script_.take_sign("{");
         bool complete = false;
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
@@ -199,7 +204,8 @@ private:
     bool modifier(Placement& placement, PovLook& look) {
         const ScriptToken word = script_.peek();
         if (word.kind != ScriptKind::Name) return false;
-        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material", "color"};
+        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material",
+                                                               "color"};
         if (std::ranges::find(looks, word.text) != looks.end()) {
             script_.next();
             read_look(word, look);
@@ -213,8 +219,8 @@ private:
     std::optional<Placement> transformation() {
         const ScriptToken word = script_.peek();
         if (word.text == "transform") return transform();
-        const bool known = word.text == "scale" || word.text == "rotate" || word.text == "translate" ||
-                           word.text == "matrix";
+        const bool known = word.text == "scale" || word.text == "rotate" ||
+                           word.text == "translate" || word.text == "matrix";
         if (word.kind != ScriptKind::Name || !known) return std::nullopt;
         script_.next();
         if (word.text == "matrix") return matrix(word);
@@ -230,7 +236,8 @@ private:
         Placement turned;
         for (int axis = 0; axis < 3; ++axis) {
             if ((*value)[axis] == 0.0) continue;
-            turned = turned.then(Placement::turning(axis, (*value)[axis] * std::numbers::pi / 180.0));
+            turned =
+                turned.then(Placement::turning(axis, (*value)[axis] * std::numbers::pi / 180.0));
         }
         return turned;
     }
@@ -274,8 +281,10 @@ private:
                 ++depth_;
                 const auto step = transformation();
                 --depth_;
-                if (step) result = result.then(*step);
-                else result_.note(word.line, script_.next().text, tr("not taken over"));
+                if (step)
+                    result = result.then(*step);
+                else
+                    result_.note(word.line, script_.next().text, tr("not taken over"));
             } else {
                 script_.next();
             }
@@ -290,10 +299,16 @@ private:
         int open = 1;
         while (open > 0 && script_.peek().kind != ScriptKind::End) {
             const ScriptToken token = script_.peek();
-            if (script_.take_sign("{")) { ++open; continue; }
-            if (script_.take_sign("}")) { --open; continue; }
-            static constexpr std::array<std::string_view, 7> colors{"rgb", "rgbt", "rgbf", "color",
-                                                                    "colour", "srgb", "rgbft"};
+            if (script_.take_sign("{")) {
+                ++open;
+                continue;
+            }
+            if (script_.take_sign("}")) {
+                --open;
+                continue;
+            }
+            static constexpr std::array<std::string_view, 7> colors{
+                "rgb", "rgbt", "rgbf", "color", "colour", "srgb", "rgbft"};
             const auto known = looks_.find(token.text);
             if (token.kind == ScriptKind::Name && known != looks_.end()) {
                 if (!look.color) look = known->second;
@@ -313,7 +328,8 @@ private:
     static void take_color(const std::optional<PovValue>& color, PovLook& look) {
         if (!color || color->size() < 3 || look.color) return;
         look.color = shown_color((*color)[0], (*color)[1], (*color)[2]);
-        const double through = (color->size() > 3 ? (*color)[3] : 0.0) + (color->size() > 4 ? (*color)[4] : 0.0);
+        const double through =
+            (color->size() > 3 ? (*color)[3] : 0.0) + (color->size() > 4 ? (*color)[4] : 0.0);
         if (through > 0.0) look.opacity = std::clamp(1.0 - through, 0.0, 1.0);
     }
 
@@ -333,7 +349,8 @@ private:
             transforms_.insert_or_assign(name, *transform());
             return true;
         }
-        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material", "finish"};
+        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material",
+                                                               "finish"};
         if (std::ranges::find(looks, word.text) != looks.end()) {
             script_.next();
             PovLook look;
@@ -343,8 +360,10 @@ private:
         }
         if (script_.raw().at_sign("{", 1)) {
             script_.next();
-            if (auto parts = object(word.text, word.line)) objects_.insert_or_assign(name, std::move(*parts));
-            else script_.skip_block();
+            if (auto parts = object(word.text, word.line))
+                objects_.insert_or_assign(name, std::move(*parts));
+            else
+                script_.skip_block();
             return true;
         }
         return false;
@@ -356,13 +375,15 @@ private:
         take_color(script_.value(), look);
         script_.take_sign("}");
         if (look.color)
-            result_.document.light.background = Background{.top = *look.color, .bottom = *look.color};
+            result_.document.light.background =
+                Background{.top = *look.color, .bottom = *look.color};
     }
 
     void camera() {
         if (!script_.take_sign("{")) return;
         const std::size_t line = script_.line();
-        glm::dvec3 eye(0.0), target(0.0, 0.0, 1.0), sky(0.0, 1.0, 0.0), right(4.0 / 3.0, 0.0, 0.0), up(0.0, 1.0, 0.0);
+        glm::dvec3 eye(0.0), target(0.0, 0.0, 1.0), sky(0.0, 1.0, 0.0), right(4.0 / 3.0, 0.0, 0.0),
+            up(0.0, 1.0, 0.0);
         double angle = 67.380135;
         bool parallel = false;
         Placement placement;
@@ -387,13 +408,16 @@ private:
         }
         const double half = std::tan(std::clamp(angle, 0.1, 170.0) * std::numbers::pi / 360.0);
         const double ratio = glm::length(right) > 0.0 ? glm::length(up) / glm::length(right) : 1.0;
-        const Camera camera{.eye = swapped(placement.of(eye)),
-                            .look_at = swapped(placement.of(target)),
-                            .up = swapped(placement.linear * sky),
-                            .fov_rad = 2.0 * std::atan(half * ratio),
-                            .projection = parallel ? Projection::Orthographic : Projection::Perspective};
-        if (camera_defect(camera) == nullptr) camera_ = camera;
-        else result_.note(line, "camera", tr("it cannot see anything; it is left out"));
+        const Camera camera{
+            .eye = swapped(placement.of(eye)),
+            .look_at = swapped(placement.of(target)),
+            .up = swapped(placement.linear * sky),
+            .fov_rad = 2.0 * std::atan(half * ratio),
+            .projection = parallel ? Projection::Orthographic : Projection::Perspective};
+        if (camera_defect(camera) == nullptr)
+            camera_ = camera;
+        else
+            result_.note(line, "camera", tr("it cannot see anything; it is left out"));
     }
 
     /// What is 0 on the container and negative in it.
@@ -408,14 +432,17 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             if (container.ball) {
                 const std::string part = moved(axis, container.centre[axis]);
-                text += (axis > 0 ? " + " : "") + (part.size() > 1 ? "(" + part + ")" : part) + "^2";
+                text +=
+                    (axis > 0 ? " + " : "") + (part.size() > 1 ? "(" + part + ")" : part) + "^2";
                 continue;
             }
             const double centre = 0.5 * (container.lo[axis] + container.hi[axis]);
             const double half = 0.5 * (container.hi[axis] - container.lo[axis]);
-            text += (axis > 0 ? ", " : "") + ("abs(" + moved(axis, centre)) + ") - " + exact_number(half, true);
+            text += (axis > 0 ? ", " : "") + ("abs(" + moved(axis, centre)) + ") - " +
+                    exact_number(half, true);
         }
-        return container.ball ? text + " - " + exact_number(container.radius * container.radius) : text;
+        return container.ball ? text + " - " + exact_number(container.radius * container.radius)
+                              : text;
     }
 
     /// Adds the rows of a surface and returns the box that it is in.
@@ -432,12 +459,15 @@ private:
         if (surface.open) {
             const std::string container = surface.container.ball ? limits : "max(" + limits + ")";
             text = surface.function + coordinates + " = " + exact_number(surface.threshold);
-            text += ", " + formulas_.add("container", container, surface.line) + coordinates + " < 0";
+            text +=
+                ", " + formulas_.add("container", container, surface.line) + coordinates + " < 0";
         } else {
             std::string f = surface.function + "(x, y, z)";
             if (surface.threshold != 0.0)
-                f += (surface.threshold < 0.0 ? " + " : " - ") + exact_number(std::abs(surface.threshold));
-            text = formulas_.add("solid", "max(" + f + ", " + limits + ")", surface.line) + coordinates + " = 0";
+                f += (surface.threshold < 0.0 ? " + " : " - ") +
+                     exact_number(std::abs(surface.threshold));
+            text = formulas_.add("solid", "max(" + f + ", " + limits + ")", surface.line) +
+                   coordinates + " = 0";
         }
         result_.add_row(text, surface.line, surface.look.color).opacity = surface.look.opacity;
         return box_of(surface.container, placed);
@@ -459,8 +489,9 @@ private:
     void add_rows() {
         std::optional<Box> all;
         if (shown_.size() > most_surfaces) {
-            result_.note(shown_[most_surfaces].line, "isosurface",
-                         filled(tr("only the first {0} are drawn"), {std::to_string(most_surfaces)}));
+            result_.note(
+                shown_[most_surfaces].line, "isosurface",
+                filled(tr("only the first {0} are drawn"), {std::to_string(most_surfaces)}));
             shown_.resize(most_surfaces);
         }
         for (const PovSurface& surface : shown_) {

@@ -44,13 +44,13 @@ std::optional<std::string> PovFormulas::read(std::string_view wanted) {
     auto term = read_term(script_.raw(), {});
     if (!term) return refused(filled(tr("{0}; it is left out"), {term.error().reason}));
     if (!script_.take_sign("}")) {
-        return refused(filled(tr("'{0}' does not continue the formula"),
-                              {script_.peek().text.substr(0, 20)}));
+        return refused(
+            filled(tr("'{0}' does not continue the formula"), {script_.peek().text.substr(0, 20)}));
     }
     // A call of a known function alone needs no row of its own.
-    const bool plain = wanted.empty() && term->kind == TermKind::Call && term->operands.size() == 3 &&
-                       text_of(term->operands[0]) == "x" && text_of(term->operands[1]) == "y" &&
-                       text_of(term->operands[2]) == "z";
+    const bool plain = wanted.empty() && term->kind == TermKind::Call &&
+                       term->operands.size() == 3 && text_of(term->operands[0]) == "x" &&
+                       text_of(term->operands[1]) == "y" && text_of(term->operands[2]) == "z";
     if (plain) {
         if (auto own = find(term->text)) return own;
     }
@@ -71,7 +71,8 @@ std::optional<std::string> PovFormulas::find(std::string_view name) const {
     return found->second;
 }
 
-std::string PovFormulas::add(std::string_view wanted, const std::string& formula, std::size_t line) {
+std::string PovFormulas::add(std::string_view wanted, const std::string& formula,
+                             std::size_t line) {
     const std::string own = names_.fresh(wanted);
     result_.add_definition(own + "(x, y, z) = " + formula, line);
     return own;
@@ -90,7 +91,8 @@ void PovFormulas::translate_call(Term& call) {
         call.text = *own;
         return;
     }
-    const auto* const other = std::ranges::find(renamed, call.text, [](const auto& r) { return r.first; });
+    const auto* const other =
+        std::ranges::find(renamed, call.text, [](const auto& r) { return r.first; });
     if (other != renamed.end()) {
         call.text = other->second;
     } else if (call.text == "sqr" && call.operands.size() == 1) {
@@ -114,7 +116,8 @@ void PovFormulas::translate_name(Term& name, const std::vector<std::string>& par
     if (std::ranges::find(parameters, name.text) != parameters.end()) return;
     const auto value = script_.value_of(name.text);
     if (!value || name.text == "pi" || pov_constant(name.text)) {
-        if (value && name.text != "pi" && value->size() == 1) name = number_term((*value)[0], name.line);
+        if (value && name.text != "pi" && value->size() == 1)
+            name = number_term((*value)[0], name.line);
         return;
     }
     if (value->size() != 1) {

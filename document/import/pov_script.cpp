@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_steps = 200'000;
 constexpr int deepest = 100;
-constexpr std::array<std::string_view, 7> openers{"if", "ifdef", "ifndef", "while",
+constexpr std::array<std::string_view, 7> openers{"if",  "ifdef",  "ifndef", "while",
                                                   "for", "switch", "macro"};
 /// Files of POV-Ray's own whose functions, constants and colours are known.
 constexpr std::array<std::string_view, 5> known_files{"functions.inc", "colors.inc", "math.inc",
@@ -160,8 +160,10 @@ void PovScript::begin_if(bool holds) {
 }
 
 void PovScript::begin_while(std::size_t begin) {
-    if (condition()) blocks_.push_back({.kind = Block::Kind::While, .begin = begin});
-    else skip_to({});
+    if (condition())
+        blocks_.push_back({.kind = Block::Kind::While, .begin = begin});
+    else
+        skip_to({});
 }
 
 void PovScript::begin_for() {
@@ -176,7 +178,8 @@ void PovScript::begin_for() {
     }
     tokens_.take_sign(")");
     values_.insert_or_assign(name, PovValue{numbers[0]});
-    const bool runs = numbers[2] > 0.0 ? numbers[0] <= numbers[1] : numbers[2] < 0.0 && numbers[0] >= numbers[1];
+    const bool runs =
+        numbers[2] > 0.0 ? numbers[0] <= numbers[1] : numbers[2] < 0.0 && numbers[0] >= numbers[1];
     if (!runs) {
         skip_to({});
         return;
@@ -241,7 +244,8 @@ bool PovScript::condition() {
 
 std::optional<PovValue> PovScript::compared() {
     auto result = sum();
-    constexpr std::array<std::string_view, 9> signs{"<", ">", "<=", ">=", "=", "==", "!=", "&", "|"};
+    constexpr std::array<std::string_view, 9> signs{"<",  ">",  "<=", ">=", "=",
+                                                    "==", "!=", "&",  "|"};
     while (result && peek().kind == ScriptKind::Sign && is_one_of(signs, peek().text)) {
         const std::string_view sign = next().text;
         const bool joins = sign == "&" || sign == "|";
@@ -348,8 +352,8 @@ std::optional<PovValue> PovScript::vector() {
 
 std::optional<PovValue> PovScript::named() {
     const std::string name(next().text);
-    static constexpr std::array<std::string_view, 9> colors{"rgb",  "rgbf",  "rgbt",  "rgbft", "srgb",
-                                                            "color", "colour", "srgbf", "srgbt"};
+    static constexpr std::array<std::string_view, 9> colors{
+        "rgb", "rgbf", "rgbt", "rgbft", "srgb", "color", "colour", "srgbf", "srgbt"};
     if (is_one_of(colors, name)) {
         auto color = sum();
         if (!color) return std::nullopt;

@@ -28,7 +28,9 @@ double joined(double a, char sign, double b) {
 }
 
 glm::dvec3 vector_of(const PovValue& value) {
-    const auto at = [&](std::size_t i) { return value.size() == 1 ? value[0] : i < value.size() ? value[i] : 0.0; };
+    const auto at = [&](std::size_t i) {
+        return value.size() == 1 ? value[0] : i < value.size() ? value[i] : 0.0;
+    };
     return {at(0), at(1), at(2)};
 }
 
@@ -82,24 +84,46 @@ std::optional<PovValue> pov_function(std::string_view name, std::span<const PovV
 }
 
 std::optional<PovValue> pov_constant(std::string_view name) {
-    static const std::array constants{
-        Constant{"pi", {std::numbers::pi}}, Constant{"tau", {2.0 * std::numbers::pi}},
-        Constant{"true", {1}}, Constant{"on", {1}}, Constant{"yes", {1}}, Constant{"false", {0}},
-        Constant{"off", {0}}, Constant{"no", {0}}, Constant{"clock", {0}},
-        Constant{"clock_delta", {1}}, Constant{"frame_number", {1}}, Constant{"version", {3.7}},
-        Constant{"image_width", {1}}, Constant{"image_height", {1}}, Constant{"x", {1, 0, 0}},
-        Constant{"y", {0, 1, 0}}, Constant{"z", {0, 0, 1}}, Constant{"u", {1, 0}},
-        Constant{"v", {0, 1}}, Constant{"t", {0, 0, 0, 1}}, Constant{"White", {1, 1, 1}},
-        Constant{"Black", {0, 0, 0}}, Constant{"Red", {1, 0, 0}}, Constant{"Green", {0, 1, 0}},
-        Constant{"Blue", {0, 0, 1}}, Constant{"Yellow", {1, 1, 0}}, Constant{"Cyan", {0, 1, 1}},
-        Constant{"Magenta", {1, 0, 1}}, Constant{"Clear", {1, 1, 1, 1}},
-        Constant{"Gray", {0.752941, 0.752941, 0.752941}},
-        Constant{"Grey", {0.752941, 0.752941, 0.752941}},
-        Constant{"Orange", {1, 0.5, 0}}, Constant{"Gold", {0.8, 0.498039, 0.196078}},
-        Constant{"Silver", {0.90, 0.91, 0.98}}, Constant{"Brown", {0.647059, 0.164706, 0.164706}},
-        Constant{"Pink", {0.737255, 0.560784, 0.560784}},
-        Constant{"SkyBlue", {0.196078, 0.6, 0.8}}, Constant{"Violet", {0.309804, 0.184314, 0.309804}},
-        Constant{"Copper", {0.72, 0.45, 0.20}}, Constant{"Navy", {0.137255, 0.137255, 0.556863}}};
+    static const std::array constants{Constant{"pi", {std::numbers::pi}},
+                                      Constant{"tau", {2.0 * std::numbers::pi}},
+                                      Constant{"true", {1}},
+                                      Constant{"on", {1}},
+                                      Constant{"yes", {1}},
+                                      Constant{"false", {0}},
+                                      Constant{"off", {0}},
+                                      Constant{"no", {0}},
+                                      Constant{"clock", {0}},
+                                      Constant{"clock_delta", {1}},
+                                      Constant{"frame_number", {1}},
+                                      Constant{"version", {3.7}},
+                                      Constant{"image_width", {1}},
+                                      Constant{"image_height", {1}},
+                                      Constant{"x", {1, 0, 0}},
+                                      Constant{"y", {0, 1, 0}},
+                                      Constant{"z", {0, 0, 1}},
+                                      Constant{"u", {1, 0}},
+                                      Constant{"v", {0, 1}},
+                                      Constant{"t", {0, 0, 0, 1}},
+                                      Constant{"White", {1, 1, 1}},
+                                      Constant{"Black", {0, 0, 0}},
+                                      Constant{"Red", {1, 0, 0}},
+                                      Constant{"Green", {0, 1, 0}},
+                                      Constant{"Blue", {0, 0, 1}},
+                                      Constant{"Yellow", {1, 1, 0}},
+                                      Constant{"Cyan", {0, 1, 1}},
+                                      Constant{"Magenta", {1, 0, 1}},
+                                      Constant{"Clear", {1, 1, 1, 1}},
+                                      Constant{"Gray", {0.752941, 0.752941, 0.752941}},
+                                      Constant{"Grey", {0.752941, 0.752941, 0.752941}},
+                                      Constant{"Orange", {1, 0.5, 0}},
+                                      Constant{"Gold", {0.8, 0.498039, 0.196078}},
+                                      Constant{"Silver", {0.90, 0.91, 0.98}},
+                                      Constant{"Brown", {0.647059, 0.164706, 0.164706}},
+                                      Constant{"Pink", {0.737255, 0.560784, 0.560784}},
+                                      Constant{"SkyBlue", {0.196078, 0.6, 0.8}},
+                                      Constant{"Violet", {0.309804, 0.184314, 0.309804}},
+                                      Constant{"Copper", {0.72, 0.45, 0.20}},
+                                      Constant{"Navy", {0.137255, 0.137255, 0.556863}}};
     // Gray05 to Gray95 are shades in percent.
     if (name.size() == 6 && (name.starts_with("Gray") || name.starts_with("Grey"))) {
         const double shade = (name[4] - '0') / 10.0 + (name[5] - '0') / 100.0;

@@ -69,7 +69,8 @@ std::optional<double> real_function(std::string_view name, std::span<const doubl
         const auto* found = std::ranges::find(of_two, name, &OfTwo::name);
         if (found != of_two.end()) return found->function(arguments[0], arguments[1]);
     }
-    if (arguments.size() == 3 && name == "if") return arguments[0] != 0 ? arguments[1] : arguments[2];
+    if (arguments.size() == 3 && name == "if")
+        return arguments[0] != 0 ? arguments[1] : arguments[2];
     return std::nullopt;
 }
 

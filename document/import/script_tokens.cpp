@@ -84,10 +84,8 @@ private:
     }
 
     ScriptToken cut(ScriptKind kind, std::size_t end) {
-        const ScriptToken token{.kind = kind,
-                                .text = text_.substr(at_, end - at_),
-                                .line = line_,
-                                .offset = at_};
+        const ScriptToken token{
+            .kind = kind, .text = text_.substr(at_, end - at_), .line = line_, .offset = at_};
         at_ = end;
         return token;
     }

@@ -27,10 +27,18 @@ struct Polynomial {
 };
 
 /// Words that do not change what the picture shows.
-constexpr std::array<std::string_view, 12> without_effect{
-    "width",     "height", "filename", "root_finder", "epsilon", "iterations",
-    "clear_screen", "set_size", "antialiasing", "antialiasing_threshold", "antialiasing_radius",
-    "color_file_format"};
+constexpr std::array<std::string_view, 12> without_effect{"width",
+                                                          "height",
+                                                          "filename",
+                                                          "root_finder",
+                                                          "epsilon",
+                                                          "iterations",
+                                                          "clear_screen",
+                                                          "set_size",
+                                                          "antialiasing",
+                                                          "antialiasing_threshold",
+                                                          "antialiasing_radius",
+                                                          "color_file_format"};
 
 class SurfReader {
 public:
@@ -45,8 +53,9 @@ public:
             draw(0);
         }
         if (imported_.documents.empty()) {
-            return import_error(0, saw_curve_ ? tr("it draws plane curves only, no surface")
-                                              : tr("it has no draw_surface, as a script of surf has"));
+            return import_error(0, saw_curve_
+                                       ? tr("it draws plane curves only, no surface")
+                                       : tr("it has no draw_surface, as a script of surf has"));
         }
         return std::move(imported_);
     }
@@ -95,16 +104,20 @@ private:
         if (is_text || name == "filename" || tokens_.peek().kind == ScriptKind::Text) return;
         auto term = read_term(tokens_, surf_dialect);
         if (!term || !tokens_.at_sign(";")) {
-            note(line, name, term ? tr("its value cannot be read; it is left out")
-                                  : filled(tr("{0}; it is left out"), {term.error().reason}));
+            note(line, name,
+                 term ? tr("its value cannot be read; it is left out")
+                      : filled(tr("{0}; it is left out"), {term.error().reason}));
             return;
         }
         if (const auto value = number_of(*term)) {
             numbers_[name] = *value;
             polynomials_of_.erase(name);
-            if (is_surface(name)) assign_polynomial(name, number_term(*value, line), line);
-            else if (view_.knows(name)) set_lines_[name] = line;
-            else if (!is_own_number(name)) note_setting(name, line);
+            if (is_surface(name))
+                assign_polynomial(name, number_term(*value, line), line);
+            else if (view_.knows(name))
+                set_lines_[name] = line;
+            else if (!is_own_number(name))
+                note_setting(name, line);
         } else {
             assign_polynomial(name, std::move(*term), line);
         }
@@ -112,12 +125,32 @@ private:
 
     /// Whether a number of this name is the script's own, or one that a document is made of.
     [[nodiscard]] bool is_own_number(std::string_view name) const {
-        static constexpr std::array<std::string_view, 26> others{
-            "ambient", "diffuse", "reflected", "transmitted", "smoothness", "thickness",
-            "illumination", "depth_cueing", "depth_value", "depth", "stereo_eye", "stereo_z",
-            "normalize", "normalize_factor", "normalize_brightness", "curve_red", "curve_green",
-            "curve_blue", "curve_width", "curve_gamma", "dither_colors", "dither_steps",
-            "optimize_colors", "gamma", "dither_file_format", "surf_nr"};
+        static constexpr std::array<std::string_view, 26> others{"ambient",
+                                                                 "diffuse",
+                                                                 "reflected",
+                                                                 "transmitted",
+                                                                 "smoothness",
+                                                                 "thickness",
+                                                                 "illumination",
+                                                                 "depth_cueing",
+                                                                 "depth_value",
+                                                                 "depth",
+                                                                 "stereo_eye",
+                                                                 "stereo_z",
+                                                                 "normalize",
+                                                                 "normalize_factor",
+                                                                 "normalize_brightness",
+                                                                 "curve_red",
+                                                                 "curve_green",
+                                                                 "curve_blue",
+                                                                 "curve_width",
+                                                                 "curve_gamma",
+                                                                 "dither_colors",
+                                                                 "dither_steps",
+                                                                 "optimize_colors",
+                                                                 "gamma",
+                                                                 "dither_file_format",
+                                                                 "surf_nr"};
         while (!name.empty() && name.back() >= '0' && name.back() <= '9')
             name.remove_suffix(1);
         return std::ranges::find(others, name) == others.end();
@@ -183,7 +216,9 @@ private:
         }
         const auto angle = number_of(part.operands[1]);
         const std::string& axis = part.operands[2].text;
-        if (!angle || !axis.ends_with("Axis") || axis.size() != 5) {
+        const bool is_axis =
+            axis.size() == 5 && axis.ends_with("Axis") && axis[0] >= 'x' && axis[0] <= 'z';
+        if (!angle || !is_axis) {
             wrong = "rotate()";
             return;
         }
@@ -217,7 +252,8 @@ private:
         if (name == "draw_surface") return draw(line);
         if (name == "draw_curve") saw_curve_ = true;
         if (std::ranges::find(without_effect, name) != without_effect.end()) return;
-        if (name.starts_with("save_") || name.starts_with("dither_") || name == "clear_pixmap") return;
+        if (name.starts_with("save_") || name.starts_with("dither_") || name == "clear_pixmap")
+            return;
         note(line, name, tr("not taken over"));
     }
 
@@ -246,9 +282,8 @@ private:
             const auto& inner = polynomials_.at(name).uses;
             open.insert(open.end(), inner.begin(), inner.end());
         }
-        std::ranges::stable_sort(needed, {}, [this](const std::string& name) {
-            return polynomials_.at(name).line;
-        });
+        std::ranges::stable_sort(
+            needed, {}, [this](const std::string& name) { return polynomials_.at(name).line; });
         for (const std::string& name : needed) {
             drawn.add_definition(polynomials_.at(name).row, polynomials_.at(name).line);
             done.insert(name);
@@ -256,13 +291,13 @@ private:
     }
 
     void draw(std::size_t line) {
-        if (terms_.empty()) return note(line, "draw_surface", tr("no surface has been named before"));
+        if (terms_.empty())
+            return note(line, "draw_surface", tr("no surface has been named before"));
         if (imported_.documents.size() == most_imported) return;
         ImportedDocument drawn{.name = {}};
         drawn.notes = notes_;
-        const SurfView view = view_.of([this](const std::string& name, double otherwise) {
-            return setting(name, otherwise);
-        });
+        const SurfView view = view_.of(
+            [this](const std::string& name, double otherwise) { return setting(name, otherwise); });
         apply(view, drawn, set_lines_);
         std::set<std::string> done;
         for (const auto& [name, polynomial] : terms_) {
@@ -270,7 +305,8 @@ private:
             add_polynomials(drawn, polynomial.uses, done);
             std::string text = polynomial.row;
             if (view.substituted) {
-                const std::string function = names_.fresh("surface_" + (number.empty() ? "1" : number));
+                const std::string function =
+                    names_.fresh("surface_" + (number.empty() ? "1" : number));
                 drawn.add_definition(function + "(x, y, z) = " + text, polynomial.line);
                 text = function + "(" + coordinates_of(*view.substituted) + ")";
             }
@@ -292,7 +328,8 @@ private:
     }
 
     void add_light(ImportedDocument& drawn) {
-        if (constant("background_red") || constant("background_green") || constant("background_blue")) {
+        if (constant("background_red") || constant("background_green") ||
+            constant("background_blue")) {
             const auto background = color("background", 0);
             drawn.document.light.background = Background{.top = background, .bottom = background};
         }

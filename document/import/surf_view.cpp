@@ -15,18 +15,36 @@ constexpr int clip_ball = 0;
 constexpr int clip_cube = 4;
 
 constexpr std::array<std::pair<std::string_view, double>, 23> constants{{
-    {"parallel", 0},  {"central", 1},        {"translate", 0},       {"rotate", 1},
-    {"scale", 2},     {"ball", clip_ball},   {"sphere", clip_ball},  {"cylinder_xaxis", 1},
-    {"cylinder_yaxis", 2}, {"cylinder_zaxis", 3}, {"cube", clip_cube}, {"none", 5},
-    {"yes", 1},       {"no", 0},             {"ambient_light", 1},   {"diffuse_light", 2},
-    {"reflected_light", 4}, {"transmitted_light", 8}, {"tetrahedron", 6}, {"octahedron", 7},
-    {"dodecahedron", 8}, {"icosahedron", 9}, {"postscript", 0},
+    {"parallel", 0},
+    {"central", 1},
+    {"translate", 0},
+    {"rotate", 1},
+    {"scale", 2},
+    {"ball", clip_ball},
+    {"sphere", clip_ball},
+    {"cylinder_xaxis", 1},
+    {"cylinder_yaxis", 2},
+    {"cylinder_zaxis", 3},
+    {"cube", clip_cube},
+    {"none", 5},
+    {"yes", 1},
+    {"no", 0},
+    {"ambient_light", 1},
+    {"diffuse_light", 2},
+    {"reflected_light", 4},
+    {"transmitted_light", 8},
+    {"tetrahedron", 6},
+    {"octahedron", 7},
+    {"dodecahedron", 8},
+    {"icosahedron", 9},
+    {"postscript", 0},
 }};
 
 constexpr std::array<std::string_view, 22> names{
-    "origin_x", "origin_y", "origin_z", "rot_x",   "rot_y",   "rot_z",    "scale_x",   "scale_y",
-    "scale_z",  "spec_z",   "first",    "second",  "third",   "radius",   "clip",      "clip_front",
-    "clip_back", "center_x", "center_y", "center_z", "perspective", "scale"};
+    "origin_x", "origin_y", "origin_z",    "rot_x",      "rot_y",     "rot_z",
+    "scale_x",  "scale_y",  "scale_z",     "spec_z",     "first",     "second",
+    "third",    "radius",   "clip",        "clip_front", "clip_back", "center_x",
+    "center_y", "center_z", "perspective", "scale"};
 
 glm::dvec3 vector_of(const SurfViewNames::Setting& setting, const std::string& stem, double usual) {
     return {setting(stem + "_x", usual), setting(stem + "_y", usual), setting(stem + "_z", usual)};
@@ -37,7 +55,9 @@ Placement action(int which, const SurfViewNames::Setting& setting) {
     if (which == 0) return Placement::moving(vector_of(setting, "origin", 0.0));
     if (which == 2) return Placement::scaling(1.0 / vector_of(setting, "scale", 1.0));
     const glm::dvec3 angles = vector_of(setting, "rot", 0.0);
-    return surf_turning(1, angles.y).then(surf_turning(0, angles.x)).then(surf_turning(2, angles.z));
+    return surf_turning(1, angles.y)
+        .then(surf_turning(0, angles.x))
+        .then(surf_turning(2, angles.z));
 }
 
 /// The half-space dot(normal, p) <= offset of the view, in the document's coordinates.
@@ -49,7 +69,8 @@ Section section_in(const Placement& from_view, const glm::dvec3& normal, double 
 }  // namespace
 
 std::optional<double> surf_constant(std::string_view name) {
-    const auto* const found = std::ranges::find(constants, name, [](const auto& c) { return c.first; });
+    const auto* const found =
+        std::ranges::find(constants, name, [](const auto& c) { return c.first; });
     if (found == constants.end()) return std::nullopt;
     return found->second;
 }
@@ -76,7 +97,8 @@ SurfView SurfViewNames::of(const Setting& setting) const {
     const double width = setting("width", 200.0);
     const double height = setting("height", 200.0);
     if (width > 0.0 && height > 0.0) view.half_height = 10.0 * height / std::min(width, height);
-    if (setting("perspective", 0.0) == 1.0) view.distance = std::max(1e-3, setting("spec_z", 100.0));
+    if (setting("perspective", 0.0) == 1.0)
+        view.distance = std::max(1e-3, setting("spec_z", 100.0));
     return view;
 }
 

@@ -31,7 +31,8 @@ std::expected<std::string, std::string> model_of(std::string_view bytes) {
     zip_error_t error{};
     zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
     if (source == nullptr) return std::unexpected(tr("it is no package of 3MF"));
-    const std::unique_ptr<zip_t, ZipClosed> archive(zip_open_from_source(source, ZIP_RDONLY, &error));
+    const std::unique_ptr<zip_t, ZipClosed> archive(
+        zip_open_from_source(source, ZIP_RDONLY, &error));
     if (!archive) {
         zip_source_free(source);
         return std::unexpected(tr("it is no package of 3MF"));
@@ -88,7 +89,9 @@ public:
                 if (local_name(part) == "build") build(part);
             }
         }
-        if (!all_) return import_error(0, tr("it has no level set of an implicit function; its meshes are not read"));
+        if (!all_)
+            return import_error(
+                0, tr("it has no level set of an implicit function; its meshes are not read"));
         result_.document.clip = scaled(*all_, 1.02);
         result_.tells_box = true;
         Imported imported;
@@ -100,8 +103,10 @@ private:
     void add_resources(const pugi::xml_node& resources) {
         for (const pugi::xml_node& resource : resources.children()) {
             const std::string_view kind = local_name(resource);
-            if (kind == "implicitfunction") functions_.add_function(resource);
-            else if (kind == "object") objects_.insert_or_assign(resource.attribute("id").value(), resource);
+            if (kind == "implicitfunction")
+                functions_.add_function(resource);
+            else if (kind == "object")
+                objects_.insert_or_assign(resource.attribute("id").value(), resource);
             else if (resource.type() == pugi::node_element)
                 result_.note(0, kind, tr("not taken over"));
         }
@@ -110,7 +115,8 @@ private:
     void build(const pugi::xml_node& items) {
         for (const pugi::xml_node& item : items.children()) {
             const auto placement = placement_of(item.attribute("transform").value());
-            if (!placement) result_.note(0, "build/item", tr("its transform is no matrix; it is left out"));
+            if (!placement)
+                result_.note(0, "build/item", tr("its transform is no matrix; it is left out"));
             add_object(item.attribute("objectid").value(), placement.value_or(Placement{}), 0);
         }
     }
@@ -140,7 +146,8 @@ private:
             for (const pugi::xml_node& list : mesh.children()) {
                 for (const pugi::xml_node& vertex : list.children()) {
                     if (local_name(vertex) != "vertex") continue;
-                    const glm::dvec3 at(vertex.attribute("x").as_double(), vertex.attribute("y").as_double(),
+                    const glm::dvec3 at(vertex.attribute("x").as_double(),
+                                        vertex.attribute("y").as_double(),
                                         vertex.attribute("z").as_double());
                     if (!box) box = Box{.lo = at, .hi = at};
                     box->lo = glm::min(box->lo, at);
@@ -151,20 +158,23 @@ private:
         return box;
     }
 
-    void add_level_set(const pugi::xml_node& set, const Placement& placement, const std::string& entry) {
+    void add_level_set(const pugi::xml_node& set, const Placement& placement,
+                       const std::string& entry) {
         const auto to_field = placement_of(set.attribute("transform").value());
         const auto back = placement.inverse();
         const auto box = box_of_mesh(set.attribute("meshid").value());
         if (!to_field || !back || !box) {
-            result_.note(0, entry, tr("it has no mesh that bounds it, or a transform that is no matrix; it is left out"));
+            result_.note(0, entry,
+                         tr("it has no mesh that bounds it, or a transform that is no matrix; it "
+                            "is left out"));
             return;
         }
         if (!set.attribute("meshbboxonly").as_bool())
             result_.note(0, entry, tr("it is cut by its mesh's box, not by the mesh"));
         const GraphValue inside = named_coordinates(*back);
-        const auto f = functions_.output(set.attribute("functionid").value(),
-                                         set.attribute("channel").value(),
-                                         named_coordinates(back->then(*to_field)));
+        const auto f =
+            functions_.output(set.attribute("functionid").value(), set.attribute("channel").value(),
+                              named_coordinates(back->then(*to_field)));
         if (!f) {
             result_.note(0, entry, filled(tr("{0}; it is left out"), {f.error()}));
             return;

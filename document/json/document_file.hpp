@@ -27,8 +27,8 @@ struct LoadedDocument {
     bool is_source = false;
 };
 
-/// The document in a file, in a PNG of ours or in another program's file, or why there is none, as a predicate: "cannot open
-/// 'a.json': ...". The file is only read.
+/// The document in a file, in a PNG of ours or in another program's file, or why there is none, as
+/// a predicate: "cannot open 'a.json': ...". The file is only read.
 std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
 
 /// Whether a file is a PNG of this size that holds just this document.

@@ -40,7 +40,8 @@ bool is_offered(const FileChoice& choice, const std::string& name) {
 std::vector<Entry> entries_of(const FileChoice& choice) {
     std::vector<Entry> entries;
     std::error_code error;
-    for (fs::directory_iterator at(choice.folder, error), end; !error && at != end; at.increment(error)) {
+    for (fs::directory_iterator at(choice.folder, error), end; !error && at != end;
+         at.increment(error)) {
         std::error_code ignored;
         const std::string name = at->path().filename().string();
         const bool is_folder = at->is_directory(ignored);

@@ -44,9 +44,8 @@ double value(const ImportedDocument& imported, std::size_t surface, double x, do
 }
 
 bool has_note(const ImportedDocument& imported, std::string_view entry) {
-    return std::ranges::any_of(imported.notes, [entry](const ImportNote& note) {
-        return note.entry.contains(entry);
-    });
+    return std::ranges::any_of(
+        imported.notes, [entry](const ImportNote& note) { return note.entry.contains(entry); });
 }
 
 TEST(Imports, FormatsAreFoundByName) {
@@ -139,7 +138,8 @@ TEST(Imports, MathModModels) {
     EXPECT_EQ(helicoid.document.statements.back().text,
               "(u*cos(v), u*sin(v), v), 0 < u < 1, 0 < v < 2*pi");
     const ImportedDocument& waves = imported.documents[2];
-    EXPECT_NEAR(value(waves, 0, 0.5, 1.0, 2.0), std::cos(0.5) + std::cos(1.0) + std::cos(2.0), 1e-12);
+    EXPECT_NEAR(value(waves, 0, 0.5, 1.0, 2.0), std::cos(0.5) + std::cos(1.0) + std::cos(2.0),
+                1e-12);
 }
 
 TEST(Imports, K3dSurfEquations) {
@@ -204,9 +204,10 @@ TEST(Imports, PovScenePlacesItsSurfaces) {
 }
 
 TEST(Imports, PovTurnsAxisByAxis) {
-    const Imported imported = read(
-        "a.pov", "isosurface { function { x - 2*y + 3*z } open contained_by { sphere { 0, 9 } } "
-                 "scale <1, 2, 1> rotate <90, 0, 90> translate <1, 0, 0> }");
+    const Imported imported =
+        read("a.pov",
+             "isosurface { function { x - 2*y + 3*z } open contained_by { sphere { 0, 9 } } "
+             "scale <1, 2, 1> rotate <90, 0, 90> translate <1, 0, 0> }");
     const ImportedDocument& plane = imported.documents[0];
     // The object's (1, 2, 1): scaled (1, 4, 1), turned about x (1, -1, 4), about z (1, 1, 4), moved
     // (2, 1, 4), which is (2, 4, 1) here.
@@ -218,8 +219,9 @@ TEST(Imports, PovTurnsAxisByAxis) {
 }
 
 TEST(Imports, RowsThatTheLanguageRefusesBecomeRemarks) {
-    const Imported imported = read(
-        "a.pov", "isosurface { function { x + f_noise3d(x, y, z) } }\nisosurface { function { y } }");
+    const Imported imported =
+        read("a.pov",
+             "isosurface { function { x + f_noise3d(x, y, z) } }\nisosurface { function { y } }");
     const ImportedDocument& half = imported.documents[0];
     EXPECT_EQ(half.refusal, "");
     EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_noise3d"));
@@ -231,22 +233,31 @@ TEST(Imports, RowsThatTheLanguageRefusesBecomeRemarks) {
 }
 
 TEST(Imports, ConstantsAreNoSurfaces) {
-    const Imported imported = read(
-        "a.js", R"({"Iso3D": {"Const": ["r=2"], "Fxyz": ["x"], "Xmin": ["-1"], "Xmax": ["1"],
-                   "Ymin": ["-1"], "Ymax": ["1"], "Zmin": ["-1"], "Zmax": ["1"]}})");
+    const Imported imported =
+        read("a.js", R"js({"Iso3D": {"Const": ["r=2"], "Fxyz": ["x"], "Xmin": ["-1"], "Xmax": ["1"],
+                   "Ymin": ["-1"], "Ymax": ["1"], "Zmin": ["-1"], "Zmax": ["1"]}})js");
     const auto rows = read_rows(imported.documents[0].document);
     ASSERT_TRUE(rows);
     EXPECT_EQ(rows->program->surfaces.size(), 1U);
 }
 
 TEST(Imports, WrongFilesSayWhatIsMissing) {
-    for (const auto& [file, bytes] : std::vector<std::pair<std::string, std::string>>{
-             {"a.jsurf", "x=1"},          {"a.jsurf", ""},           {"a.pic", "curve=x; draw_curve;"},
-             {"a.pic", "\xFF\x00\x01"},   {"a.js", "var a = 1;"},    {"a.js", "{}"},
-             {"a.js", std::string(1'000'000, '[')},                  {"a.k3ds", "hello"},
-             {"a.vm", "x^2 = 1"},         {"a.vm", ""},              {"a.toml", "[a"},
-             {"a.toml", "a = '''"},       {"a.pov", "sphere { 0, 1 }"},
-             {"a.pov", "#while (1) #end"}, {"a.pov", std::string(100'000, '{')}}) {
+    for (const auto& [file, bytes] :
+         std::vector<std::pair<std::string, std::string>>{{"a.jsurf", "x=1"},
+                                                          {"a.jsurf", ""},
+                                                          {"a.pic", "curve=x; draw_curve;"},
+                                                          {"a.pic", "\xFF\x00\x01"},
+                                                          {"a.js", "var a = 1;"},
+                                                          {"a.js", "{}"},
+                                                          {"a.js", std::string(1'000'000, '[')},
+                                                          {"a.k3ds", "hello"},
+                                                          {"a.vm", "x^2 = 1"},
+                                                          {"a.vm", ""},
+                                                          {"a.toml", "[a"},
+                                                          {"a.toml", "a = '''"},
+                                                          {"a.pov", "sphere { 0, 1 }"},
+                                                          {"a.pov", "#while (1) #end"},
+                                                          {"a.pov", std::string(100'000, '{')}}) {
         const auto imported = read_import(file, bytes);
         ASSERT_FALSE(imported) << file << ": " << bytes.substr(0, 30);
         EXPECT_FALSE(imported.error().empty());

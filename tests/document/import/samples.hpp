@@ -43,7 +43,7 @@ clear_screen;
 draw_surface;
 )";
 
-inline constexpr std::string_view mathmod_model = R"({"MathModels": [
+inline constexpr std::string_view mathmod_model = R"js({"MathModels": [
  {"Iso3D": {"Name": ["Two parts"], "Component": ["a", "b"],
    "Const": ["N=2", "r=0DOTSYMBOL5"],
    "Funct": ["Ball=x^2+y^2+z^2-r^2", "Shift=Ball(x-N*r,y,z,t)"],
@@ -58,7 +58,7 @@ inline constexpr std::string_view mathmod_model = R"({"MathModels": [
  {"Iso3D": {"Name": ["Waves"], "Component": ["w"], "Varu": ["C=cos(u)"],
    "Fxyz": ["Cx + Cy + Cz"],
    "Xmin": ["-4"], "Xmax": ["4"], "Ymin": ["-4"], "Ymax": ["4"], "Zmin": ["-4"], "Zmax": ["4"]}}
-]})";
+]})js";
 
 inline constexpr std::string_view k3ds_equations = R"(/* two equations */
 Name: Chair

@@ -5,7 +5,6 @@
 #include "tests/support/mpfr_number.hpp"
 
 #include <gtest/gtest.h>
-
 #include <zip.h>
 
 #include <random>
@@ -34,8 +33,8 @@ std::string package(const std::string& model) {
     return bytes;
 }
 
-/// A sphere of radius 3 about (1, 0, 0), by a call of a function with a radius; in a box of [-4, 4]^3
-/// that the build moves by (10, 0, 0).
+/// A sphere of radius 3 about (1, 0, 0), by a call of a function with a radius; in a box of [-4,
+/// 4]^3 that the build moves by (10, 0, 0).
 const std::string sphere_model = R"(<?xml version="1.0"?>
 <model xmlns="core" xmlns:v="volumetric" xmlns:i="implicit">
 <resources>
@@ -101,11 +100,12 @@ TEST(ThreeMf, DamagedPackagesEnd) {
     const std::string whole = package(sphere_model);
     std::mt19937 random(7);
     for (int round = 0; round < 200; ++round) {
-        std::string bytes = whole.substr(0, round % 2 == 0 ? random() % whole.size() : whole.size());
+        std::string bytes =
+            whole.substr(0, round % 2 == 0 ? random() % whole.size() : whole.size());
         for (int i = 0; i < 3 && !bytes.empty(); ++i)
             bytes[random() % bytes.size()] = static_cast<char>(random());
         const auto imported = import_format("a.3mf")->read(bytes);
-        if (!imported) EXPECT_FALSE(imported.error().empty());
+        EXPECT_TRUE(imported || !imported.error().empty());
     }
 }
 
