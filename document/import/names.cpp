@@ -11,6 +11,9 @@ bool can_be_defined(const std::string& name) {
     return program && program->parameters.empty();
 }
 
+constexpr std::size_t longest_stem = 60;
+constexpr int most_tries = 20;
+
 bool is_coordinate(std::string_view name) {
     return name == "x" || name == "y" || name == "z" || name == "w" || name == "t";
 }
@@ -24,11 +27,16 @@ bool can_have_slider(std::string_view name) {
 }
 
 std::string ImportedNames::fresh(std::string_view wanted) {
+    const auto is_free = [this](const std::string& name) {
+        return !taken_.contains(name) && !is_coordinate(name) && can_be_defined(name);
+    };
     std::string name(wanted);
-    if (is_coordinate(name) || !can_be_defined(name)) name += "_1";
-    const std::string stem = name;
-    for (int i = 2; taken_.contains(name) || !can_be_defined(name); ++i)
-        name = (i < 10 ? stem : "value") + "_" + std::to_string(i);
+    const std::string stem = wanted.size() > longest_stem || wanted.empty() ? "value" : name;
+    int& last = next_[stem];
+    for (int tries = 1; !is_free(name); ++tries) {
+        // Names that cannot be defined with a number behind them either become values.
+        name = (tries > most_tries ? "value" : stem) + "_" + std::to_string(++last + 1);
+    }
     taken_.insert(name);
     return name;
 }

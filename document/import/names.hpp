@@ -20,6 +20,7 @@ public:
 
 private:
     std::set<std::string, std::less<>> taken_;
+    std::map<std::string, int, std::less<>> next_;  ///< numbers to be tried behind names
 };
 
 }  // namespace zeroset

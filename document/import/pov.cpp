@@ -133,6 +133,11 @@ private:
     }
 
     Surfaces isosurface(std::size_t line) {
+        if (++read_ > 2 * most_surfaces) {
+            result_.note(line, "isosurface", tr("the script runs too long; the rest is left out"));
+            script_.stop();
+            return {};
+        }
         PovSurface surface{
             .function = {}, .container = {}, .placement = {}, .look = {}, .line = line};
         script_.take_sign("{");
@@ -519,6 +524,7 @@ private:
     std::map<std::string, Placement, std::less<>> transforms_;
     std::map<std::string, PovLook, std::less<>> looks_;
     std::optional<Camera> camera_;
+    std::size_t read_ = 0;
     int depth_ = 0;
 };
 

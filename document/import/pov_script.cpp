@@ -46,6 +46,12 @@ const ScriptToken& PovScript::peek() {
     return tokens_.peek();
 }
 
+void PovScript::stop() {
+    while (!tokens_.at_end())
+        tokens_.next();
+    blocks_.clear();
+}
+
 const ScriptToken& PovScript::next() {
     peek();
     return tokens_.next();

@@ -36,6 +36,8 @@ public:
     /// Passes over "{ ... }" without carrying out what is in it.
     void skip_block() { peek(), tokens_.skip_block("{", "}"); }
     [[nodiscard]] std::size_t line() { return peek().line; }
+    /// Leaves out the rest.
+    void stop();
     /// The tokens as they are, for a formula.
     TokenReader& raw() { return tokens_; }
 

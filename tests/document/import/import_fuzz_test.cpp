@@ -27,7 +27,7 @@ void expect_an_answer(std::string_view file, const std::string& bytes) {
 
 TEST(ImportFuzz, CutsOfEachSample) {
     for (const Sample& sample : samples) {
-        for (std::size_t end = 0; end < sample.bytes.size(); end += 3)
+        for (std::size_t end = 0; end < sample.bytes.size(); end += 7)
             expect_an_answer(sample.file, std::string(sample.bytes.substr(0, end)));
     }
 }
@@ -36,7 +36,7 @@ TEST(ImportFuzz, ChangedBytesOfEachSample) {
     std::mt19937 random(20260101);
     constexpr std::string_view likely = "(){}[]<>#;=,.\"'\\0123456789eE+-*/^xyz\n\t";
     for (const Sample& sample : samples) {
-        for (int round = 0; round < 150; ++round) {
+        for (int round = 0; round < 60; ++round) {
             std::string bytes(sample.bytes);
             const int changes = 1 + static_cast<int>(random() % 6);
             for (int i = 0; i < changes; ++i) {
