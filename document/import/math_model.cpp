@@ -4,7 +4,6 @@
 #include "document/import/names.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-#include "engine/language/vocabulary/functions.hpp"
 
 #include <algorithm>
 #include <array>
