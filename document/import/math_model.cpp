@@ -268,7 +268,7 @@ private:
         if (all) result_.document.clip = *all;
         result_.tells_box = all.has_value();
         for (std::size_t i = 0; i < count; ++i) {
-            std::string formula = translated(trimmed(model_.text("Fxyz", i)), "Fxyz", i);
+            const std::string formula = translated(trimmed(model_.text("Fxyz", i)), "Fxyz", i);
             const std::string limits = boxes[i] && all ? within(*boxes[i], *all) : "";
             const std::string_view condition = trimmed(model_.text("Cnd", i));
             if (condition.empty()) {

@@ -429,7 +429,7 @@ private:
     static std::string inside(const Container& container) {
         constexpr std::array letters{"x", "y", "z"};
         const auto moved = [&](int axis, double by) {
-            const std::string letter = letters[static_cast<std::size_t>(axis)];
+            std::string letter = letters[static_cast<std::size_t>(axis)];
             if (by == 0.0) return letter;
             return letter + (by < 0.0 ? " + " : " - ") + exact_number(std::abs(by));
         };

@@ -23,6 +23,18 @@ bool is_one_of(const std::array<std::string_view, n>& words, std::string_view wo
     return std::ranges::find(words, word) != words.end();
 }
 
+/// Whether two numbers are as a sign says.
+bool holds(double a, std::string_view sign, double b) {
+    if (sign == "<") return a < b;
+    if (sign == ">") return a > b;
+    if (sign == "<=") return a <= b;
+    if (sign == ">=") return a >= b;
+    if (sign == "!=") return a != b;
+    if (sign == "&") return a != 0.0 && b != 0.0;
+    if (sign == "|") return a != 0.0 || b != 0.0;
+    return a == b;
+}
+
 }  // namespace
 
 PovScript::PovScript(std::string_view text) : tokens_(script_tokens(text, true)) {}
@@ -259,15 +271,7 @@ std::optional<PovValue> PovScript::compared() {
         if (!other) return std::nullopt;
         const double a = (*result)[0];
         const double b = (*other)[0];
-        const bool holds = sign == "<"    ? a < b
-                           : sign == ">"  ? a > b
-                           : sign == "<=" ? a <= b
-                           : sign == ">=" ? a >= b
-                           : sign == "!=" ? a != b
-                           : sign == "&"  ? a != 0.0 && b != 0.0
-                           : sign == "|"  ? a != 0.0 || b != 0.0
-                                          : a == b;
-        result = PovValue{holds ? 1.0 : 0.0};
+        result = PovValue{holds(a, sign, b) ? 1.0 : 0.0};
     }
     return result;
 }
