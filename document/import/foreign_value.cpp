@@ -7,12 +7,7 @@
 namespace zeroset {
 namespace {
 
-std::optional<double> joined(double a, std::string_view sign, double b) {
-    if (sign == "+") return a + b;
-    if (sign == "-") return a - b;
-    if (sign == "*") return a * b;
-    if (sign == "/") return a / b;
-    if (sign == "%") return std::fmod(a, b);
+std::optional<double> compared(double a, std::string_view sign, double b) {
     if (sign == "<") return a < b ? 1.0 : 0.0;
     if (sign == ">") return a > b ? 1.0 : 0.0;
     if (sign == "<=") return a <= b ? 1.0 : 0.0;
@@ -22,6 +17,15 @@ std::optional<double> joined(double a, std::string_view sign, double b) {
     if (sign == "&" || sign == "&&") return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
     if (sign == "|" || sign == "||") return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
     return std::nullopt;
+}
+
+std::optional<double> joined(double a, std::string_view sign, double b) {
+    if (sign == "+") return a + b;
+    if (sign == "-") return a - b;
+    if (sign == "*") return a * b;
+    if (sign == "/") return a / b;
+    if (sign == "%") return std::fmod(a, b);
+    return compared(a, sign, b);
 }
 
 }  // namespace

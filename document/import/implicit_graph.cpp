@@ -20,38 +20,38 @@ constexpr int most_calls = 10'000;
 struct Componentwise {
     std::string_view node, pattern;
 };
-constexpr std::array componentwise{Componentwise{"addition", "A + B"},
-                                   Componentwise{"subtraction", "A - B"},
-                                   Componentwise{"multiplication", "A*B"},
-                                   Componentwise{"division", "A/B"},
-                                   Componentwise{"sin", "sin(A)"},
-                                   Componentwise{"cos", "cos(A)"},
-                                   Componentwise{"tan", "tan(A)"},
-                                   Componentwise{"arcsin", "asin(A)"},
-                                   Componentwise{"arccos", "acos(A)"},
-                                   Componentwise{"arctan", "atan(A)"},
-                                   Componentwise{"arctan2", "atan2(A, B)"},
-                                   Componentwise{"min", "min(A, B)"},
-                                   Componentwise{"max", "max(A, B)"},
-                                   Componentwise{"abs", "abs(A)"},
-                                   Componentwise{"fmod", "fmod(A, B)"},
-                                   Componentwise{"mod", "mod(A, B)"},
-                                   Componentwise{"pow", "pow(A, B)"},
-                                   Componentwise{"sqrt", "sqrt(A)"},
-                                   Componentwise{"exp", "exp(A)"},
-                                   Componentwise{"log", "ln(A)"},
-                                   Componentwise{"log2", "log2(A)"},
-                                   Componentwise{"log10", "log10(A)"},
-                                   Componentwise{"cosh", "cosh(A)"},
-                                   Componentwise{"sinh", "sinh(A)"},
-                                   Componentwise{"tanh", "tanh(A)"},
-                                   Componentwise{"round", "round(A)"},
-                                   Componentwise{"ceil", "ceil(A)"},
-                                   Componentwise{"floor", "floor(A)"},
-                                   Componentwise{"sign", "sign(A)"},
-                                   Componentwise{"fract", "fract(A)"},
-                                   Componentwise{"clamp", "clamp(A, min, max)"},
-                                   Componentwise{"select", "if(A < B, C, D)"}};
+constexpr std::array componentwise{Componentwise{.node = "addition", .pattern = "A + B"},
+                                   Componentwise{.node = "subtraction", .pattern = "A - B"},
+                                   Componentwise{.node = "multiplication", .pattern = "A*B"},
+                                   Componentwise{.node = "division", .pattern = "A/B"},
+                                   Componentwise{.node = "sin", .pattern = "sin(A)"},
+                                   Componentwise{.node = "cos", .pattern = "cos(A)"},
+                                   Componentwise{.node = "tan", .pattern = "tan(A)"},
+                                   Componentwise{.node = "arcsin", .pattern = "asin(A)"},
+                                   Componentwise{.node = "arccos", .pattern = "acos(A)"},
+                                   Componentwise{.node = "arctan", .pattern = "atan(A)"},
+                                   Componentwise{.node = "arctan2", .pattern = "atan2(A, B)"},
+                                   Componentwise{.node = "min", .pattern = "min(A, B)"},
+                                   Componentwise{.node = "max", .pattern = "max(A, B)"},
+                                   Componentwise{.node = "abs", .pattern = "abs(A)"},
+                                   Componentwise{.node = "fmod", .pattern = "fmod(A, B)"},
+                                   Componentwise{.node = "mod", .pattern = "mod(A, B)"},
+                                   Componentwise{.node = "pow", .pattern = "pow(A, B)"},
+                                   Componentwise{.node = "sqrt", .pattern = "sqrt(A)"},
+                                   Componentwise{.node = "exp", .pattern = "exp(A)"},
+                                   Componentwise{.node = "log", .pattern = "ln(A)"},
+                                   Componentwise{.node = "log2", .pattern = "log2(A)"},
+                                   Componentwise{.node = "log10", .pattern = "log10(A)"},
+                                   Componentwise{.node = "cosh", .pattern = "cosh(A)"},
+                                   Componentwise{.node = "sinh", .pattern = "sinh(A)"},
+                                   Componentwise{.node = "tanh", .pattern = "tanh(A)"},
+                                   Componentwise{.node = "round", .pattern = "round(A)"},
+                                   Componentwise{.node = "ceil", .pattern = "ceil(A)"},
+                                   Componentwise{.node = "floor", .pattern = "floor(A)"},
+                                   Componentwise{.node = "sign", .pattern = "sign(A)"},
+                                   Componentwise{.node = "fract", .pattern = "fract(A)"},
+                                   Componentwise{.node = "clamp", .pattern = "clamp(A, min, max)"},
+                                   Componentwise{.node = "select", .pattern = "if(A < B, C, D)"}};
 
 pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
     for (const pugi::xml_node& inner : node.children())
@@ -181,17 +181,8 @@ std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& no
     return {};
 }
 
-/// Nodes that make vectors and matrices or take them apart; nothing for others.
-GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::xml_node& node,
-                                            Inputs& in) {
-    const auto at = [](const GraphValue& value, std::size_t i) {
-        return i < value.size() ? value[i] : std::string("0");
-    };
-    const auto sum_of_products = [&](const GraphValue& a, std::size_t first, std::size_t step,
-                                     const GraphValue& b) {
-        return named(at(a, first) + "*" + at(b, 0) + " + " + at(a, first + step) + "*" + at(b, 1) +
-                     " + " + at(a, first + 2 * step) + "*" + at(b, 2));
-    };
+/// A scalar, vector or matrix that is told by numbers.
+GraphWriter::Result GraphWriter::constant_of(std::string_view kind, const pugi::xml_node& node) {
     if (kind == "constant") {
         const auto number = number_text(node.attribute("value").value());
         if (!number) return std::unexpected(tr("a constant is no number"));
@@ -217,6 +208,21 @@ GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::x
             return std::unexpected(tr("a constant is no matrix of 16 numbers"));
         return matrix;
     }
+    return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
+}
+
+/// Nodes that make vectors and matrices or take them apart; nothing for others.
+GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::xml_node& node,
+                                            Inputs& in) {
+    const auto at = [](const GraphValue& value, std::size_t i) {
+        return i < value.size() ? value[i] : std::string("0");
+    };
+    const auto sum_of_products = [&](const GraphValue& a, std::size_t first, std::size_t step,
+                                     const GraphValue& b) {
+        return named(at(a, first) + "*" + at(b, 0) + " + " + at(a, first + step) + "*" + at(b, 1) +
+                     " + " + at(a, first + 2 * step) + "*" + at(b, 2));
+    };
+    if (kind.starts_with("const")) return constant_of(kind, node);
     if (kind == "composevector") return GraphValue{at(in["x"], 0), at(in["y"], 0), at(in["z"], 0)};
     if (kind == "vectorfromscalar") return GraphValue(3, at(in["A"], 0));
     if (kind == "dot") return GraphValue{sum_of_products(in["A"], 0, 1, in["B"])};

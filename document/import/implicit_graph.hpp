@@ -44,6 +44,7 @@ private:
     Result call(const std::string& id, const std::string& channel, const Inputs& inputs);
     std::expected<void, std::string> evaluate(const pugi::xml_node& node, Values& values);
     std::expected<void, std::string> call_node(const pugi::xml_node& node, Values& values);
+    static Result constant_of(std::string_view kind, const pugi::xml_node& node);
     Result of_vectors(std::string_view kind, const pugi::xml_node& node, Inputs& in);
     Result of_components(std::string_view kind, Inputs& in);
     [[nodiscard]] static std::expected<Inputs, std::string> inputs_of(const pugi::xml_node& node,

@@ -75,7 +75,7 @@ std::string note_text(std::string_view file, const ImportNote& note) {
 std::string notes_in_short(const std::vector<ImportNote>& notes) {
     if (notes.empty()) return {};
     const ImportNote& first = notes.front();
-    std::string place =
+    const std::string place =
         first.line == 0 ? std::string() : filled(tr("line {0}: "), {std::to_string(first.line)});
     std::string text = place + (first.entry.empty() ? "" : first.entry + ": ") + first.reason;
     if (notes.size() == 1) return text;

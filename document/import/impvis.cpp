@@ -92,7 +92,7 @@ private:
     }
 
     std::expected<Entry, std::string> value() {
-        for (const std::string_view quote : {"'''", "\"\"\"", "'", "\""})
+        for (const std::string_view quote : {"'''", R"(""")", "'", R"(")"})
             if (at(quote)) return quoted(quote);
         const std::size_t line = line_;
         int depth = 0;
@@ -182,7 +182,7 @@ private:
                 const std::size_t equals = field.find('=');
                 if (equals == std::string_view::npos) continue;
                 const std::string_view key = trimmed(field.substr(0, equals));
-                std::string_view given = trimmed(field.substr(equals + 1));
+                const std::string_view given = trimmed(field.substr(equals + 1));
                 if (key == "name" && given.size() > 2) name = given.substr(1, given.size() - 2);
                 if (key == "value") value = number_from<double>(given);
             }

@@ -54,7 +54,8 @@ public:
             }
             const std::string key = part(true);
             const std::string value = part(false);
-            if (!key.empty()) properties.insert_or_assign(key, Property{value, line});
+            if (!key.empty())
+                properties.insert_or_assign(key, Property{.value = value, .line = line});
         }
         return properties;
     }

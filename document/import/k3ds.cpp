@@ -16,13 +16,23 @@ struct Mark {
     std::string_view field;  ///< of MathMod; a limit's without min and max
     bool is_limit = false;
 };
-constexpr std::array marks{
-    Mark{"F():", "Fxyz"},      Mark{"X():", "Fx"},       Mark{"Y():", "Fy"},
-    Mark{"Z():", "Fz"},        Mark{"[x]:", "X", true},  Mark{"[y]:", "Y", true},
-    Mark{"[z]:", "Z", true},   Mark{"[u]:", "U", true},  Mark{"[v]:", "V", true},
-    Mark{"Cnd:", "Cnd"},       Mark{"Name:", "Name"},    Mark{"A[u]:", "A[u]"},
-    Mark{"B[u]:", "B[u]"},     Mark{"C[u]:", "C[u]"},    Mark{"D[u,v]:", "D[u,v]"},
-    Mark{"E[u,v]:", "E[u,v]"}, Mark{"F[u,v]:", "F[u,v]"}};
+constexpr std::array marks{Mark{.mark = "F():", .field = "Fxyz"},
+                           Mark{.mark = "X():", .field = "Fx"},
+                           Mark{.mark = "Y():", .field = "Fy"},
+                           Mark{.mark = "Z():", .field = "Fz"},
+                           Mark{.mark = "[x]:", .field = "X", .is_limit = true},
+                           Mark{.mark = "[y]:", .field = "Y", .is_limit = true},
+                           Mark{.mark = "[z]:", .field = "Z", .is_limit = true},
+                           Mark{.mark = "[u]:", .field = "U", .is_limit = true},
+                           Mark{.mark = "[v]:", .field = "V", .is_limit = true},
+                           Mark{.mark = "Cnd:", .field = "Cnd"},
+                           Mark{.mark = "Name:", .field = "Name"},
+                           Mark{.mark = "A[u]:", .field = "A[u]"},
+                           Mark{.mark = "B[u]:", .field = "B[u]"},
+                           Mark{.mark = "C[u]:", .field = "C[u]"},
+                           Mark{.mark = "D[u,v]:", .field = "D[u,v]"},
+                           Mark{.mark = "E[u,v]:", .field = "E[u,v]"},
+                           Mark{.mark = "F[u,v]:", .field = "F[u,v]"}};
 
 class K3dsReader {
 public:

@@ -91,7 +91,11 @@ std::vector<ModelSlider> sliders_of(const Json& model) {
         }
         const std::string name(trimmed(names[i]));
         if (!name.empty())
-            sliders.push_back({name, numbers[0], numbers[1], numbers[2], numbers[3]});
+            sliders.push_back({.name = name,
+                               .value = numbers[0],
+                               .lo = numbers[1],
+                               .hi = numbers[2],
+                               .step = numbers[3]});
     }
     return sliders;
 }

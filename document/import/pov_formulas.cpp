@@ -58,7 +58,7 @@ std::optional<std::string> PovFormulas::read(std::string_view wanted) {
     for (const std::string& name : names)
         list += (list.empty() ? "" : ", ") + name;
     const std::string formula = translated(std::move(*term), names);
-    const std::string own = names_.fresh(wanted.empty() ? "shape" : wanted);
+    std::string own = names_.fresh(wanted.empty() ? "shape" : wanted);
     if (!wanted.empty() && own != wanted)
         result_.note(line, wanted, filled(tr("{0} is called {1}"), {wanted, own}));
     result_.add_definition(own + "(" + list + ") = " + formula, line);
@@ -73,7 +73,7 @@ std::optional<std::string> PovFormulas::find(std::string_view name) const {
 
 std::string PovFormulas::add(std::string_view wanted, const std::string& formula,
                              std::size_t line) {
-    const std::string own = names_.fresh(wanted);
+    std::string own = names_.fresh(wanted);
     result_.add_definition(own + "(x, y, z) = " + formula, line);
     return own;
 }
@@ -86,7 +86,7 @@ std::string PovFormulas::translated(Term term, const std::vector<std::string>& p
     return text_of(term);
 }
 
-void PovFormulas::translate_call(Term& call) {
+void PovFormulas::translate_call(Term& call) const {
     if (const auto own = find(call.text)) {
         call.text = *own;
         return;

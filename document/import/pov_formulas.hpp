@@ -32,7 +32,7 @@ public:
 private:
     std::vector<std::string> parameters();
     std::string translated(Term term, const std::vector<std::string>& parameters);
-    void translate_call(Term& call);
+    void translate_call(Term& call) const;
     void translate_name(Term& name, const std::vector<std::string>& parameters);
 
     PovScript& script_;

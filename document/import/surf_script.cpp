@@ -165,7 +165,7 @@ private:
                (name.size() == 7 || (name.size() == 8 && name[7] >= '2' && name[7] <= '9'));
     }
 
-    std::optional<double> number_of(const Term& term) const {
+    [[nodiscard]] std::optional<double> number_of(const Term& term) const {
         return value_of(term, [this](std::string_view name) { return constant(name); });
     }
 
