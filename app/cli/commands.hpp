@@ -114,6 +114,16 @@ struct TraversalCommand {
 };
 int run_traversal(const TraversalCommand& command);
 
+/// Brings other programs' files into a folder of sessions with pictures.
+struct ImportCommand {
+    std::vector<std::string> files;
+    std::string folder;
+    std::string size = "320x320";
+    std::optional<std::string> budget, json;
+    bool no_pictures = false;
+};
+int run_import(const ImportCommand& command);
+
 struct GalleryCommand {
     bool names = false;
     bool json = false;

@@ -9,6 +9,7 @@
 #include "app/cli/window_command.hpp"
 #include "app/desktop/desktop.hpp"
 #include "app/platform/process.hpp"
+#include "document/import/import.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
 
@@ -84,6 +85,24 @@ int open_window(const WindowText& text) {
     }
     const auto ran = run_desktop(*options);
     return ran ? exit_ok : report_run_time(ran.error());
+}
+
+CLI::App* add_import(CLI::App& app, ImportCommand& imports) {
+    CLI::App* const import_app = app.add_subcommand(
+        "import", "bring other programs' files into a folder of sessions with pictures");
+    import_app->footer("Reads files that end in " + import_endings() +
+                       ". What cannot be taken over goes to stderr, a line for each thing. Exit "
+                       "code 2: a file could not be read.");
+    import_app->add_option("FILE", imports.files, "the files; one may hold many surfaces")
+        ->required();
+    add_value(*import_app, "-o,--output", imports.folder, "the folder, made if need be")
+        ->required();
+    add_value(*import_app, "--size", imports.size, "WIDTHxHEIGHT of the pictures (default 320)");
+    add_value(*import_app, "--budget", imports.budget,
+              "seconds for a picture, which then stays unfinished (default 30)");
+    import_app->add_flag("--no-pictures", imports.no_pictures, "sessions only");
+    add_value(*import_app, "--json", imports.json, "what became of each surface, as a JSON file");
+    return import_app;
 }
 
 CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
@@ -202,6 +221,7 @@ struct Commands {
     SampleCommand sample;
     DrawCommand draw;
     ShareCommand share;
+    ImportCommand imports;
     UiShotCommand shot;
     GalleryCommand gallery;
     ExplainCommand explain;
@@ -226,6 +246,7 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
         {add_sample(app, c.sample), [&c] { return run_sample(c.sample); }},
         {add_draw(app, c.draw), [&c] { return run_draw(c.draw); }},
         {add_share(app, c.share), [&c] { return run_share(c.share); }},
+        {add_import(app, c.imports), [&c] { return run_import(c.imports); }},
         {add_ui_shot(app, c.shot), [&c] { return run_ui_shot(c.shot); }},
         {add_gallery(app, c.gallery), [&c] { return run_gallery(c.gallery); }},
         {add_explain(app, c.explain), [&c] { return run_explain(c.explain); }},

@@ -53,6 +53,7 @@ void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
                      .folder = choice.folder,
                      .name = ui::with_ending(choice, choice.name),
                      .ending = choice.ending,
+                     .other_endings = choice.other_endings,
                      .parent = parent_});
         choice.elsewhere = true;
         asks_ = true;

@@ -2,9 +2,11 @@
 
 #include "app/platform/folders.hpp"
 #include "document/camera_text.hpp"
+#include "document/import/import.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/base/utf8.hpp"
 #include "engine/volume/files/volume_file.hpp"
@@ -261,10 +263,14 @@ void Session::perform(const Action& action) {
         case Intent::New:
             use_volume_folder({});
             return begin(ui::new_document(state_.edited.layout), {});
-        case Intent::ChooseFile:
+        case Intent::ChooseFile: {
+            const std::string endings = import_endings();
             state_.pages.dialogs.file = ui::FileChoice{};
+            for (const std::string_view ending : split(endings, ' '))
+                state_.pages.dialogs.file->other_endings.emplace_back(ending);
             state_.pages.dialogs.file->folder = first_folder(path_);
             return;
+        }
         case Intent::OpenPath: return load(action.path);
         case Intent::Quit: closed_ = true;
     }
@@ -288,8 +294,8 @@ void Session::load(const std::string& path) {
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
     use_volume_folder({.folder = std::filesystem::path(path).parent_path(), .closed = true});
-    begin(std::move(loaded->document), loaded->from_picture ? "" : path);
-    if (!loaded->from_picture) recent_.add(path);
+    begin(std::move(loaded->document), loaded->is_source ? "" : path);
+    if (!loaded->is_source) recent_.add(path);
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace zeroset {
 
@@ -17,6 +18,8 @@ struct FileRequest {
     std::string folder;  ///< folder shown first; absolute
     std::string name;    ///< proposed name of a file to be saved
     std::string ending;  ///< ending of the files that are offered
+    /// Endings of other files that are offered, too.
+    std::vector<std::string> other_endings;
     std::string parent;  ///< Window::portal_name of the window that the dialog is modal to
 };
 

@@ -66,6 +66,28 @@ void append_text(sd_bus_message* message, const char* key, const std::string& te
 }
 
 /// Appends {key: <path as bytes that end with 0>}.
+/// Appends the filters: one for documents, and one for all that is offered.
+void append_filters(sd_bus_message* made, const FileRequest& request) {
+    sd_bus_message_open_container(made, 'e', "sv");
+    sd_bus_message_append(made, "s", "filters");
+    sd_bus_message_open_container(made, 'v', "a(sa(us))");
+    sd_bus_message_open_container(made, 'a', "(sa(us))");
+    const std::string documents = "*" + request.ending;
+    if (!request.other_endings.empty()) {
+        sd_bus_message_open_container(made, 'r', "sa(us)");
+        sd_bus_message_append(made, "s", tr("All that can be opened"));
+        sd_bus_message_open_container(made, 'a', "(us)");
+        sd_bus_message_append(made, "(us)", 0U, documents.c_str());
+        for (const std::string& ending : request.other_endings)
+            sd_bus_message_append(made, "(us)", 0U, ("*" + ending).c_str());
+        sd_bus_message_close_container(made);
+        sd_bus_message_close_container(made);
+    }
+    sd_bus_message_append(made, "(sa(us))", tr("Zeroset documents"), 1, 0U, documents.c_str());
+    for (int i = 0; i < 3; ++i)
+        sd_bus_message_close_container(made);
+}
+
 void append_path(sd_bus_message* message, const char* key, const std::string& path) {
     sd_bus_message_open_container(message, 'e', "sv");
     sd_bus_message_append(message, "s", key);
@@ -166,8 +188,7 @@ bool PortalBus::send(const FileRequest& request) {
     append_text(made, "handle_token", token);
     append_path(made, "current_folder", request.folder);
     if (request.saves) append_text(made, "current_name", request.name);
-    sd_bus_message_append(made, "{sv}", "filters", "a(sa(us))", 1, tr("Zeroset documents"), 1, 0U,
-                          ("*" + request.ending).c_str());
+    append_filters(made, request);
     sd_bus_message_close_container(made);
     slot = nullptr;
     if (sd_bus_call_async(bus_.get(), &slot, made, on_asked, this, 0) < 0) return false;

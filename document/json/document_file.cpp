@@ -1,5 +1,6 @@
 #include "document/json/document_file.hpp"
 
+#include "document/import/import_choice.hpp"
 #include "document/json/document_json.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/export/pictures/picture_writer.hpp"
@@ -64,6 +65,15 @@ std::expected<std::string, std::string> session_of_picture(const fs::path& path)
     return *session;
 }
 
+std::expected<LoadedDocument, std::string> imported_document(const fs::path& path) {
+    auto imported = load_imported(import_place(path.string()));
+    if (!imported) return std::unexpected(imported.error());
+    return LoadedDocument{.document = std::move(imported->document),
+                          .note = notes_in_short(imported->notes),
+                          .shown_on = std::nullopt,
+                          .is_source = true};
+}
+
 }  // namespace
 
 bool is_picture_name(const std::string& name) { return name.ends_with(".png"); }
@@ -71,6 +81,7 @@ bool is_picture_name(const std::string& name) { return name.ends_with(".png"); }
 bool is_document_name(const std::string& name) { return name.ends_with(document_ending); }
 
 std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
+    if (is_import_path(path.string())) return imported_document(path);
     std::error_code error;
     if (!fs::exists(path, error)) return cannot_read(path, tr("there is no such file"));
     if (!fs::is_regular_file(path, error)) return cannot_read(path, tr("it is no file"));
@@ -82,7 +93,7 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     return LoadedDocument{.document = std::move(read->document),
                           .note = note_of(read->unknown),
                           .shown_on = read->shown_on,
-                          .from_picture = from_picture};
+                          .is_source = from_picture};
 }
 
 bool holds_picture_of(const fs::path& path, const Document& document, glm::ivec2 size_px) {

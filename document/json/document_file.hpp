@@ -23,11 +23,12 @@ struct LoadedDocument {
     Document document;
     std::string note;
     std::optional<Background> shown_on;  ///< the background it was seen on, if it has none
-    bool from_picture = false;           ///< the file is a picture, and saving must not replace it
+    /// The file is a picture or another program's, and saving must not replace it.
+    bool is_source = false;
 };
 
-/// The document in a file, or in a PNG of ours, or why there is none, as a predicate: "cannot open
-/// 'a.json': ...". The file is only read.
+/// The document in a file, in a PNG of ours or in another program's file, or why there is none, as
+/// a predicate: "cannot open 'a.json': ...". The file is only read.
 std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
 
 /// Whether a file is a PNG of this size that holds just this document.

@@ -499,7 +499,8 @@ constexpr auto table = std::to_array<Action>({
     {.section = document,
      .name = "Open...",
      .keys = "Ctrl+O",
-     .about = "open a file; it can also be dropped on the window",
+     .about =
+         "open a file, also one of SURFER, MathMod or POV-Ray; it can be dropped on the window",
      .run = give<Command::Open>},
     {.section = document, .name = "Save", .keys = "Ctrl+S", .run = give<Command::Save>},
     {.section = document,

@@ -25,6 +25,8 @@ struct FileChoice {
     std::string title = "Open a document";
     /// Of the files that are offered, and of names without one.
     std::string ending = ".zeroset.json";
+    /// Of other files that are offered; small letters.
+    std::vector<std::string> other_endings;
     std::string folder;         ///< shown; absolute
     std::string name;           ///< in the field
     bool finished = false;      ///< set by the panel

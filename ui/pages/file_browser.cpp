@@ -1,5 +1,6 @@
 #include "ui/pages/file_browser.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/keys.hpp"
@@ -27,16 +28,25 @@ struct Entry {
     bool is_folder;
 };
 
-/// Returns folders, then files with this ending, each sorted by name; without hidden ones.
-std::vector<Entry> entries_of(const std::string& folder, const std::string& ending) {
+bool is_offered(const FileChoice& choice, const std::string& name) {
+    const std::string small = lower_case(name);
+    return name.ends_with(choice.ending) ||
+           std::ranges::any_of(choice.other_endings, [&small](const std::string& ending) {
+               return small.ends_with(ending);
+           });
+}
+
+/// Returns folders, then the files that are offered, each sorted by name; without hidden ones.
+std::vector<Entry> entries_of(const FileChoice& choice) {
     std::vector<Entry> entries;
     std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    for (fs::directory_iterator at(choice.folder, error), end; !error && at != end;
+         at.increment(error)) {
         std::error_code ignored;
         const std::string name = at->path().filename().string();
         const bool is_folder = at->is_directory(ignored);
         if (name.starts_with('.')) continue;
-        if (is_folder || name.ends_with(ending))
+        if (is_folder || is_offered(choice, name))
             entries.push_back({.name = name, .is_folder = is_folder});
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
@@ -130,7 +140,7 @@ void draw_entry(FileChoice& choice, const Entry& entry, const Palette& colors) {
 void draw_entries(FileChoice& choice, float height, const Palette& colors) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, colors.field);
     ImGui::BeginChild("##entries", ImVec2(0.0F, height));
-    const std::vector<Entry> entries = entries_of(choice.folder, choice.ending);
+    const std::vector<Entry> entries = entries_of(choice);
     for (const Entry& entry : entries)
         draw_entry(choice, entry, colors);
     if (entries.empty())

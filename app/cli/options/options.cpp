@@ -4,6 +4,7 @@
 #include "app/cli/options/region_options.hpp"
 #include "app/cli/options/section_options.hpp"
 #include "app/cli/options/solid_options.hpp"
+#include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
@@ -57,7 +58,7 @@ OrInputError<Box> read_box(const std::string& text) {
 
 /// What is typed may name any file; a document or a shared session only those beside it.
 VolumeFolder folder_of_volumes(const std::string& equation) {
-    if (is_document_name(equation) || is_picture_name(equation))
+    if (is_document_name(equation) || is_picture_name(equation) || is_import_path(equation))
         return {.folder = std::filesystem::path(equation).parent_path(), .closed = true};
     return {.folder = {}, .closed = is_share_text(equation)};
 }
@@ -69,6 +70,19 @@ ReadDocument typed_document(std::string_view text) {
     return read;
 }
 
+/// Reads another program's file, and says on stderr what was not taken over.
+OrInputError<InputDocument> imported_document(const std::string& path) {
+    auto imported = load_imported(import_place(path));
+    if (!imported) return wrong_input(imported.error());
+    for (const ImportNote& note : imported->notes)
+        std::cerr << "zeroset: " << note_text(path, note) << "\n";
+    return InputDocument{read_document(std::move(imported->document)),
+                         {},
+                         notes_in_short(imported->notes),
+                         {},
+                         true};
+}
+
 /// Reads the document without applying the view options.
 OrInputError<InputDocument> stored_document(const std::string& equation) {
     use_volume_folder(folder_of_volumes(equation));
@@ -78,9 +92,10 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         if (loaded->shown_on && !loaded->document.light.background)
             loaded->document.light.background = loaded->shown_on;
         return InputDocument{read_document(std::move(loaded->document)),
-                             loaded->from_picture ? "" : equation, loaded->note, loaded->shown_on,
+                             loaded->is_source ? "" : equation, loaded->note, loaded->shown_on,
                              true};
     }
+    if (is_import_path(equation)) return imported_document(equation);
     if (is_volume_file(equation) && !equation.contains('"')) {
         auto volume = document_of_volume(equation);
         if (!volume) return std::unexpected(volume.error());

@@ -1,0 +1,282 @@
+#include "document/import/implicit_graph.hpp"
+
+#include "document/import/imported.hpp"
+#include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+// Nodes of the implicit extension of 3MF (3MF Volumetric and Implicit Extensions 1.0, part II).
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t most_definitions = 100'000;
+constexpr int deepest_call = 16;
+constexpr int most_calls = 10'000;
+
+/// Nodes that do the same with each component, and how that is written: A, B, C for the inputs.
+struct Componentwise {
+    std::string_view node, pattern;
+};
+constexpr std::array componentwise{Componentwise{.node = "addition", .pattern = "A + B"},
+                                   Componentwise{.node = "subtraction", .pattern = "A - B"},
+                                   Componentwise{.node = "multiplication", .pattern = "A*B"},
+                                   Componentwise{.node = "division", .pattern = "A/B"},
+                                   Componentwise{.node = "sin", .pattern = "sin(A)"},
+                                   Componentwise{.node = "cos", .pattern = "cos(A)"},
+                                   Componentwise{.node = "tan", .pattern = "tan(A)"},
+                                   Componentwise{.node = "arcsin", .pattern = "asin(A)"},
+                                   Componentwise{.node = "arccos", .pattern = "acos(A)"},
+                                   Componentwise{.node = "arctan", .pattern = "atan(A)"},
+                                   Componentwise{.node = "arctan2", .pattern = "atan2(A, B)"},
+                                   Componentwise{.node = "min", .pattern = "min(A, B)"},
+                                   Componentwise{.node = "max", .pattern = "max(A, B)"},
+                                   Componentwise{.node = "abs", .pattern = "abs(A)"},
+                                   Componentwise{.node = "fmod", .pattern = "fmod(A, B)"},
+                                   Componentwise{.node = "mod", .pattern = "mod(A, B)"},
+                                   Componentwise{.node = "pow", .pattern = "pow(A, B)"},
+                                   Componentwise{.node = "sqrt", .pattern = "sqrt(A)"},
+                                   Componentwise{.node = "exp", .pattern = "exp(A)"},
+                                   Componentwise{.node = "log", .pattern = "ln(A)"},
+                                   Componentwise{.node = "log2", .pattern = "log2(A)"},
+                                   Componentwise{.node = "log10", .pattern = "log10(A)"},
+                                   Componentwise{.node = "cosh", .pattern = "cosh(A)"},
+                                   Componentwise{.node = "sinh", .pattern = "sinh(A)"},
+                                   Componentwise{.node = "tanh", .pattern = "tanh(A)"},
+                                   Componentwise{.node = "round", .pattern = "round(A)"},
+                                   Componentwise{.node = "ceil", .pattern = "ceil(A)"},
+                                   Componentwise{.node = "floor", .pattern = "floor(A)"},
+                                   Componentwise{.node = "sign", .pattern = "sign(A)"},
+                                   Componentwise{.node = "fract", .pattern = "fract(A)"},
+                                   Componentwise{.node = "clamp", .pattern = "clamp(A, min, max)"},
+                                   Componentwise{.node = "select", .pattern = "if(A < B, C, D)"}};
+
+pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
+    for (const pugi::xml_node& inner : node.children())
+        if (local_name(inner) == name) return inner;
+    return {};
+}
+
+std::optional<std::string> number_text(const char* text) {
+    const auto number = number_from<double>(trimmed(text));
+    if (!number || !(std::abs(*number) <= largest_number)) return std::nullopt;
+    return exact_number(*number, true);
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+}  // namespace
+
+std::string_view local_name(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+void GraphWriter::add_function(const pugi::xml_node& function) {
+    functions_.insert_or_assign(function.attribute("id").value(), function);
+}
+
+std::string GraphWriter::named(const std::string& expression) {
+    const std::string name = "n_" + std::to_string(++count_);
+    definitions_ += (definitions_.empty() ? "" : "\n") + name + " := " + expression;
+    return name;
+}
+
+std::expected<std::string, std::string> GraphWriter::output(const std::string& id,
+                                                            const std::string& channel,
+                                                            const GraphValue& position) {
+    const auto result = call(id, channel, {{"pos", position}});
+    if (!result) return std::unexpected(result.error());
+    if (result->size() != 1) return std::unexpected(filled(tr("{0} is no scalar"), {channel}));
+    return (*result)[0];
+}
+
+GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& channel,
+                                      const Inputs& inputs) {
+    const auto found = functions_.find(id);
+    if (found == functions_.end())
+        return std::unexpected(filled(tr("there is no implicit function {0} before it"), {id}));
+    if (depth_ >= deepest_call || ++calls_ > most_calls)
+        return std::unexpected(tr("functions that call each other are nested too deeply"));
+    ++depth_;
+    Values values;
+    for (const auto& [name, value] : inputs)
+        values["inputs." + name] = value;
+    std::expected<void, std::string> done;
+    for (const pugi::xml_node& node : found->second.children()) {
+        const std::string_view kind = local_name(node);
+        if (node.type() != pugi::node_element || kind == "in" || kind == "out") continue;
+        done = evaluate(node, values);
+        if (!done) break;
+    }
+    --depth_;
+    if (!done) return std::unexpected(done.error());
+    for (const pugi::xml_node& out : child(found->second, "out").children()) {
+        if (channel != out.attribute("identifier").value()) continue;
+        const auto value = values.find(out.attribute("ref").value());
+        if (value != values.end()) return value->second;
+    }
+    return std::unexpected(filled(tr("function {0} has no output {1}"), {id, channel}));
+}
+
+std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pugi::xml_node& node,
+                                                                       const Values& values) {
+    Inputs inputs;
+    for (const pugi::xml_node& in : child(node, "in").children()) {
+        const auto value = values.find(in.attribute("ref").value());
+        if (value == values.end()) {
+            return std::unexpected(
+                filled(tr("{0} refers to {1}, which is not before it"),
+                       {node.attribute("identifier").value(), in.attribute("ref").value()}));
+        }
+        inputs[in.attribute("identifier").value()] = value->second;
+    }
+    return inputs;
+}
+
+std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Values& values) {
+    if (count_ > most_definitions) return std::unexpected(tr("its functions have too many nodes"));
+    const std::string_view kind = local_name(node);
+    const std::string name = node.attribute("identifier").value();
+    if (kind == "constresourceid") {
+        values[name + ".value"] = {node.attribute("resourceid").value()};
+        return {};
+    }
+    if (kind == "functioncall") return call_node(node, values);
+    auto inputs = inputs_of(node, values);
+    if (!inputs) return std::unexpected(inputs.error());
+    if (kind == "decomposevector") {
+        const GraphValue& vector = (*inputs)["A"];
+        for (std::size_t i = 0; i < vector.size() && i < 3; ++i)
+            values[name + "." + "xyz"[i]] = {vector[i]};
+        return {};
+    }
+    auto result = of_vectors(kind, node, *inputs);
+    if (!result) return std::unexpected(result.error());
+    if (result->empty()) result = of_components(kind, *inputs);
+    if (!result) return std::unexpected(result.error());
+    // The outputs have one value; constants call it value, vector or matrix.
+    for (const char* const output : {"result", "value", "vector", "matrix"})
+        values[name + "." + output] = *result;
+    for (const pugi::xml_node& out : child(node, "out").children())
+        values[name + "." + out.attribute("identifier").value()] = *result;
+    return {};
+}
+
+std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node,
+                                                        Values& values) {
+    auto inputs = inputs_of(node, values);
+    if (!inputs) return std::unexpected(inputs.error());
+    const GraphValue id = (*inputs)["functionID"];
+    inputs->erase("functionID");
+    for (const pugi::xml_node& out : child(node, "out").children()) {
+        const std::string channel = out.attribute("identifier").value();
+        auto result = call(id.empty() ? std::string() : id[0], channel, *inputs);
+        if (!result) return std::unexpected(result.error());
+        values[std::string(node.attribute("identifier").value()) + "." + channel] = *result;
+    }
+    return {};
+}
+
+/// A scalar, vector or matrix that is told by numbers.
+GraphWriter::Result GraphWriter::constant_of(std::string_view kind, const pugi::xml_node& node) {
+    if (kind == "constant") {
+        const auto number = number_text(node.attribute("value").value());
+        if (!number) return std::unexpected(tr("a constant is no number"));
+        return GraphValue{*number};
+    }
+    if (kind == "constvec") {
+        GraphValue vector;
+        for (const char* const part : {"x", "y", "z"}) {
+            const auto number = number_text(node.attribute(part).value());
+            if (!number) return std::unexpected(tr("a constant is no number"));
+            vector.push_back(*number);
+        }
+        return vector;
+    }
+    if (kind == "constmat") {
+        GraphValue matrix;
+        for (const std::string_view word : split(node.attribute("matrix").value(), ' ')) {
+            const auto number = number_text(std::string(word).c_str());
+            if (number) matrix.push_back(*number);
+        }
+        // 16 numbers, of which the turn and scale are taken.
+        if (matrix.size() != 16)
+            return std::unexpected(tr("a constant is no matrix of 16 numbers"));
+        return matrix;
+    }
+    return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
+}
+
+/// Nodes that make vectors and matrices or take them apart; nothing for others.
+GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::xml_node& node,
+                                            Inputs& in) {
+    const auto at = [](const GraphValue& value, std::size_t i) {
+        return i < value.size() ? value[i] : std::string("0");
+    };
+    const auto sum_of_products = [&](const GraphValue& a, std::size_t first, std::size_t step,
+                                     const GraphValue& b) {
+        return named(at(a, first) + "*" + at(b, 0) + " + " + at(a, first + step) + "*" + at(b, 1) +
+                     " + " + at(a, first + 2 * step) + "*" + at(b, 2));
+    };
+    if (kind.starts_with("const")) return constant_of(kind, node);
+    if (kind == "composevector") return GraphValue{at(in["x"], 0), at(in["y"], 0), at(in["z"], 0)};
+    if (kind == "vectorfromscalar") return GraphValue(3, at(in["A"], 0));
+    if (kind == "dot") return GraphValue{sum_of_products(in["A"], 0, 1, in["B"])};
+    if (kind == "length")
+        return GraphValue{named("sqrt(" + sum_of_products(in["A"], 0, 1, in["A"]) + ")")};
+    if (kind == "cross") {
+        const GraphValue& a = in["A"];
+        const GraphValue& b = in["B"];
+        GraphValue result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            const std::size_t k = (i + 2) % 3;
+            result.push_back(named(at(a, j) + "*" + at(b, k) + " - " + at(a, k) + "*" + at(b, j)));
+        }
+        return result;
+    }
+    if (kind == "matvecmultiplication" && in["A"].size() == 16) {
+        GraphValue result;
+        for (std::size_t row = 0; row < 3; ++row) {
+            const std::string turned = sum_of_products(in["A"], 4 * row, 1, in["B"]);
+            result.push_back(named(turned + " + " + in["A"][4 * row + 3]));
+        }
+        return result;
+    }
+    return GraphValue{};
+}
+
+GraphWriter::Result GraphWriter::of_components(std::string_view kind, Inputs& in) {
+    const auto* const found = std::ranges::find(componentwise, kind, &Componentwise::node);
+    if (found == componentwise.end())
+        return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
+    std::size_t parts = 1;
+    for (const auto& [name, value] : in)
+        parts = std::max(parts, value.size());
+    GraphValue result;
+    for (std::size_t i = 0; i < parts; ++i) {
+        std::string text;
+        const std::string_view pattern = found->pattern;
+        for (std::size_t at = 0; at < pattern.size();) {
+            std::size_t end = at;
+            while (end < pattern.size() && is_letter(pattern[end]))
+                ++end;
+            const auto input = in.find(pattern.substr(at, end - at));
+            const bool is_call = end < pattern.size() && pattern[end] == '(';
+            if (end == at || is_call || input == in.end() || input->second.empty()) {
+                text += pattern.substr(at, std::max(end, at + 1) - at);
+            } else {
+                text += input->second[std::min(i, input->second.size() - 1)];
+            }
+            at = std::max(end, at + 1);
+        }
+        result.push_back(named(text));
+    }
+    return result;
+}
+
+}  // namespace zeroset

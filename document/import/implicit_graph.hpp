@@ -1,0 +1,60 @@
+#pragma once
+
+#include "document/import/placement.hpp"
+
+#include <pugixml.hpp>
+
+#include <array>
+#include <cstddef>
+#include <expected>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace zeroset {
+
+/// An element's name without its prefix.
+std::string_view local_name(const pugi::xml_node& node);
+
+/// A scalar, vector or matrix (row by row) of a function of 3MF: the texts of its components, each
+/// a name or a number.
+using GraphValue = std::vector<std::string>;
+
+/// Writes the functions of a 3MF model as definitions of the language, node by node.
+class GraphWriter {
+public:
+    /// Makes `function` known, an implicitfunction element.
+    void add_function(const pugi::xml_node& function);
+
+    /// The output `channel` of a function at a position; the error is one line.
+    std::expected<std::string, std::string> output(const std::string& id,
+                                                   const std::string& channel,
+                                                   const GraphValue& position);
+    /// The definitions so far, a line each.
+    [[nodiscard]] const std::string& definitions() const { return definitions_; }
+    /// A name for an expression.
+    std::string named(const std::string& expression);
+
+private:
+    using Values = std::map<std::string, GraphValue, std::less<>>;  ///< by "node.output"
+    using Inputs = std::map<std::string, GraphValue, std::less<>>;
+    using Result = std::expected<GraphValue, std::string>;
+
+    Result call(const std::string& id, const std::string& channel, const Inputs& inputs);
+    std::expected<void, std::string> evaluate(const pugi::xml_node& node, Values& values);
+    std::expected<void, std::string> call_node(const pugi::xml_node& node, Values& values);
+    static Result constant_of(std::string_view kind, const pugi::xml_node& node);
+    Result of_vectors(std::string_view kind, const pugi::xml_node& node, Inputs& in);
+    Result of_components(std::string_view kind, Inputs& in);
+    [[nodiscard]] static std::expected<Inputs, std::string> inputs_of(const pugi::xml_node& node,
+                                                                      const Values& values);
+
+    std::map<std::string, pugi::xml_node, std::less<>> functions_;
+    std::string definitions_;
+    std::size_t count_ = 0;
+    int depth_ = 0;
+    int calls_ = 0;
+};
+
+}  // namespace zeroset

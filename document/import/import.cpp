@@ -1,0 +1,100 @@
+#include "document/import/import.hpp"
+
+#include "document/import/readers.hpp"
+#include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace zeroset {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array formats{
+    ImportFormat{.name = "SURFER", .endings = ".jsurf", .read = read_jsurf},
+    ImportFormat{.name = "surf", .endings = ".pic .surf", .read = read_surf_script},
+    ImportFormat{.name = "MathMod", .endings = ".js", .read = read_mathmod},
+    ImportFormat{.name = "K3DSurf", .endings = ".k3ds", .read = read_k3ds},
+    ImportFormat{.name = "Fidget, libfive", .endings = ".vm", .read = read_instructions},
+    ImportFormat{.name = "ImpVis", .endings = ".toml", .read = read_impvis},
+    ImportFormat{.name = "3MF", .endings = ".3mf", .read = read_three_mf, .largest = 64U << 20U},
+    ImportFormat{.name = "formulas", .endings = ".txt", .read = read_formulas},
+    ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = read_pov},
+};
+
+std::expected<std::string, std::string> bytes_of(const fs::path& path, std::size_t largest) {
+    std::error_code error;
+    if (!fs::exists(path, error)) return std::unexpected(tr("there is no such file"));
+    if (!fs::is_regular_file(path, error)) return std::unexpected(tr("it is no file"));
+    if (fs::file_size(path, error) > largest) return std::unexpected(tr("it is too large"));
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(std::istreambuf_iterator<char>(file), {});
+    if (!file) return std::unexpected(std::generic_category().message(errno));
+    return bytes;
+}
+
+/// `name` without blanks and signs that a list of names could not show.
+std::string clean_name(std::string_view name) {
+    std::string result;
+    for (const char letter : trimmed(name))
+        result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    return result.substr(0, 100);
+}
+
+}  // namespace
+
+std::span<const ImportFormat> import_formats() { return formats; }
+
+const ImportFormat* import_format(std::string_view file_name) {
+    const std::string name = lower_case(file_name);
+    for (const ImportFormat& format : formats) {
+        for (const std::string_view ending : split(format.endings, ' '))
+            if (name.ends_with(ending) && name.size() > ending.size()) return &format;
+    }
+    return nullptr;
+}
+
+bool is_import_name(std::string_view file_name) { return import_format(file_name) != nullptr; }
+
+std::string import_endings() {
+    std::string all;
+    for (const ImportFormat& format : formats)
+        all += (all.empty() ? "" : " ") + std::string(format.endings);
+    return all;
+}
+
+ReadImport read_import(std::string_view file_name, std::string_view bytes) {
+    const ImportFormat* const format = import_format(file_name);
+    if (format == nullptr) return import_error(0, tr("it is no file of a format that is read"));
+    if (bytes.size() > format->largest) return import_error(0, tr("it is too large"));
+    ReadImport imported = format->read(bytes);
+    if (!imported) return imported;
+    const std::string stem = fs::path(file_name).stem().string();
+    for (ImportedDocument& document : imported->documents) {
+        document.name = clean_name(document.name);
+        if (document.name.empty()) document.name = stem;
+        check_rows(document);
+    }
+    return imported;
+}
+
+ReadImport load_import(const fs::path& path) {
+    const auto refused = [&path](const std::string& reason) {
+        return std::unexpected(
+            filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
+    };
+    const ImportFormat* const format = import_format(path.filename().string());
+    const auto bytes = bytes_of(path, format ? format->largest : largest_script);
+    if (!bytes) return refused(bytes.error());
+    ReadImport imported = read_import(path.filename().string(), *bytes);
+    if (!imported) return refused(imported.error());
+    return imported;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,535 @@
+#include "document/import/pov_formulas.hpp"
+#include "document/import/pov_script.hpp"
+#include "document/import/readers.hpp"
+#include "engine/base/translation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+// Scenes of POV-Ray 3.7: their isosurfaces. POV-Ray's axes are left-handed, y is up and z leads
+// into the picture: (x, y, z) there is (x, z, y) here, where z is up. f below the threshold is
+// inside, and what is not open is closed by its container.
+
+namespace zeroset {
+namespace {
+
+struct Container {
+    bool ball = false;
+    glm::dvec3 lo{-1.0}, hi{1.0};  ///< of a box
+    glm::dvec3 centre{0.0};
+    double radius = 1.0;
+};
+
+struct PovLook {
+    std::optional<std::uint32_t> color;
+    std::optional<double> opacity;
+};
+
+/// An isosurface in its own coordinates, and where it stands.
+struct PovSurface {
+    std::string function;
+    Container container;
+    double threshold = 0.0;
+    bool open = false;
+    Placement placement;
+    PovLook look;
+    std::size_t line = 0;
+};
+
+constexpr int deepest = 60;
+constexpr std::size_t most_surfaces = 90;
+
+glm::dvec3 vector_of(const PovValue& value) {
+    if (value.size() == 1) return glm::dvec3(value[0]);
+    return {value[0], value[1], value.size() > 2 ? value[2] : 0.0};
+}
+
+/// (x, y, z) of POV-Ray here, and back.
+glm::dvec3 swapped(const glm::dvec3& v) { return {v.x, v.z, v.y}; }
+
+Placement swap_axes() {
+    Placement result;
+    result.linear = glm::dmat3(1, 0, 0, 0, 0, 1, 0, 1, 0);
+    return result;
+}
+
+class SceneReader {
+public:
+    explicit SceneReader(std::string_view text) : script_(text), formulas_(script_, result_) {
+        script_.on_note = [this](std::size_t line, std::string_view entry, std::string reason) {
+            result_.note(line, entry, std::move(reason));
+        };
+        script_.on_declare = [this](const std::string& name) { return declare(name); };
+    }
+
+    ReadImport run() {
+        while (script_.peek().kind != ScriptKind::End)
+            item(shown_);
+        if (shown_.empty())
+            return import_error(
+                0, tr("it shows no isosurface, which is what is read of scenes of POV-Ray"));
+        add_rows();
+        result_.note(
+            0, "",
+            tr("y is up there and z leads into the picture; here z is up: (x, z, y) in the rows"));
+        Imported imported;
+        imported.documents.push_back(std::move(result_));
+        return imported;
+    }
+
+private:
+    using Surfaces = std::vector<PovSurface>;
+
+    /// Reads an item of the scene or of a union, and adds its surfaces.
+    void item(Surfaces& surfaces) {
+        const ScriptToken word = script_.next();
+        if (word.kind != ScriptKind::Name) return;
+        if (word.text == "camera") return camera();
+        if (word.text == "background") return background();
+        if (!script_.at_sign("{")) return;
+        if (auto found = object(word.text, word.line)) {
+            for (PovSurface& surface : *found)
+                surfaces.push_back(std::move(surface));
+        } else {
+            script_.skip_block();
+            if (word.text != "global_settings")
+                result_.note(word.line, word.text, tr("not taken over"));
+        }
+    }
+
+    /// Reads the object behind its word; nothing where it is of another kind.
+    std::optional<Surfaces> object(std::string_view word, std::size_t line) {
+        static constexpr std::array<std::string_view, 5> groups{"union", "merge", "object",
+                                                                "intersection", "difference"};
+        if (word == "isosurface") return isosurface(line);
+        if (std::ranges::find(groups, word) == groups.end() || depth_ >= deepest)
+            return std::nullopt;
+        if (word == "intersection" || word == "difference")
+            result_.note(line, word, tr("its parts are drawn whole, not cut by each other"));
+        ++depth_;
+        Surfaces parts;
+        PovLook look;
+        Placement placement;
+        script_.take_sign("{");
+        while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
+            if (modifier(placement, look)) continue;
+            const std::string name(script_.peek().text);
+            const auto known = objects_.find(name);
+            if (known != objects_.end() && script_.take_name(name)) {
+                parts.insert(parts.end(), known->second.begin(), known->second.end());
+            } else {
+                item(parts);
+            }
+        }
+        --depth_;
+        for (PovSurface& part : parts) {
+            part.placement = part.placement.then(placement);
+            if (!part.look.color) part.look = look;
+        }
+        if (parts.size() > most_surfaces) parts.resize(most_surfaces);
+        return parts;
+    }
+
+    Surfaces isosurface(std::size_t line) {
+        if (++read_ > 2 * most_surfaces) {
+            result_.note(line, "isosurface", tr("the script runs too long; the rest is left out"));
+            script_.stop();
+            return {};
+        }
+        PovSurface surface{
+            .function = {}, .container = {}, .placement = {}, .look = {}, .line = line};
+        script_.take_sign("{");
+        bool complete = false;
+        while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
+            if (modifier(surface.placement, surface.look)) continue;
+            const ScriptToken word = script_.next();
+            if (word.text == "function") {
+                const auto own = formulas_.read("");
+                complete = own.has_value();
+                surface.function = own.value_or("");
+            } else if (word.text == "contained_by") {
+                container(surface.container);
+            } else if (word.text == "threshold") {
+                if (const auto value = number(word)) surface.threshold = *value;
+            } else if (word.text == "open") {
+                surface.open = true;
+            } else if (script_.at_sign("{")) {
+                script_.skip_block();
+                result_.note(word.line, word.text, tr("not taken over"));
+            }
+        }
+        if (!complete) {
+            result_.note(line, "isosurface", tr("without its function it is left out"));
+            return {};
+        }
+        return {surface};
+    }
+
+    std::optional<double> number(const ScriptToken& word) {
+        const auto value = script_.value();
+        if (value) return (*value)[0];
+        result_.note(word.line, word.text, tr("its value is not known; it is left out"));
+        return std::nullopt;
+    }
+
+    std::optional<glm::dvec3> vector(const ScriptToken& word) {
+        const auto value = script_.value();
+        if (value) return vector_of(*value);
+        result_.note(word.line, word.text, tr("its value is not known; it is left out"));
+        return std::nullopt;
+    }
+
+    void container(Container& container) {
+        script_.take_sign("{");
+        const ScriptToken word = script_.next();
+        script_.take_sign("{");
+        const auto first = vector(word);
+        script_.take_sign(",");
+        if (word.text == "sphere") {
+            const auto radius = number(word);
+            if (first && radius && *radius > 0.0) {
+                container.ball = true;
+                container.centre = *first;
+                container.radius = *radius;
+            }
+        } else {
+            const auto second = vector(word);
+            if (first && second) {
+                container.lo = glm::min(*first, *second);
+                container.hi = glm::max(*first, *second);
+            }
+        }
+        script_.take_sign("}");
+        script_.take_sign("}");
+    }
+
+    /// Reads a transformation or a texture, if one is next.
+    bool modifier(Placement& placement, PovLook& look) {
+        const ScriptToken word = script_.peek();
+        if (word.kind != ScriptKind::Name) return false;
+        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material",
+                                                               "color"};
+        if (std::ranges::find(looks, word.text) != looks.end()) {
+            script_.next();
+            read_look(word, look);
+            return true;
+        }
+        const auto step = transformation();
+        if (step) placement = placement.then(*step);
+        return step.has_value();
+    }
+
+    std::optional<Placement> transformation() {
+        const ScriptToken word = script_.peek();
+        if (word.text == "transform") return transform();
+        const bool known = word.text == "scale" || word.text == "rotate" ||
+                           word.text == "translate" || word.text == "matrix";
+        if (word.kind != ScriptKind::Name || !known) return std::nullopt;
+        script_.next();
+        if (word.text == "matrix") return matrix(word);
+        const auto value = vector(word);
+        if (!value) return Placement{};
+        if (word.text == "translate") return Placement::moving(*value);
+        if (word.text == "scale") {
+            glm::dvec3 factors = *value;
+            for (int i = 0; i < 3; ++i)
+                if (factors[i] == 0.0) factors[i] = 1.0;
+            return Placement::scaling(factors);
+        }
+        Placement turned;
+        for (int axis = 0; axis < 3; ++axis) {
+            if ((*value)[axis] == 0.0) continue;
+            turned =
+                turned.then(Placement::turning(axis, (*value)[axis] * std::numbers::pi / 180.0));
+        }
+        return turned;
+    }
+
+    Placement matrix(const ScriptToken& word) {
+        Placement result;
+        std::array<double, 12> m{};
+        script_.take_sign("<");
+        for (double& entry : m) {
+            const auto value = script_.value();
+            script_.take_sign(",");
+            if (!value) {
+                result_.note(word.line, word.text, tr("its value is not known; it is left out"));
+                return {};
+            }
+            entry = (*value)[0];
+        }
+        script_.take_sign(">");
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j)
+                result.linear[i][j] = m[static_cast<std::size_t>(3 * i + j)];
+            result.shift[i] = m[static_cast<std::size_t>(9 + i)];
+        }
+        return result;
+    }
+
+    std::optional<Placement> transform() {
+        const ScriptToken word = script_.next();
+        const bool braces = script_.take_sign("{");
+        Placement result;
+        if (!braces) {
+            const auto known = transforms_.find(script_.next().text);
+            return known == transforms_.end() ? result : known->second;
+        }
+        while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
+            const auto known = transforms_.find(script_.peek().text);
+            if (known != transforms_.end()) {
+                script_.next();
+                result = result.then(known->second);
+            } else if (depth_ < deepest) {
+                ++depth_;
+                const auto step = transformation();
+                --depth_;
+                if (step)
+                    result = result.then(*step);
+                else
+                    result_.note(word.line, script_.next().text, tr("not taken over"));
+            } else {
+                script_.next();
+            }
+        }
+        return result;
+    }
+
+    /// Finds the colour in a texture: the first one told.
+    void read_look(const ScriptToken& word, PovLook& look) {
+        if (word.text == "color") return take_color(script_.value(), look);
+        if (!script_.take_sign("{")) return;
+        int open = 1;
+        while (open > 0 && script_.peek().kind != ScriptKind::End) {
+            const ScriptToken token = script_.peek();
+            if (script_.take_sign("{")) {
+                ++open;
+                continue;
+            }
+            if (script_.take_sign("}")) {
+                --open;
+                continue;
+            }
+            static constexpr std::array<std::string_view, 7> colors{
+                "rgb", "rgbt", "rgbf", "color", "colour", "srgb", "rgbft"};
+            const auto known = looks_.find(token.text);
+            if (token.kind == ScriptKind::Name && known != looks_.end()) {
+                if (!look.color) look = known->second;
+                script_.next();
+            } else if (std::ranges::find(colors, token.text) != colors.end()) {
+                take_color(script_.value(), look);
+            } else {
+                const auto value = script_.value_of(token.text);
+                script_.next();
+                if (token.kind == ScriptKind::Name && value && value->size() >= 3 && open >= 1 &&
+                    token.text.size() > 1)
+                    take_color(value, look);
+            }
+        }
+    }
+
+    static void take_color(const std::optional<PovValue>& color, PovLook& look) {
+        if (!color || color->size() < 3 || look.color) return;
+        look.color = shown_color((*color)[0], (*color)[1], (*color)[2]);
+        const double through =
+            (color->size() > 3 ? (*color)[3] : 0.0) + (color->size() > 4 ? (*color)[4] : 0.0);
+        if (through > 0.0) look.opacity = std::clamp(1.0 - through, 0.0, 1.0);
+    }
+
+    bool declare(const std::string& name) {
+        const ScriptToken word = script_.peek();
+        if (word.kind != ScriptKind::Name) return false;
+        if (script_.take_name("function")) {
+            if (const auto own = formulas_.read(name)) formulas_.define(name, *own);
+            return true;
+        }
+        if (const auto same = formulas_.find(word.text)) {
+            script_.next();
+            formulas_.define(name, *same);
+            return true;
+        }
+        if (word.text == "transform") {
+            transforms_.insert_or_assign(name, *transform());
+            return true;
+        }
+        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material",
+                                                               "finish"};
+        if (std::ranges::find(looks, word.text) != looks.end()) {
+            script_.next();
+            PovLook look;
+            read_look(word, look);
+            looks_.insert_or_assign(name, look);
+            return true;
+        }
+        if (script_.raw().at_sign("{", 1)) {
+            script_.next();
+            if (auto parts = object(word.text, word.line))
+                objects_.insert_or_assign(name, std::move(*parts));
+            else
+                script_.skip_block();
+            return true;
+        }
+        return false;
+    }
+
+    void background() {
+        if (!script_.take_sign("{")) return;
+        PovLook look;
+        take_color(script_.value(), look);
+        script_.take_sign("}");
+        if (look.color)
+            result_.document.light.background =
+                Background{.top = *look.color, .bottom = *look.color};
+    }
+
+    void camera() {
+        if (!script_.take_sign("{")) return;
+        const std::size_t line = script_.line();
+        glm::dvec3 eye(0.0), target(0.0, 0.0, 1.0), sky(0.0, 1.0, 0.0), right(4.0 / 3.0, 0.0, 0.0),
+            up(0.0, 1.0, 0.0);
+        double angle = 67.380135;
+        bool parallel = false;
+        Placement placement;
+        while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
+            if (const auto step = transformation()) {
+                placement = placement.then(*step);
+                continue;
+            }
+            const ScriptToken word = script_.next();
+            const auto take = [&](std::string_view name, glm::dvec3& into) {
+                if (word.text != name) return;
+                if (const auto value = vector(word)) into = *value;
+            };
+            take("location", eye);
+            take("look_at", target);
+            take("sky", sky);
+            take("right", right);
+            take("up", up);
+            if (word.text == "angle") angle = number(word).value_or(angle);
+            if (word.text == "orthographic") parallel = true;
+            if (script_.at_sign("{")) script_.skip_block();
+        }
+        const double half = std::tan(std::clamp(angle, 0.1, 170.0) * std::numbers::pi / 360.0);
+        const double ratio = glm::length(right) > 0.0 ? glm::length(up) / glm::length(right) : 1.0;
+        const Camera camera{
+            .eye = swapped(placement.of(eye)),
+            .look_at = swapped(placement.of(target)),
+            .up = swapped(placement.linear * sky),
+            .fov_rad = 2.0 * std::atan(half * ratio),
+            .projection = parallel ? Projection::Orthographic : Projection::Perspective};
+        if (camera_defect(camera) == nullptr)
+            camera_ = camera;
+        else
+            result_.note(line, "camera", tr("it cannot see anything; it is left out"));
+    }
+
+    /// What is 0 on the container and negative in it.
+    static std::string inside(const Container& container) {
+        constexpr std::array letters{"x", "y", "z"};
+        const auto moved = [&](int axis, double by) {
+            std::string letter = letters[static_cast<std::size_t>(axis)];
+            if (by == 0.0) return letter;
+            return letter + (by < 0.0 ? " + " : " - ") + exact_number(std::abs(by));
+        };
+        std::string text;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (container.ball) {
+                const std::string part = moved(axis, container.centre[axis]);
+                text +=
+                    (axis > 0 ? " + " : "") + (part.size() > 1 ? "(" + part + ")" : part) + "^2";
+                continue;
+            }
+            const double centre = 0.5 * (container.lo[axis] + container.hi[axis]);
+            const double half = 0.5 * (container.hi[axis] - container.lo[axis]);
+            text += (axis > 0 ? ", " : "") + ("abs(" + moved(axis, centre)) + ") - " +
+                    exact_number(half, true);
+        }
+        return container.ball ? text + " - " + exact_number(container.radius * container.radius)
+                              : text;
+    }
+
+    /// Adds the rows of a surface and returns the box that it is in.
+    std::optional<Box> add_surface(const PovSurface& surface) {
+        const Placement placed = surface.placement.then(swap_axes());
+        const auto back = placed.inverse();
+        if (!back) {
+            result_.note(surface.line, "isosurface", tr("it is scaled to nothing; it is left out"));
+            return std::nullopt;
+        }
+        const std::string coordinates = "(" + coordinates_of(*back) + ")";
+        const std::string limits = inside(surface.container);
+        std::string text;
+        if (surface.open) {
+            const std::string container = surface.container.ball ? limits : "max(" + limits + ")";
+            text = surface.function + coordinates + " = " + exact_number(surface.threshold);
+            text +=
+                ", " + formulas_.add("container", container, surface.line) + coordinates + " < 0";
+        } else {
+            std::string f = surface.function + "(x, y, z)";
+            if (surface.threshold != 0.0)
+                f += (surface.threshold < 0.0 ? " + " : " - ") +
+                     exact_number(std::abs(surface.threshold));
+            text = formulas_.add("solid", "max(" + f + ", " + limits + ")", surface.line) +
+                   coordinates + " = 0";
+        }
+        result_.add_row(text, surface.line, surface.look.color).opacity = surface.look.opacity;
+        return box_of(surface.container, placed);
+    }
+
+    static Box box_of(const Container& container, const Placement& placed) {
+        const glm::dvec3 lo = container.ball ? container.centre - container.radius : container.lo;
+        const glm::dvec3 hi = container.ball ? container.centre + container.radius : container.hi;
+        Box box{.lo = placed.of(lo), .hi = placed.of(lo)};
+        for (int corner = 1; corner < 8; ++corner) {
+            const glm::dvec3 at((corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
+                                (corner & 4) != 0 ? hi.z : lo.z);
+            box.lo = glm::min(box.lo, placed.of(at));
+            box.hi = glm::max(box.hi, placed.of(at));
+        }
+        return box;
+    }
+
+    void add_rows() {
+        std::optional<Box> all;
+        if (shown_.size() > most_surfaces) {
+            result_.note(
+                shown_[most_surfaces].line, "isosurface",
+                filled(tr("only the first {0} are drawn"), {std::to_string(most_surfaces)}));
+            shown_.resize(most_surfaces);
+        }
+        for (const PovSurface& surface : shown_) {
+            const auto box = add_surface(surface);
+            if (!box) continue;
+            if (!all) all = box;
+            all->lo = glm::min(all->lo, box->lo);
+            all->hi = glm::max(all->hi, box->hi);
+        }
+        const bool usable = all && all->size() > 0.0 && all->size() < largest_number &&
+                            glm::length(all->lo) < largest_number;
+        if (usable) {
+            // The containers' walls are surfaces, too, and must not lie in the box's.
+            result_.document.clip = scaled(*all, 1.02);
+            result_.tells_box = true;
+            if (camera_) result_.document.camera = result_.document.home = camera_;
+        }
+    }
+
+    ImportedDocument result_{.name = {}};
+    PovScript script_;
+    PovFormulas formulas_;
+    Surfaces shown_;
+    std::map<std::string, Surfaces, std::less<>> objects_;
+    std::map<std::string, Placement, std::less<>> transforms_;
+    std::map<std::string, PovLook, std::less<>> looks_;
+    std::optional<Camera> camera_;
+    std::size_t read_ = 0;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+ReadImport read_pov(std::string_view text) { return SceneReader(text).run(); }
+
+}  // namespace zeroset

@@ -1,0 +1,135 @@
+#include "document/import/pov_formulas.hpp"
+
+#include "engine/base/translation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Functions that mean something else in the language, or are called otherwise there.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> renamed{
+    {{"mod", "fmod"}, {"log", "log10"}, {"int", "trunc"}}};
+
+}  // namespace
+
+std::vector<std::string> PovFormulas::parameters() {
+    std::vector<std::string> names;
+    if (!script_.take_sign("(")) return {"x", "y", "z"};
+    while (script_.peek().kind == ScriptKind::Name || script_.at_sign(",")) {
+        const ScriptToken token = script_.next();
+        if (token.kind == ScriptKind::Name && token.text != "float") names.emplace_back(token.text);
+    }
+    script_.take_sign(")");
+    return names;
+}
+
+std::optional<std::string> PovFormulas::read(std::string_view wanted) {
+    const std::vector<std::string> names = parameters();
+    const std::size_t line = script_.line();
+    const std::size_t begin = script_.raw().position();
+    const auto refused = [&](std::string reason) {
+        result_.note(line, wanted.empty() ? "function" : wanted, std::move(reason));
+        script_.raw().go_to(begin);
+        script_.skip_block();
+        return std::nullopt;
+    };
+    if (!script_.take_sign("{")) return refused(tr("a function is { ... }; it is left out"));
+    for (const std::string_view word : {"pigment", "pattern", "spline", "transform"}) {
+        if (script_.at_name(word))
+            return refused(filled(tr("functions of a {0} are not taken over"), {word}));
+    }
+    auto term = read_term(script_.raw(), {});
+    if (!term) return refused(filled(tr("{0}; it is left out"), {term.error().reason}));
+    if (!script_.take_sign("}")) {
+        return refused(
+            filled(tr("'{0}' does not continue the formula"), {script_.peek().text.substr(0, 20)}));
+    }
+    // A call of a known function alone needs no row of its own.
+    const bool plain = wanted.empty() && term->kind == TermKind::Call &&
+                       term->operands.size() == 3 && text_of(term->operands[0]) == "x" &&
+                       text_of(term->operands[1]) == "y" && text_of(term->operands[2]) == "z";
+    if (plain) {
+        if (auto own = find(term->text)) return own;
+    }
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + name;
+    const std::string formula = translated(std::move(*term), names);
+    std::string own = names_.fresh(wanted.empty() ? "shape" : wanted);
+    if (!wanted.empty() && own != wanted)
+        result_.note(line, wanted, filled(tr("{0} is called {1}"), {wanted, own}));
+    result_.add_definition(own + "(" + list + ") = " + formula, line);
+    return own;
+}
+
+std::optional<std::string> PovFormulas::find(std::string_view name) const {
+    const auto found = functions_.find(name);
+    if (found == functions_.end()) return std::nullopt;
+    return found->second;
+}
+
+std::string PovFormulas::add(std::string_view wanted, const std::string& formula,
+                             std::size_t line) {
+    std::string own = names_.fresh(wanted);
+    result_.add_definition(own + "(x, y, z) = " + formula, line);
+    return own;
+}
+
+std::string PovFormulas::translated(Term term, const std::vector<std::string>& parameters) {
+    for_each_part(term, [&](Term& part) {
+        if (part.kind == TermKind::Call) translate_call(part);
+        if (part.kind == TermKind::Name) translate_name(part, parameters);
+    });
+    return text_of(term);
+}
+
+void PovFormulas::translate_call(Term& call) const {
+    if (const auto own = find(call.text)) {
+        call.text = *own;
+        return;
+    }
+    const auto* const other =
+        std::ranges::find(renamed, call.text, [](const auto& r) { return r.first; });
+    if (other != renamed.end()) {
+        call.text = other->second;
+    } else if (call.text == "sqr" && call.operands.size() == 1) {
+        call.kind = TermKind::Power;
+        call.operands.push_back(number_term(2.0, call.line));
+    } else if (call.text == "div" && call.operands.size() == 2) {
+        Term quotient{.kind = TermKind::Chain,
+                      .operands = std::move(call.operands),
+                      .signs = {"", "/"},
+                      .line = call.line};
+        std::vector<Term> one;
+        one.push_back(std::move(quotient));
+        call = call_of("trunc", std::move(one), call.line);
+    } else if ((call.text == "sum" || call.text == "prod") && call.operands.size() == 4) {
+        // The formula is the last argument there, and the first one here.
+        std::ranges::rotate(call.operands, call.operands.begin() + 3);
+    }
+}
+
+void PovFormulas::translate_name(Term& name, const std::vector<std::string>& parameters) {
+    if (std::ranges::find(parameters, name.text) != parameters.end()) return;
+    const auto value = script_.value_of(name.text);
+    if (!value || name.text == "pi" || pov_constant(name.text)) {
+        if (value && name.text != "pi" && value->size() == 1)
+            name = number_term((*value)[0], name.line);
+        return;
+    }
+    if (value->size() != 1) {
+        result_.note(name.line, name.text, tr("a vector in a formula; it is left out"));
+        return;
+    }
+    const auto key = std::pair(name.text, (*value)[0]);
+    if (!constants_.contains(key)) {
+        constants_[key] = names_.fresh(name.text);
+        result_.add_definition(constants_[key] + " := " + exact_number(key.second), name.line);
+    }
+    name.text = constants_[key];
+}
+
+}  // namespace zeroset

@@ -1,0 +1,232 @@
+#include "document/import/implicit_graph.hpp"
+#include "document/import/placement.hpp"
+#include "document/import/readers.hpp"
+#include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
+
+#include <zip.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+// Packages of 3MF: the level sets of the volumetric extension whose functions are implicit. What is
+// inside has f <= 0 and is in the box of the level set's mesh.
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t largest_model = 64U << 20U;
+constexpr int deepest = 16;
+
+struct ZipClosed {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+struct ZipFileClosed {
+    void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+
+/// The first part whose name ends in .model; nothing is allocated on the word of its header.
+std::expected<std::string, std::string> model_of(std::string_view bytes) {
+    zip_error_t error{};
+    zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+    if (source == nullptr) return std::unexpected(tr("it is no package of 3MF"));
+    const std::unique_ptr<zip_t, ZipClosed> archive(
+        zip_open_from_source(source, ZIP_RDONLY, &error));
+    if (!archive) {
+        zip_source_free(source);
+        return std::unexpected(tr("it is no package of 3MF"));
+    }
+    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+    for (zip_int64_t i = 0; i < count; ++i) {
+        const char* const name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
+        if (name == nullptr || !lower_case(name).ends_with(".model")) continue;
+        const std::unique_ptr<zip_file_t, ZipFileClosed> file(
+            zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(i), 0));
+        std::string text;
+        std::string block(1U << 16U, '\0');
+        while (file) {
+            const zip_int64_t read = zip_fread(file.get(), block.data(), block.size());
+            if (read <= 0) break;
+            text.append(block.data(), static_cast<std::size_t>(read));
+            if (text.size() > largest_model) return std::unexpected(tr("it is too large"));
+        }
+        return text;
+    }
+    return std::unexpected(tr("it is no package of 3MF: it has no model"));
+}
+
+/// A matrix of 3MF: 12 numbers, for points as rows.
+std::optional<Placement> placement_of(const char* text) {
+    Placement result;
+    if (*text == '\0') return result;
+    std::vector<double> m;
+    for (const std::string_view word : split(text, ' ')) {
+        if (word.empty()) continue;
+        const auto number = number_from<double>(word);
+        if (!number) return std::nullopt;
+        m.push_back(*number);
+    }
+    if (m.size() != 12) return std::nullopt;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            result.linear[i][j] = m[static_cast<std::size_t>(3 * i + j)];
+        result.shift[i] = m[static_cast<std::size_t>(9 + i)];
+    }
+    return result;
+}
+
+class PackageReader {
+public:
+    ReadImport run(std::string_view text) {
+        pugi::xml_document xml;
+        if (!xml.load_buffer(text.data(), text.size()))
+            return import_error(0, tr("its model is no XML"));
+        for (const pugi::xml_node& model : xml.children()) {
+            if (local_name(model) != "model") continue;
+            for (const pugi::xml_node& part : model.children()) {
+                if (local_name(part) == "resources") add_resources(part);
+                if (local_name(part) == "build") build(part);
+            }
+        }
+        if (!all_)
+            return import_error(
+                0, tr("it has no level set of an implicit function; its meshes are not read"));
+        result_.document.clip = scaled(*all_, 1.02);
+        result_.tells_box = true;
+        Imported imported;
+        imported.documents.push_back(std::move(result_));
+        return imported;
+    }
+
+private:
+    void add_resources(const pugi::xml_node& resources) {
+        for (const pugi::xml_node& resource : resources.children()) {
+            const std::string_view kind = local_name(resource);
+            if (kind == "implicitfunction")
+                functions_.add_function(resource);
+            else if (kind == "object")
+                objects_.insert_or_assign(resource.attribute("id").value(), resource);
+            else if (resource.type() == pugi::node_element)
+                result_.note(0, kind, tr("not taken over"));
+        }
+    }
+
+    void build(const pugi::xml_node& items) {
+        for (const pugi::xml_node& item : items.children()) {
+            const auto placement = placement_of(item.attribute("transform").value());
+            if (!placement)
+                result_.note(0, "build/item", tr("its transform is no matrix; it is left out"));
+            add_object(item.attribute("objectid").value(), placement.value_or(Placement{}), 0);
+        }
+    }
+
+    void add_object(const std::string& id, const Placement& placement, int depth) {
+        const auto found = objects_.find(id);
+        if (found == objects_.end() || depth > deepest) return;
+        for (const pugi::xml_node& part : found->second.children()) {
+            const std::string_view kind = local_name(part);
+            if (kind == "levelset") add_level_set(part, placement, "object " + id);
+            if (kind == "mesh") result_.note(0, "object " + id, tr("meshes are not taken over"));
+            if (kind != "components") continue;
+            for (const pugi::xml_node& component : part.children()) {
+                if (++components_ > 1000) return;
+                const auto inner = placement_of(component.attribute("transform").value());
+                add_object(component.attribute("objectid").value(),
+                           inner.value_or(Placement{}).then(placement), depth + 1);
+            }
+        }
+    }
+
+    std::optional<Box> box_of_mesh(const std::string& id) {
+        const auto found = objects_.find(id);
+        if (found == objects_.end()) return std::nullopt;
+        std::optional<Box> box;
+        for (const pugi::xml_node& mesh : found->second.children()) {
+            for (const pugi::xml_node& list : mesh.children()) {
+                for (const pugi::xml_node& vertex : list.children()) {
+                    if (local_name(vertex) != "vertex") continue;
+                    const glm::dvec3 at(vertex.attribute("x").as_double(),
+                                        vertex.attribute("y").as_double(),
+                                        vertex.attribute("z").as_double());
+                    if (!box) box = Box{.lo = at, .hi = at};
+                    box->lo = glm::min(box->lo, at);
+                    box->hi = glm::max(box->hi, at);
+                }
+            }
+        }
+        return box;
+    }
+
+    void add_level_set(const pugi::xml_node& set, const Placement& placement,
+                       const std::string& entry) {
+        const auto to_field = placement_of(set.attribute("transform").value());
+        const auto back = placement.inverse();
+        const auto box = box_of_mesh(set.attribute("meshid").value());
+        if (!to_field || !back || !box) {
+            result_.note(0, entry,
+                         tr("it has no mesh that bounds it, or a transform that is no matrix; it "
+                            "is left out"));
+            return;
+        }
+        if (!set.attribute("meshbboxonly").as_bool())
+            result_.note(0, entry, tr("it is cut by its mesh's box, not by the mesh"));
+        const GraphValue inside = named_coordinates(*back);
+        const auto f =
+            functions_.output(set.attribute("functionid").value(), set.attribute("channel").value(),
+                              named_coordinates(back->then(*to_field)));
+        if (!f) {
+            result_.note(0, entry, filled(tr("{0}; it is left out"), {f.error()}));
+            return;
+        }
+        const std::string& all = functions_.definitions();
+        const std::string fresh(trimmed(std::string_view(all).substr(written_)));
+        written_ = all.size();
+        if (!fresh.empty()) result_.add_definition(fresh, 0);
+        std::string text = "max(" + *f;
+        for (int i = 0; i < 3; ++i) {
+            const std::string& letter = inside[static_cast<std::size_t>(i)];
+            text += ", " + exact_number(box->lo[i]) + " - " + letter + ", " + letter + " - " +
+                    exact_number(box->hi[i], true);
+        }
+        result_.add_row(text + ") = 0", 0);
+        extend(*box, placement);
+    }
+
+    /// The coordinates that a map brings (x, y, z) to, each with a name.
+    GraphValue named_coordinates(const Placement& map) {
+        if (map.is_identity()) return {"x", "y", "z"};
+        GraphValue names;
+        for (const std::string_view part : split(coordinates_of(map), ','))
+            names.push_back(functions_.named(std::string(part)));
+        return names;
+    }
+
+    void extend(const Box& box, const Placement& placement) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 at = placement.of({(corner & 1) != 0 ? box.hi.x : box.lo.x,
+                                                (corner & 2) != 0 ? box.hi.y : box.lo.y,
+                                                (corner & 4) != 0 ? box.hi.z : box.lo.z});
+            if (!all_) all_ = Box{.lo = at, .hi = at};
+            all_->lo = glm::min(all_->lo, at);
+            all_->hi = glm::max(all_->hi, at);
+        }
+    }
+
+    ImportedDocument result_{.name = {}};
+    GraphWriter functions_;
+    std::size_t written_ = 0;
+    std::size_t components_ = 0;
+    std::map<std::string, pugi::xml_node, std::less<>> objects_;
+    std::optional<Box> all_;
+};
+
+}  // namespace
+
+ReadImport read_three_mf(std::string_view bytes) {
+    const auto model = model_of(bytes);
+    if (!model) return std::unexpected(model.error());
+    return PackageReader().run(*model);
+}
+
+}  // namespace zeroset
