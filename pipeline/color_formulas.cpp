@@ -8,6 +8,7 @@
 #include "pipeline/contour_step.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -94,6 +95,11 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
         formulas.values.assign(rows.program->surfaces.size(), code_of(*expression));
         return formulas;
     }
+    if (std::ranges::any_of(rows.program->patches,
+                            [](const auto& patch) { return patch.has_value(); }))
+        return wrong_input(
+            tr("curvature and gradient are known of equations only: colour parametric surfaces by "
+               "height, normal or an expression"));
     for (const Expr& surface : rows.program->surfaces)
         formulas.values.push_back(code_of(shape_of(choice.by, surface)));
     return formulas;

@@ -6,6 +6,7 @@
 #include "engine/mesh/wall.hpp"
 #include "engine/real/rounding.hpp"
 #include "pipeline/mesh_colors.hpp"
+#include "pipeline/patch_surface.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -186,6 +187,7 @@ std::string nothing_found(const DocumentMeshes& meshes) {
 
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
                                            const MeshSettings& settings) {
+    if (auto refused = patch_refusal(request, tr("a mesh"))) return std::unexpected(*refused);
     auto solids = surface_solids(request);
     if (!solids) return std::unexpected(solids.error());
     DocumentMesher mesher(request, settings);

@@ -2,13 +2,15 @@
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/scene/tolerance.hpp"
+#include "pipeline/patch_surface.hpp"
 
 namespace zeroset {
 std::vector<Kernel> typed_formulas(const Program& program, const std::vector<std::size_t>& shown) {
     std::vector<Kernel> formulas;
     formulas.reserve(shown.size());
     for (const std::size_t surface : shown)
-        formulas.push_back(interpret(program.surfaces[surface]));
+        formulas.push_back(is_patch(program, surface) ? interpreted_patch(*program.patches[surface])
+                                                      : interpret(program.surfaces[surface]));
     return formulas;
 }
 

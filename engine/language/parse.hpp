@@ -3,7 +3,9 @@
 #include "engine/expr/expr.hpp"
 #include "engine/language/vocabulary/reading.hpp"
 
+#include <array>
 #include <expected>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,11 +13,16 @@
 
 namespace zeroset {
 
+/// The coordinates of a parametric surface at each point of the unit square in x and y.
+using PatchGraphs = std::array<Expr, 3>;
+
 /// The meaning of a text. All surfaces share the numbering of the parameters.
 struct Program {
     std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
                                  ///< one
     std::vector<bool> solids;    ///< of each surface: f < 0 is where its conditions hold
+    /// Of each surface: what is drawn in place of f = 0, which then holds nowhere; none: f = 0.
+    std::vector<std::optional<PatchGraphs>> patches = {};
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
     bool calls_w_t = false;               ///< it says t for the fourth coordinate, and never w

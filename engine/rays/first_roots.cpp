@@ -1,6 +1,7 @@
 #include "engine/rays/first_roots.hpp"
 
 #include "engine/kernel/point_batch.hpp"
+#include "engine/rays/patch_rays.hpp"
 #include "engine/rays/root_search.hpp"
 #include "engine/rays/union_rays.hpp"
 #include "engine/trace/single_rays.hpp"
@@ -209,6 +210,8 @@ struct MemberTask {
 /// Searches a surface as far as rays need it: whole, or the parts of a union that they meet.
 void find_on_surface(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
                      std::span<RayHit> hits, Counters& counters) {
+    if (surface.kernel.patch != nullptr)
+        return find_on_patch(surface, number, rays, hits, counters);
     if (const auto* const finder = dynamic_cast<const SingleRootFinder*>(surface.prepared))
         return find_by_tracer(surface, *finder, number, rays, hits, counters);
     const UnionRays parts(surface, number, rays);
@@ -282,6 +285,10 @@ void find_blocked(std::span<const TraceFrame> surfaces, std::span<const SceneRay
             const SceneRay& ray = inside[k];
             if (blocked[k] != 0 || !(ray.from < ray.to)) continue;
             if (surfaces[i].stopped()) return;
+            if (surfaces[i].kernel.patch != nullptr) {
+                blocked[k] = is_blocked_by_patch(surfaces[i], number, ray, counters) ? 1 : 0;
+                continue;
+            }
             blocked[k] = is_blocked(surfaces[i], number, parts, ray, meetings, counters) ? 1 : 0;
         }
     }

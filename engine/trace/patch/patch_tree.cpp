@@ -1,0 +1,99 @@
+#include "engine/trace/patch/patch_tree.hpp"
+
+#include "engine/real/rounding.hpp"
+
+#include <cassert>
+#include <mutex>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t across = 4;
+static_assert(across * across == PatchForms::at_once);
+
+/// The trees of a kernel: of the last uniforms.
+struct KeptTree {
+    std::mutex mutex;
+    Uniforms uniforms;
+    std::shared_ptr<const PatchTree> tree;
+};
+
+PatchForms::Boxes grown_boxes(const PatchForms::Boxes& boxes) {
+    PatchForms::Boxes grown = boxes;
+    for (UvBox& box : grown)
+        box = box.grown(form_growth);
+    return grown;
+}
+
+PatchForms::Boxes parts_of(const UvBox& box) {
+    PatchForms::Boxes parts{};
+    const double u_radius = box.u_radius / across;
+    const double v_radius = box.v_radius / across;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto col = static_cast<double>(i % across);
+        const auto row = static_cast<double>(i / across);
+        parts[i] = {.u = box.u - box.u_radius + (2.0 * col + 1.0) * u_radius,
+                    .v = box.v - box.v_radius + (2.0 * row + 1.0) * v_radius,
+                    .u_radius = u_radius,
+                    .v_radius = v_radius};
+    }
+    return parts;
+}
+
+}  // namespace
+
+/// Deletes the parts of all parts without a call within a call for each of thousands.
+PatchNode::~PatchNode() { delete children.load(); }  // NOLINT(cppcoreguidelines-owning-memory)
+
+PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
+    : forms_(std::move(code), std::move(uniforms)) {
+    const UpwardRegisters upward;
+    root_.box = {.u = 0.5, .v = 0.5, .u_radius = 0.5, .v_radius = 0.5};
+    PatchForms::Boxes boxes;
+    boxes.fill(root_.box.grown(form_growth));
+    PatchForms::Forms forms;
+    forms_.evaluate(boxes, forms);
+    root_.form = forms.front();
+}
+
+PatchNode::Children* PatchTree::parts(PatchNode& node) const {
+    if (PatchNode::Children* const known = node.children.load(std::memory_order_acquire))
+        return known;
+    if (is_full()) return nullptr;
+    auto made = std::make_unique<PatchNode::Children>();
+    const PatchForms::Boxes boxes = parts_of(node.box);
+    PatchForms::Forms forms;
+    forms_.evaluate(grown_boxes(boxes), forms);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        made->nodes[i].box = boxes[i];
+        made->nodes[i].form = forms[i];
+        made->nodes[i].level = node.level + 1;
+    }
+    // Where two threads make the same parts, those of the first one count.
+    PatchNode::Children* before = nullptr;
+    if (!node.children.compare_exchange_strong(before, made.get(), std::memory_order_acq_rel))
+        return before;
+    nodes_ += boxes.size();
+    return made.release();
+}
+
+std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms& uniforms) {
+    assert(kernel.patch != nullptr);
+    const std::shared_ptr<KeptTree> kept = kernel.memory->of<KeptTree>();
+    const std::scoped_lock lock(kept->mutex);
+    const bool is_same = kept->tree != nullptr && !kept->tree->is_full() &&
+                         kept->uniforms.neg_lo_hi_double == uniforms.neg_lo_hi_double;
+    if (!is_same) {
+        kept->uniforms = uniforms;
+        kept->tree = std::make_shared<const PatchTree>(kernel.patch, uniforms);
+    }
+    return kept->tree;
+}
+
+const PatchTree& tree_of(const TraceFrame& frame) {
+    assert(dynamic_cast<const PatchTree*>(frame.prepared) != nullptr);
+    return *static_cast<const PatchTree*>(frame.prepared);
+}
+
+}  // namespace zeroset
