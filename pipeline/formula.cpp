@@ -48,7 +48,7 @@ std::vector<Kernel> with_patches(const Formula& formula, std::vector<Kernel> imp
         } else if (i < formula.kernels.size()) {
             kernels.push_back(formula.kernels[i]);
         } else {
-            kernels.push_back(patch_code(*formula.program->patches[i]));
+            kernels.push_back(patch_code(*formula.program->patches[i], formula.region));
         }
     }
     return kernels;

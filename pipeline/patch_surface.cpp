@@ -1,40 +1,29 @@
 #include "pipeline/patch_surface.hpp"
 
 #include "engine/base/translation.hpp"
-#include "engine/interpret/interpret.hpp"
 #include "engine/kernel/patch_code.hpp"
 #include "jit/compile.hpp"
+#include "pipeline/patch_shapes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 namespace zeroset {
-namespace {
-
-template <class Make>
-Kernel patch_of(const PatchGraphs& graphs, const Make& make) {
-    std::array<Kernel, 3> point;
-    std::ranges::transform(graphs, point.begin(), [&](const Expr& graph) {
-        Kernel kernel = make(graph);
-        kernel.has_double = true;
-        return kernel;
-    });
-    return patch_kernel(std::move(point));
-}
-
-}  // namespace
-
 bool is_patch(const Program& program, std::size_t surface) {
     return surface < program.patches.size() && program.patches[surface].has_value();
 }
 
-Kernel patch_code(const PatchGraphs& graphs) {
-    return patch_of(graphs, [](const Expr& graph) { return jit::compile_when_called(graph); });
-}
-
-Kernel interpreted_patch(const PatchGraphs& graphs) {
-    return patch_of(graphs, [](const Expr& graph) { return interpret(graph); });
+Kernel patch_code(const PatchGraphs& graphs, const Box& clip) {
+    constexpr double thickness = 0.006;  // of the box's longest edge
+    const std::array<Expr, 3> shown = shown_patch(graphs, thickness * clip.size());
+    std::array<Kernel, 3> point;
+    std::ranges::transform(shown, point.begin(), [](const Expr& graph) {
+        Kernel kernel = jit::compile_when_called(graph);
+        kernel.has_double = true;
+        return kernel;
+    });
+    return patch_kernel(std::move(point));
 }
 
 std::optional<InputError> patch_refusal(const PictureRequest& request, const std::string& what) {

@@ -2,6 +2,7 @@
 
 #include "engine/kernel/kernel.hpp"
 #include "engine/language/parse.hpp"
+#include "engine/view/box.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 
@@ -14,10 +15,9 @@ namespace zeroset {
 /// Whether a surface of a program is a parametric one.
 bool is_patch(const Program& program, std::size_t surface);
 
-/// The code of a parametric surface: interpreted until it has been used for long enough.
-Kernel patch_code(const PatchGraphs& graphs);
-/// The same, always interpreted.
-Kernel interpreted_patch(const PatchGraphs& graphs);
+/// The code that draws a parametric surface, a curve or a point in a clip box, which says how thick
+/// curves and points are: interpreted until it has been used for long enough.
+Kernel patch_code(const PatchGraphs& graphs, const Box& clip);
 
 /// Why something cannot be made of what a picture shows: one of its surfaces is a parametric one.
 /// `what`: the beginning of the line, translated. Nothing: there is none.

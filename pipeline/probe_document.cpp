@@ -5,11 +5,12 @@
 #include "pipeline/patch_surface.hpp"
 
 namespace zeroset {
-std::vector<Kernel> typed_formulas(const Program& program, const std::vector<std::size_t>& shown) {
+std::vector<Kernel> typed_formulas(const Formula& formula, const std::vector<std::size_t>& shown) {
+    const Program& program = *formula.program;
     std::vector<Kernel> formulas;
     formulas.reserve(shown.size());
     for (const std::size_t surface : shown)
-        formulas.push_back(is_patch(program, surface) ? interpreted_patch(*program.patches[surface])
+        formulas.push_back(is_patch(program, surface) ? formula.kernels[surface]
                                                       : interpret(program.surfaces[surface]));
     return formulas;
 }

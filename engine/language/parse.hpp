@@ -4,6 +4,7 @@
 #include "engine/language/vocabulary/reading.hpp"
 
 #include <array>
+#include <cstdint>
 #include <expected>
 #include <optional>
 #include <span>
@@ -13,8 +14,18 @@
 
 namespace zeroset {
 
-/// The coordinates of a parametric surface at each point of the unit square in x and y.
-using PatchGraphs = std::array<Expr, 3>;
+/// What a row shows that is given by a point, not by an equation.
+enum class PatchKind : std::uint8_t {
+    Surface,  ///< of each x and y in [0, 1]
+    Curve,    ///< of each x in [0, 1]
+    Point,
+};
+
+/// A parametric surface, a curve or a point: its coordinates as functions of x and y.
+struct PatchGraphs {
+    std::array<Expr, 3> point;
+    PatchKind kind = PatchKind::Surface;
+};
 
 /// The meaning of a text. All surfaces share the numbering of the parameters.
 struct Program {

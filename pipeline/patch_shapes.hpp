@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+#include "engine/language/parse.hpp"
+
+#include <array>
+
+namespace zeroset {
+
+/// The coordinates of a surface over the unit square in x and y that shows a parametric surface, a
+/// curve as a tube of this radius, or a point as a ball. A tube's ends are open.
+std::array<Expr, 3> shown_patch(const PatchGraphs& graphs, double radius);
+
+}  // namespace zeroset
