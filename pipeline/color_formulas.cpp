@@ -2,6 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "jit/compile.hpp"
@@ -95,8 +96,8 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
         formulas.values.assign(rows.program->surfaces.size(), code_of(*expression));
         return formulas;
     }
-    if (std::ranges::any_of(rows.program->patches,
-                            [](const auto& patch) { return patch.has_value(); }))
+    if (std::ranges::any_of(rows.program->surfaces,
+                            [](const Expr& surface) { return is_patch(surface); }))
         return wrong_input(
             tr("curvature and gradient are known of equations only: colour parametric surfaces by "
                "height, normal or an expression"));

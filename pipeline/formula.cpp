@@ -25,14 +25,11 @@ using Clock = std::chrono::steady_clock;
 // LLVM takes 0.4 to 1 ms and 25 kB for each node.
 constexpr std::size_t most_nodes = 8'000;
 
-/// Whether surface i is a parametric one, which has code of its own kind.
-bool is_patch(const Formula& formula, std::size_t i) { return is_patch(*formula.program, i); }
-
 /// The surfaces that are drawn as f = 0.
 std::vector<Expr> implicit_surfaces(const Formula& formula) {
     std::vector<Expr> surfaces;
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (!is_patch(formula, i)) surfaces.push_back(formula.drawn[i]);
+        if (!is_patch(formula.drawn[i])) surfaces.push_back(formula.drawn[i]);
     }
     return surfaces;
 }
@@ -43,12 +40,12 @@ std::vector<Kernel> with_patches(const Formula& formula, std::vector<Kernel> imp
     std::vector<Kernel> kernels;
     auto next = implicit.begin();
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (!is_patch(formula, i)) {
+        if (!is_patch(formula.drawn[i])) {
             kernels.push_back(std::move(*next++));
         } else if (i < formula.kernels.size()) {
             kernels.push_back(formula.kernels[i]);
         } else {
-            kernels.push_back(patch_code(*formula.program->patches[i], formula.region));
+            kernels.push_back(patch_code(*patch_of(formula.drawn[i]), formula.region));
         }
     }
     return kernels;
@@ -78,7 +75,7 @@ std::expected<std::vector<Kernel>, InputError> machine_code(const Formula& formu
 /// field that it is.
 void add_facts(Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (is_patch(formula, i)) continue;
+        if (is_patch(formula.drawn[i])) continue;
         Kernel& kernel = formula.kernels[i];
         if (const auto is = level_of_field(formula.drawn[i])) {
             *kernel.memory->of<FieldLevel>() = {.field = is->field,
@@ -96,7 +93,7 @@ void add_facts(Formula& formula) {
 /// Tells each kernel of the parts of its function.
 void add_csg_parts(Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (is_patch(formula, i)) continue;
+        if (is_patch(formula.drawn[i])) continue;
         set_csg_parts(formula.kernels[i], formula.drawn[i], formula.code == CodeState::Machine);
     }
 }
@@ -137,9 +134,8 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
     Formula formula;
     static_cast<RowProgram&>(formula) = std::move(rows);
     formula.region = region;
-    for (std::size_t i = 0; i < formula.program->surfaces.size(); ++i) {
-        const Expr& surface = formula.program->surfaces[i];
-        if (is_patch(formula, i)) {
+    for (const Expr& surface : formula.program->surfaces) {
+        if (is_patch(surface)) {
             formula.drawn.push_back(surface);
             formula.unrestricted.emplace_back();
             continue;
@@ -170,7 +166,7 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
     if (!kernels) return std::unexpected(kernels.error());
     Formula result = formula;
     for (std::size_t i = 0; i < kernels->size(); ++i) {
-        if (is_patch(formula, i)) continue;
+        if (is_patch(formula.drawn[i])) continue;
         (*kernels)[i].witnesses = formula.kernels[i].witnesses;
         (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
         (*kernels)[i].domain = formula.kernels[i].domain;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/language/parse.hpp"
+#include "engine/expr/patch_graph.hpp"
 
 #include <array>
 

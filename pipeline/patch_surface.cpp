@@ -10,10 +10,6 @@
 #include <utility>
 
 namespace zeroset {
-bool is_patch(const Program& program, std::size_t surface) {
-    return surface < program.patches.size() && program.patches[surface].has_value();
-}
-
 Kernel patch_code(const PatchGraphs& graphs, const Box& clip) {
     constexpr double thickness = 0.006;  // of the box's longest edge
     const std::array<Expr, 3> shown = shown_patch(graphs, thickness * clip.size());
@@ -28,7 +24,7 @@ Kernel patch_code(const PatchGraphs& graphs, const Box& clip) {
 
 std::optional<InputError> patch_refusal(const PictureRequest& request, const std::string& what) {
     const bool any = std::ranges::any_of(request.surfaces, [&](const ShownSurface& surface) {
-        return is_patch(*request.formula->program, surface.index);
+        return is_patch(request.formula->program->surfaces[surface.index]);
     });
     if (!any) return std::nullopt;
     return InputError{

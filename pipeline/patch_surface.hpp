@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/expr/patch_graph.hpp"
 #include "engine/kernel/kernel.hpp"
-#include "engine/language/parse.hpp"
 #include "engine/view/box.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
@@ -11,9 +11,6 @@
 #include <string>
 
 namespace zeroset {
-
-/// Whether a surface of a program is a parametric one.
-bool is_patch(const Program& program, std::size_t surface);
 
 /// The code that draws a parametric surface, a curve or a point in a clip box, which says how thick
 /// curves and points are: interpreted until it has been used for long enough.

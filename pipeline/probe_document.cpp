@@ -1,8 +1,8 @@
 #include "pipeline/probe_document.hpp"
 
+#include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/scene/tolerance.hpp"
-#include "pipeline/patch_surface.hpp"
 
 namespace zeroset {
 std::vector<Kernel> typed_formulas(const Formula& formula, const std::vector<std::size_t>& shown) {
@@ -10,8 +10,9 @@ std::vector<Kernel> typed_formulas(const Formula& formula, const std::vector<std
     std::vector<Kernel> formulas;
     formulas.reserve(shown.size());
     for (const std::size_t surface : shown)
-        formulas.push_back(is_patch(program, surface) ? formula.kernels[surface]
-                                                      : interpret(program.surfaces[surface]));
+        formulas.push_back(is_patch(program.surfaces[surface])
+                               ? formula.kernels[surface]
+                               : interpret(program.surfaces[surface]));
     return formulas;
 }
 

@@ -105,7 +105,7 @@ OrInputError<SamplePlan> plan_of(const SampleCommand& command) {
     const Program& program = *input->rows->program;
     const auto surface = read_surface(command.surface, program.surfaces.size());
     if (!surface) return std::unexpected(surface.error());
-    if (is_patch(program, *surface))
+    if (is_patch(program.surfaces[*surface]))
         return wrong_input(
             "samples are those of an f: type an equation in x, y and z instead of a "
             "parametric surface");

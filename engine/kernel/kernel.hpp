@@ -17,7 +17,6 @@
 namespace zeroset {
 
 class FloatCheck;
-struct PatchCode;
 
 /// Code over batches of one kind, with what keeps it alive. Cheap to copy; safe to call from any
 /// number of threads, in upward rounding (engine/real/rounding.hpp), or the enclosures do not hold.
@@ -74,9 +73,6 @@ struct Kernel {
     bool defined_everywhere = false;  ///< f is surely defined for all values of the variables
     /// Ranges of a function that is continuous only where f is defined; none: not known.
     KernelFunction<RangeBatchOf<double>> domain;
-    /// A parametric surface instead of f = 0 (engine/kernel/patch_code.hpp): then the functions
-    /// above know nothing of any place. nullptr: there is none.
-    std::shared_ptr<const PatchCode> patch = nullptr;
     /// Things that tracers keep of this function from frame to frame; not nullptr.
     std::shared_ptr<KernelMemory> memory = std::make_shared<KernelMemory>();
 

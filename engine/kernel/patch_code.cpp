@@ -1,6 +1,7 @@
 #include "engine/kernel/patch_code.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -68,9 +69,13 @@ void set(KernelFunction<Batch>& function, const std::shared_ptr<const void>& cod
 }  // namespace
 
 Kernel patch_kernel(std::array<Kernel, 3> point) {
-    auto code = std::make_shared<const PatchCode>(PatchCode{.point = std::move(point)});
     Kernel kernel;
-    visit_functions([&](auto& function) { set(function, code); }, kernel);
+    const std::shared_ptr<PatchCode> code = kernel.memory->of<PatchCode>();
+    code->point.assign(std::make_move_iterator(point.begin()),
+                       std::make_move_iterator(point.end()));
+    // The functions of different surfaces differ by what they hold on to.
+    const auto identity = std::make_shared<const int>(0);
+    visit_functions([&](auto& function) { set(function, identity); }, kernel);
     const Kernel& first = code->point[0];
     kernel.lane_multiple = first.lane_multiple;
     kernel.has_double = true;
@@ -79,8 +84,14 @@ Kernel patch_kernel(std::array<Kernel, 3> point) {
         kernel.uses_w = kernel.uses_w || coordinate.uses_w;
         kernel.interpreted = kernel.interpreted || coordinate.interpreted;
     }
-    kernel.patch = std::move(code);
     return kernel;
 }
+
+std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel) {
+    std::shared_ptr<const PatchCode> code = kernel.memory->of<PatchCode>();
+    return code->point.empty() ? nullptr : code;
+}
+
+bool is_patch(const Kernel& kernel) { return patch_code_of(kernel) != nullptr; }
 
 }  // namespace zeroset

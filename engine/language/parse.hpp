@@ -3,10 +3,7 @@
 #include "engine/expr/expr.hpp"
 #include "engine/language/vocabulary/reading.hpp"
 
-#include <array>
-#include <cstdint>
 #include <expected>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,26 +11,11 @@
 
 namespace zeroset {
 
-/// What a row shows that is given by a point, not by an equation.
-enum class PatchKind : std::uint8_t {
-    Surface,  ///< of each x and y in [0, 1]
-    Curve,    ///< of each x in [0, 1]
-    Point,
-};
-
-/// A parametric surface, a curve or a point: its coordinates as functions of x and y.
-struct PatchGraphs {
-    std::array<Expr, 3> point;
-    PatchKind kind = PatchKind::Surface;
-};
-
 /// The meaning of a text. All surfaces share the numbering of the parameters.
 struct Program {
     std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
                                  ///< one
     std::vector<bool> solids;    ///< of each surface: f < 0 is where its conditions hold
-    /// Of each surface: what is drawn in place of f = 0, which then holds nowhere; none: f = 0.
-    std::vector<std::optional<PatchGraphs>> patches = {};
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
     bool calls_w_t = false;               ///< it says t for the fourth coordinate, and never w

@@ -5,7 +5,7 @@
 namespace zeroset {
 
 /// Adds to `found` the hits of `search.open` that lie in the shadow of a parametric surface
-/// (Kernel::patch). In upward rounding.
+/// (PatchCode). In upward rounding.
 void find_patch_shadows(const ShadowSearch& search, ShadowBits& found, Counters& counters);
 
 }  // namespace zeroset

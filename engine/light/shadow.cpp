@@ -1,5 +1,6 @@
 #include "engine/light/shadow.hpp"
 
+#include "engine/kernel/patch_code.hpp"
 #include "engine/light/light_places.hpp"
 #include "engine/light/patch_shadows.hpp"
 #include "engine/light/shadow_kernel.hpp"
@@ -216,7 +217,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                         .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
                         .bias = std::max(0x1p-12 * extent, 6 * cell),
                         .way = way};
-    if (light.kernel.patch != nullptr) return find_patch_shadows(search, found, counters);
+    if (is_patch(light.kernel)) return find_patch_shadows(search, found, counters);
     const std::vector<LitMember> members = members_of(light);
     if (!members.empty()) {
         search.open = outside_hits(search, members);

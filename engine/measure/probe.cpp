@@ -1,5 +1,6 @@
 #include "engine/measure/probe.hpp"
 
+#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/point_batch.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
@@ -168,7 +169,7 @@ std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row) 
     PointFacts facts;
     facts.surface = surface;
     facts.certificate = frame.certificate[pixel];
-    if (picture.formulas[surface].patch != nullptr) {
+    if (is_patch(picture.formulas[surface])) {
         probe_patch(picture, ray, depth, tolerance, facts);
         return facts;
     }

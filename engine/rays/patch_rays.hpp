@@ -8,7 +8,7 @@
 
 namespace zeroset {
 
-/// Takes the hits of a parametric surface (Kernel::patch) that are nearer than those so far; all
+/// Takes the hits of a parametric surface (PatchCode) that are nearer than those so far; all
 /// rays are clipped. In upward rounding.
 void find_on_patch(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
                    std::span<RayHit> hits, Counters& counters);

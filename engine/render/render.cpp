@@ -7,6 +7,7 @@
 #include "engine/appearance/frame_light.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
+#include "engine/kernel/patch_code.hpp"
 #include "engine/light/encode.hpp"
 #include "engine/light/keep_planes.hpp"
 #include "engine/real/rounding.hpp"
@@ -76,13 +77,12 @@ std::unique_ptr<OpenView> open_view_of(const TraceFrame& surface, std::size_t i)
     return std::make_unique<OpenView>(surface, *spaces[i]);
 }
 
-bool is_patch(const Kernel& kernel) { return kernel.patch != nullptr; }
-
 /// How the scene is antialiased. Beams know neither of caps, nor of jumps, nor of parametric
 /// surfaces: there 16 rays do it.
 Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
     const bool by_rays =
-        scene.jumps || has_caps(scene) || std::ranges::any_of(scene.surfaces, is_patch);
+        scene.jumps || has_caps(scene) ||
+        std::ranges::any_of(scene.surfaces, [](const Kernel& kernel) { return is_patch(kernel); });
     return settings.antialias == Antialias::Beams && by_rays ? Antialias::Rays16
                                                              : settings.antialias;
 }

@@ -14,7 +14,7 @@ struct PatchRay {
     double from, to;
 };
 
-/// The first hit of a parametric surface (Kernel::patch) on a ray; PatchHit::s is t. `any`: one
+/// The first hit of a parametric surface (PatchCode) on a ray; PatchHit::s is t. `any`: one
 /// that need not be the first will do. In upward rounding.
 PatchHit find_patch_hit(const TraceFrame& frame, const PatchRay& ray, bool any, Counters& counters);
 

@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// The first hits of a parametric surface (Kernel::patch) in a tile, as Tracer::trace_tile; the
+/// The first hits of a parametric surface (PatchCode) in a tile, as Tracer::trace_tile; the
 /// frame's `prepared` is a PatchTree. Gradients are dS/du x dS/dv.
 void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                       Counters& counters);

@@ -78,15 +78,39 @@ PatchNode::Children* PatchTree::parts(PatchNode& node) const {
     return made.release();
 }
 
+std::vector<Box> PatchTree::boxes() const {
+    std::vector<Box> boxes;
+    const auto add = [&](const PatchForm& form) {
+        if (form.nowhere) return;
+        const glm::dvec3 spread = form.spread() * (1.0 + 0x1p-40) + 0x1p-50 * glm::abs(form.c);
+        boxes.push_back({.lo = form.c - spread, .hi = form.c + spread});
+    };
+    PatchNode::Children* const parts = this->parts(root_);
+    if (parts == nullptr) {
+        add(root_.form);
+        return boxes;
+    }
+    for (PatchNode& part : parts->nodes) {
+        PatchNode::Children* const smaller = this->parts(part);
+        if (smaller == nullptr) {
+            add(part.form);
+            continue;
+        }
+        for (const PatchNode& node : smaller->nodes)
+            add(node.form);
+    }
+    return boxes;
+}
+
 std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms& uniforms) {
-    assert(kernel.patch != nullptr);
+    assert(is_patch(kernel));
     const std::shared_ptr<KeptTree> kept = kernel.memory->of<KeptTree>();
     const std::scoped_lock lock(kept->mutex);
     const bool is_same = kept->tree != nullptr && !kept->tree->is_full() &&
                          kept->uniforms.neg_lo_hi_double == uniforms.neg_lo_hi_double;
     if (!is_same) {
         kept->uniforms = uniforms;
-        kept->tree = std::make_shared<const PatchTree>(kernel.patch, uniforms);
+        kept->tree = std::make_shared<const PatchTree>(patch_code_of(kernel), uniforms);
     }
     return kept->tree;
 }

@@ -2,11 +2,13 @@
 
 #include "engine/trace/patch/patch_form.hpp"
 #include "engine/trace/trace_frame.hpp"
+#include "engine/view/box.hpp"
 
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace zeroset {
 
@@ -43,6 +45,9 @@ public:
     [[nodiscard]] const PatchForms& forms() const { return forms_; }
     /// The 4 x 4 parts of a node; nullptr where the tree has no room for more.
     PatchNode::Children* parts(PatchNode& node) const;
+    /// Boxes in the world that hold the patch together, those of parts of parts. In upward
+    /// rounding.
+    [[nodiscard]] std::vector<Box> boxes() const;
     /// Whether the tree has grown so much that it should begin anew.
     [[nodiscard]] bool is_full() const { return nodes_ >= most_nodes; }
     [[nodiscard]] std::size_t size() const { return nodes_; }
@@ -55,7 +60,7 @@ private:
     mutable std::atomic<std::size_t> nodes_ = 1;
 };
 
-/// The tree of a surface with Kernel::patch, kept from frame to frame while the uniforms stay.
+/// The tree of a surface with PatchCode, kept from frame to frame while the uniforms stay.
 std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms& uniforms);
 
 /// The tree that a frame was given (TraceFrame::prepared).
