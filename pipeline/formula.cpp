@@ -134,7 +134,8 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
     Formula formula;
     static_cast<RowProgram&>(formula) = std::move(rows);
     formula.region = region;
-    for (const Expr& surface : formula.program->surfaces) {
+    for (const Expr& shown : formula.program->surfaces) {
+        const Expr surface = drawn_formula(shown, region);
         if (is_patch(surface)) {
             formula.drawn.push_back(surface);
             formula.unrestricted.emplace_back();

@@ -47,12 +47,18 @@ public:
         }
         return product;
     }
+    NodeId dot(const Vector& a, const Vector& b) {
+        NodeId sum = number(0.0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const NodeId term = a.at(i) == b.at(i) ? make_int_power(builder_, a.at(i), 2)
+                                                   : times(a.at(i), b.at(i));
+            sum = make_add(builder_, sum, term);
+        }
+        return sum;
+    }
     /// The vector at length 1.
     Vector unit(const Vector& v) {
-        NodeId square = number(0.0);
-        for (const NodeId part : v)
-            square = make_add(builder_, square, make_int_power(builder_, part, 2));
-        const NodeId length = make_call(builder_, Op::Sqrt, square);
+        const NodeId length = make_call(builder_, Op::Sqrt, dot(v, v));
         return {make_divide(builder_, v[0], length), make_divide(builder_, v[1], length),
                 make_divide(builder_, v[2], length)};
     }
@@ -146,8 +152,38 @@ std::array<Expr, 3> shown_patch(const PatchGraphs& graphs, double radius) {
         case PatchKind::Surface: return graphs.point;
         case PatchKind::Curve: return tube(graphs.point, radius);
         case PatchKind::Point: return ball(graphs.point, 2.0 * radius);
+        case PatchKind::Meeting: break;  // a surface f = 0
     }
     return graphs.point;
+}
+
+/// The point d away at which both f + grad f . d and g + grad g . d are 0 is nearest where
+///   d^2 = (f^2 G - 2 f g H + g^2 F) / (F G - H^2),   F = |grad f|^2, G = |grad g|^2,
+/// and H is the product of both gradients.
+Expr meeting_tube(const PatchGraphs& graphs, double radius) {
+    VectorBuilder build;
+    ExprBuilder& builder = build.builder();
+    const NodeId f = build.copy(graphs.point[0]);
+    const NodeId g = build.copy(graphs.point[1]);
+    const Vector by_f = build.copy(gradient_of(graphs.point[0]));
+    const Vector by_g = build.copy(gradient_of(graphs.point[1]));
+    const NodeId ff = build.dot(by_f, by_f);
+    const NodeId gg = build.dot(by_g, by_g);
+    const NodeId fg = build.dot(by_f, by_g);
+    const auto square = [&](NodeId a) { return make_int_power(builder, a, 2); };
+    const NodeId mixed = build.times(build.number(2.0), build.times(build.times(f, g), fg));
+    const NodeId distance =
+        make_subtract(builder,
+                      make_add(builder, build.times(square(f), gg), build.times(square(g), ff)),
+                      mixed);
+    const NodeId area = make_subtract(builder, build.times(ff, gg), square(fg));
+    NodeId root = make_subtract(builder, distance,
+                                build.times(build.number(radius * radius), area));
+    const Expr& condition = graphs.point[2];
+    const bool is_limited = condition.node(condition.root()).op != Op::Constant;
+    if (is_limited) root = make_call(builder, Op::Where, root, build.copy(condition));
+    const auto names = graphs.point[0].parameters();
+    return builder.finish(root, {names.begin(), names.end()});
 }
 
 }  // namespace zeroset

@@ -10,8 +10,19 @@
 #include <utility>
 
 namespace zeroset {
+namespace {
+
+constexpr double thickness = 0.006;  // of the clip box's longest edge
+
+}  // namespace
+
+Expr drawn_formula(const Expr& surface, const Box& clip) {
+    const auto graphs = patch_of(surface);
+    const bool is_meeting = graphs && graphs->kind == PatchKind::Meeting;
+    return is_meeting ? meeting_tube(*graphs, thickness * clip.size()) : surface;
+}
+
 Kernel patch_code(const PatchGraphs& graphs, const Box& clip) {
-    constexpr double thickness = 0.006;  // of the box's longest edge
     const std::array<Expr, 3> shown = shown_patch(graphs, thickness * clip.size());
     std::array<Kernel, 3> point;
     std::ranges::transform(shown, point.begin(), [](const Expr& graph) {

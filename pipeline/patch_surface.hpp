@@ -16,6 +16,10 @@ namespace zeroset {
 /// curves and points are: interpreted until it has been used for long enough.
 Kernel patch_code(const PatchGraphs& graphs, const Box& clip);
 
+/// The formula that is drawn for what a row shows: that of a meeting is a tube, all others are
+/// themselves.
+Expr drawn_formula(const Expr& surface, const Box& clip);
+
 /// Why something cannot be made of what a picture shows: one of its surfaces is a parametric one.
 /// `what`: the beginning of the line, translated. Nothing: there is none.
 std::optional<InputError> patch_refusal(const PictureRequest& request, const std::string& what);

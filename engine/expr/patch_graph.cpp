@@ -57,10 +57,11 @@ private:
 
 /// One for each kind, so that equal rows are equal graphs.
 std::shared_ptr<const Field> field_of(PatchKind kind) {
-    static const std::array<std::shared_ptr<const Field>, 3> fields{
+    static const std::array<std::shared_ptr<const Field>, 4> fields{
         std::make_shared<PatchField>(PatchKind::Surface),
         std::make_shared<PatchField>(PatchKind::Curve),
-        std::make_shared<PatchField>(PatchKind::Point)};
+        std::make_shared<PatchField>(PatchKind::Point),
+        std::make_shared<PatchField>(PatchKind::Meeting)};
     return fields.at(static_cast<std::size_t>(kind));
 }
 

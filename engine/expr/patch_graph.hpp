@@ -16,9 +16,11 @@ enum class PatchKind : std::uint8_t {
     Surface,  ///< a point for each x and y in [0, 1]
     Curve,    ///< a point for each x in [0, 1]
     Point,
+    Meeting,  ///< the points at which two functions are 0 and a condition holds
 };
 
-/// A parametric surface, a curve or a point: its coordinates as functions of x and y.
+/// A parametric surface, a curve or a point: its coordinates as functions of x and y. Of a meeting
+/// the two functions of x, y and z, and the condition.
 struct PatchGraphs {
     std::array<Expr, 3> point;
     PatchKind kind = PatchKind::Surface;

@@ -76,7 +76,7 @@ struct LinearZeros {
 /// By the form alone.
 LinearZeros linear_zeros(const PatchSight& sight, const SightAxes& axes, const SightRay& ray);
 
-/// Krawczyk's test of a box for some rays [Krawczyk 1969]: with Y near the inverse of g' in the
+/// Krawczyk's test of a box for some rays [Krawczyk69]: with Y near the inverse of g' in the
 /// middle, |I - Y g'| over the box and all rays has norm `norm` at most. If that is below 1, there
 /// is at most one zero for each.
 struct Contraction {

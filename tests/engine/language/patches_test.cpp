@@ -1,3 +1,4 @@
+#include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 
@@ -6,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 // Rows that are given by a point: parametric surfaces, curves and points.
@@ -27,12 +29,13 @@ Program program_of(const std::string& text) {
 /// The point of a program's first row at (x, y) of the unit square.
 std::array<double, 3> at(const Program& program, double x, double y, double w = 0.0) {
     std::array<double, 3> point{};
-    if (program.patches.empty() || !program.patches.front()) {
+    const auto patch = program.surfaces.empty() ? std::nullopt : patch_of(program.surfaces.front());
+    if (!patch) {
         ADD_FAILURE() << "no point";
         return point;
     }
     for (std::size_t i = 0; i < 3; ++i)
-        point.at(i) = value_at(program.patches.front()->point.at(i), {x, y, 0.0, w}).value;
+        point.at(i) = value_at(patch->point.at(i), {x, y, 0.0, w}).value;
     return point;
 }
 
@@ -50,7 +53,7 @@ TEST(Patches, ReadsASurface) {
     const Program program = program_of("(u cos v, u sin v, v), 0 < u < 1, 0 < v < 2 pi");
     ASSERT_EQ(program.surfaces.size(), 1U);
     EXPECT_TRUE(program.parameters.empty());
-    EXPECT_EQ(program.patches.front()->kind, PatchKind::Surface);
+    EXPECT_EQ(patch_of(program.surfaces.front())->kind, PatchKind::Surface);
     expect_near(at(program, 0.5, 0.25), {0.0, 0.5, 0.5 * pi});
     expect_near(at(program, 1.0, 1.0), {1.0, 0.0, 2.0 * pi});
     EXPECT_EQ(program.readings.front().text,
@@ -71,14 +74,14 @@ TEST(Patches, KeepsOtherLettersAsParameters) {
 
 TEST(Patches, ReadsACurveInT) {
     const Program program = program_of("(cos t, sin t, t/3), 0 < t < 20");
-    EXPECT_EQ(program.patches.front()->kind, PatchKind::Curve);
+    EXPECT_EQ(patch_of(program.surfaces.front())->kind, PatchKind::Curve);
     EXPECT_FALSE(program.surfaces.front().uses_variable(variable_w));
     expect_near(at(program, 0.5, 0.0), {std::cos(10.0), std::sin(10.0), 10.0 / 3.0});
 }
 
 TEST(Patches, ReadsAPoint) {
     const Program program = program_of("(1, 2, a)");
-    EXPECT_EQ(program.patches.front()->kind, PatchKind::Point);
+    EXPECT_EQ(patch_of(program.surfaces.front())->kind, PatchKind::Point);
     EXPECT_EQ(program.parameters, (std::vector<std::string>{"a"}));
 }
 
@@ -89,9 +92,9 @@ TEST(Patches, CallsFunctionsWithItsVariables) {
 
 TEST(Patches, LeavesEquationsAlone) {
     const Program program = program_of("x^2 + y^2 - 1, 0 < r < 2; (1, 2, 3)");
-    ASSERT_EQ(program.patches.size(), 2U);
-    EXPECT_FALSE(program.patches.front());
-    EXPECT_TRUE(program.patches.back());
+    ASSERT_EQ(program.surfaces.size(), 2U);
+    EXPECT_FALSE(is_patch(program.surfaces.front()));
+    EXPECT_TRUE(is_patch(program.surfaces.back()));
 }
 
 TEST(Patches, SaysWhatIsWrong) {
