@@ -220,9 +220,27 @@ Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
         const Built value = build(statement.relation, nullptr);
         if (!value) return std::nullopt;
         if (value->condition) return solid(*value, statement);
+        if (!value->is_single()) return refuse_row(*value, statement.offset);
         f = value->id;
     }
     return restricted(*f, statement);
+}
+
+/// The three numbers of a vector of 3; nothing of another value.
+std::optional<std::array<NodeId, 3>> Elaborator::point_of(const Value& value) {
+    if (!value.is_vector() || value.size() != 3) return std::nullopt;
+    return std::array{value.part(0).id, value.part(1).id, value.part(2).id};
+}
+
+/// The error for a row that is a vector or a list.
+std::nullopt_t Elaborator::refuse_row(const Value& value, std::size_t offset) {
+    if (point_of(value)) {
+        return fail(offset,
+                    tr("a list in brackets is a point or a parametric surface, no equation"),
+                    tr("type an equation in x, y and z"));
+    }
+    return fail(offset, filled(tr("this is {0}, and no surface"), {described(value)}),
+                tr("type an equation in x, y and z"));
 }
 
 Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
@@ -309,36 +327,76 @@ std::optional<std::string> Elaborator::value_text(Definition& definition) {
     const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
     if (!defined_value(definition, tree_[relation.operands[0]])) return std::nullopt;
     note_built_in(definition);
-    return definition.name + " = " +
-           builder_.text(definition.value->id, parameters_, longest_definition());
+    return definition.name + " = " + text_of(*definition.value, parameters_);
 }
 
 /// Notes that a definition gives a built-in name another meaning.
 void Elaborator::note_built_in(const Definition& definition) {
     const std::string& name = definition.name;
-    if (!is_built_in_value(name) || built_in(name)->id == definition.value->id) return;
+    const bool is_same = is_built_in_value(name) && definition.value->is_single() &&
+                         built_in(name)->id == definition.value->id;
+    if (!is_built_in_value(name) || is_same) return;
     notes_.add(tree_.statements[definition.statement].offset,
                filled(tr("{0} is this value in all statements; for the built-in {0} type {1}"),
                       {name, spelled_out(name)}));
 }
 
-/// The reading of a function; its arguments are built as parameters of their own.
+/// The reading of a function. Its arguments are what it is called with, else numbers, or vectors
+/// where it wants such.
 std::optional<std::string> Elaborator::function_text(Definition& definition) {
-    std::vector<NodeId> arguments;
-    std::string text = definition.name + "(";
-    for (const std::string& argument : definition.arguments) {
-        const std::size_t number = first_argument + arguments.size();
-        arguments.push_back(builder_.variable(variable_w + 1 + static_cast<int>(number)));
-        text += (text.ends_with('(') ? "" : ", ") + argument;
+    const std::size_t count = definition.arguments.size();
+    const bool is_known = definition.called_with.size() == count;
+    std::vector<std::size_t> sizes =
+        is_known ? definition.called_with : std::vector<std::size_t>(count, 1);
+    wants_vector_ = false;
+    auto text = function_text_of(definition, sizes);
+    constexpr std::size_t most_tried = 4;
+    if (text || is_known || !wants_vector_ || count > most_tried) return text;
+    const std::optional<ParseError> error = std::exchange(error_, std::nullopt);
+    for (std::size_t vectors = 1; vectors < std::size_t{1} << count; ++vectors) {
+        for (std::size_t i = 0; i < count; ++i)
+            sizes[i] = (vectors >> i & 1U) != 0 ? 3 : 1;
+        text = function_text_of(definition, sizes);
+        if (text) return text;
+        error_.reset();
     }
-    const std::size_t offset = tree_.statements[definition.statement].offset;
-    if (!arguments.empty() && !done(arguments.back(), offset)) return std::nullopt;
-    const Built value = function_value(definition, arguments);
-    if (!value) return std::nullopt;
+    error_ = error;
+    return std::nullopt;
+}
+
+/// The reading of a function for arguments of these numbers of parts, which are built as parameters
+/// of their own.
+std::optional<std::string> Elaborator::function_text_of(Definition& definition,
+                                                        std::span<const std::size_t> sizes) {
     std::vector<std::string> names = parameters_;
     names.resize(first_argument);
-    names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
-    return text + ") = " + builder_.text(value->id, names, longest_definition());
+    Values arguments;
+    std::string text = definition.name + "(";
+    const auto add_variable = [&](std::string name) {
+        const auto number = static_cast<int>(names.size());
+        names.push_back(std::move(name));
+        return Value{.id = builder_.variable(variable_w + 1 + number)};
+    };
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const std::string& name = definition.arguments[i];
+        text += (i > 0 ? ", " : "") + name;
+        if (sizes[i] == 1) {
+            arguments.push_back(add_variable(name));
+            continue;
+        }
+        constexpr std::string_view parts = "xyzw";
+        if (sizes[i] > parts.size()) return definition.name + "(...) = ...";
+        Values vector;
+        for (std::size_t k = 0; k < sizes[i]; ++k)
+            vector.push_back(add_variable(name + "." + parts[k]));
+        arguments.push_back(bundle(Value::Kind::Vector, std::move(vector)));
+    }
+    const std::size_t offset = tree_.statements[definition.statement].offset;
+    if (!arguments.empty() && !done(arguments.back().part(0).id, offset)) return std::nullopt;
+    const Built value = function_value(definition, arguments);
+    if (!value) return std::nullopt;
+    std::ranges::copy(parameters_, names.begin());
+    return text + ") = " + text_of(*value, names);
 }
 
 std::expected<Program, ParseError> Elaborator::result() {

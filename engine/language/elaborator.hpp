@@ -5,7 +5,10 @@
 #include "engine/language/parse.hpp"
 #include "engine/language/syntax/syntax.hpp"
 
+#include <array>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,7 +47,9 @@ private:
         Value value;
         const Binding* outer;
     };
+    /// A function and its arguments, those of several parts as their number and their parts.
     using Call = std::pair<const Definition*, std::vector<NodeId>>;
+    using Values = std::vector<Value>;
     struct CallHash {
         std::size_t operator()(const Call& call) const;
     };
@@ -61,6 +66,8 @@ private:
     [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
     bool keep_without_surface(std::size_t statement);
     Number equation(const StatementSyntax& statement);
+    [[nodiscard]] static std::optional<std::array<NodeId, 3>> point_of(const Value& value);
+    std::nullopt_t refuse_row(const Value& value, std::size_t offset);
     Number restricted(NodeId f, const StatementSyntax& statement);
     bool build_definition(Definition& definition);
     bool note_unreadable(const Definition& definition);
@@ -72,6 +79,9 @@ private:
     std::optional<std::string> value_text(Definition& definition);
     void note_built_in(const Definition& definition);
     std::optional<std::string> function_text(Definition& definition);
+    std::optional<std::string> function_text_of(Definition& definition,
+                                                std::span<const std::size_t> sizes);
+    [[nodiscard]] std::string text_of(const Value& value, std::span<const std::string> names);
     std::expected<Program, ParseError> result();
     [[nodiscard]] std::size_t longest_definition();
 
@@ -101,9 +111,36 @@ private:
     Built power(const Syntax& syntax, const Binding* scope);
     Built sum(const Syntax& syntax, const Binding* scope);
     Built product(const Syntax& syntax, const Binding* scope);
-    bool is_zero_by_name(SyntaxId id, NodeId divisor);
+    bool is_zero_by_name(SyntaxId id, const Value& divisor);
     Built with_local_value(const Syntax& syntax, const Binding* scope);
     Built last_of_list(const Syntax& syntax);
+
+    // elaborator_vector.cpp: vectors and lists
+    static Value bundle(Value::Kind kind, Values parts) {
+        return {.kind = kind,
+                .parts = std::make_shared<const std::vector<Value>>(std::move(parts))};
+    }
+    using Make = std::function<NodeId(std::span<const NodeId>)>;
+    /// A value of any kind; a condition as 1 or 0.
+    Built operand(SyntaxId id, const Binding* scope);
+    Built vector(const Syntax& syntax, const Binding* scope);
+    Built list(const Syntax& syntax, const Binding* scope);
+    Built part(const Syntax& syntax, const Binding* scope);
+    Built part_of(const Value& of, std::string_view letters, const Syntax& syntax);
+    Built replaced(const Syntax& syntax, const Binding* scope);
+    /// A function of numbers over values: lists element by element, vectors part by part; a single
+    /// value stands for each part of the others.
+    Built mapped(std::span<const Value> values, std::size_t offset, const Make& make);
+    using Binary = NodeId (*)(ExprBuilder&, NodeId, NodeId);
+    Built combined(const Value& a, const Value& b, std::size_t offset, Binary make);
+    Built sizes_differ(const Value& a, const Value& b, std::size_t offset);
+    Built joined_parts(const Syntax& syntax, const Value& of);
+    Built length(const Function& function, const Values& values, std::size_t offset);
+    Built made_vector(const Syntax& syntax, const Values& values);
+    std::optional<Values> operands(std::span<const SyntaxId> ids, const Binding* scope);
+    bool numbers_of(const Value& value, std::size_t offset, std::vector<NodeId>& numbers);
+    void note(std::size_t offset, std::string text);
+    [[nodiscard]] static std::string described(const Value& value);
 
     // elaborator_condition.cpp: truth values
     /// How a number is treated where a condition is expected.
@@ -122,7 +159,9 @@ private:
     Built call(const Syntax& syntax, const Binding* scope);
     Built repeated(const Syntax& syntax, const Binding* scope);
     Built defined_call(const Syntax& syntax, const Binding* scope);
-    Built function_value(Definition& definition, const std::vector<NodeId>& arguments);
+    Built function_value(Definition& definition, const Values& arguments);
+    void add_key(const Value& value, std::vector<NodeId>& key);
+    Built applied(const Syntax& syntax, const Values& arguments);
     Built library_call(const Syntax& syntax, const Binding* scope);
     Built volume(const Syntax& syntax, const Binding* scope);
     std::shared_ptr<const Field> field_of(const Syntax& syntax);
@@ -136,6 +175,8 @@ private:
     [[nodiscard]] std::optional<bool> known_truth(NodeId condition) const;
     std::optional<std::vector<NodeId>> numbers(std::span<const SyntaxId> ids, const Binding* scope);
 
+    /// Counts a step; an error if there are too many.
+    bool counts(std::size_t offset);
     /// The node as a value; an error if the graph is too large or a constant in it is undefined.
     Built done(NodeId id, std::size_t offset, bool condition = false);
     [[nodiscard]] bool divides_by_zero(const Node& node) const;
@@ -165,6 +206,7 @@ private:
     bool says_w_ = false;                            ///< the text has w for the fourth coordinate
     bool says_t_ = false;                            ///< and t
     bool refuses_undefined_ = true;
+    bool wants_vector_ = false;  ///< the error is a number in place of a vector
     int depth_ = 0;
     std::size_t steps_ = 0;
 };

@@ -18,36 +18,69 @@ namespace {
 constexpr double max_terms = 10'000;
 constexpr double largest_bound = 1e15;  // up to here i + 1 is exact and differs from i
 
-/// One term more of a sum, a product, the least or the greatest.
-NodeId joined(ExprBuilder& builder, Composed kind, NodeId a, NodeId b) {
-    if (kind == Composed::Sum) return make_add(builder, a, b);
-    if (kind == Composed::Product) return make_multiply(builder, a, b);
-    return make_call(builder, kind == Composed::Least ? Op::Min : Op::Max, a, b);
+using Join = NodeId (*)(ExprBuilder&, NodeId, NodeId);
+
+/// What takes one term more to a sum, a product, the least or the greatest.
+Join joiner(Composed kind) {
+    if (kind == Composed::Sum) return make_add;
+    if (kind == Composed::Product) return make_multiply;
+    if (kind == Composed::Least)
+        return [](ExprBuilder& to, NodeId a, NodeId b) { return make_call(to, Op::Min, a, b); };
+    return [](ExprBuilder& to, NodeId a, NodeId b) { return make_call(to, Op::Max, a, b); };
 }
 
 }  // namespace
 
 Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     if (syntax.function == nullptr) return defined_call(syntax, scope);
-    if (syntax.function->repeats()) return repeated(syntax, scope);
+    if (syntax.function->repeats() && syntax.operands.size() > 1) return repeated(syntax, scope);
     if (syntax.function->is_of_library()) return library_call(syntax, scope);
     const std::optional<Composed> composed = syntax.function->composed;
     if (composed == Composed::Keep || composed == Composed::Kept) return kept_value(syntax, scope);
     const std::optional<Op> op = syntax.function->op;
-    std::vector<NodeId> arguments;
+    Values arguments;
     for (const SyntaxId id : syntax.operands) {
         const std::size_t place = arguments.size();
         if (library_offset_ && op == Op::If && place == 1) {
-            if (const auto truth = known_truth(arguments[0]))
+            if (const auto truth = known_truth(arguments[0].id))
                 return build(syntax.operands[*truth ? 1 : 2], scope);
         }
         const bool is_condition = (op == Op::If && place == 0) || (op == Op::Where && place == 1);
-        const Number argument =
-            is_condition ? condition(id, scope, Numbers::TrueUnlessZero) : number(id, scope);
+        Built argument;
+        if (is_condition) {
+            const Number holds = condition(id, scope, Numbers::TrueUnlessZero);
+            if (holds) argument = Value{.id = *holds};
+        } else {
+            argument = operand(id, scope);
+        }
         if (!argument) return std::nullopt;
-        arguments.push_back(*argument);
+        arguments.push_back(std::move(*argument));
     }
-    return done(make_function(builder_, *syntax.function, arguments), syntax.offset);
+    return applied(syntax, arguments);
+}
+
+/// A function of op.def or functions.def over values.
+Elaborator::Built Elaborator::applied(const Syntax& syntax, const Values& arguments) {
+    const Function& function = *syntax.function;
+    const bool is_alone = arguments.size() == 1;
+    const bool is_bundle = is_alone && !arguments[0].is_single();
+    if (function.composed == Composed::Length || function.composed == Composed::Hypot)
+        return length(function, arguments, syntax.offset);
+    if (is_bundle && arguments[0].is_vector() && syntax.marks == "|")
+        return length(*find_function("length"), arguments, syntax.offset);
+    if (function.makes_vector()) return made_vector(syntax, arguments);
+    if (is_bundle && (function.joins() || function.repeats()))
+        return joined_parts(syntax, arguments[0]);
+    if (is_alone && !function.takes_a_number()) {
+        if (library_offset_ && function.repeats()) return arguments[0];
+        return fail(syntax.offset, function.refusal(1),
+                    filled(tr("type {0}, or a list: {1}"),
+                           {std::string(function.name) + "(" + std::string(function.arguments) + ")",
+                            std::string(function.name) + "([a, b, c])"}));
+    }
+    return mapped(arguments, syntax.offset, [&](std::span<const NodeId> of) {
+        return make_function(builder_, function, of);
+    });
 }
 
 /// The truth value of a condition that is constant; nullopt: it is not.
@@ -72,13 +105,13 @@ std::optional<std::vector<NodeId>> Elaborator::numbers(std::span<const SyntaxId>
 /// names.
 Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* scope) {
     const LibraryFunction& function = tree_.library.at(syntax.function);
-    const auto arguments = numbers(syntax.operands, scope);
+    const auto arguments = operands(syntax.operands, scope);
     if (!arguments) return std::nullopt;
     std::vector<Binding> names;
     names.reserve(arguments->size());
     for (std::size_t i = 0; i < arguments->size(); ++i) {
         names.push_back({.name = function.arguments[i],
-                         .value = {.id = (*arguments)[i], .condition = false},
+                         .value = (*arguments)[i],
                          .outer = i == 0 ? nullptr : &names[i - 1]});
     }
     const auto outer = library_offset_;
@@ -178,19 +211,19 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
     if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
         return fail(syntax.offset, filled(tr("{0} has no terms"), {name}),
                     tr("let m be at most n"));
-    NodeId total = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0);
+    Built total = Value{.id = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0)};
     for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
         const Binding binding{.name = index.text,
-                              .value = {.id = builder_.constant(i), .condition = false},
+                              .value = {.id = builder_.constant(i)},
                               .outer = scope};
         if (!done(binding.value.id, index.offset)) return std::nullopt;
-        const Number term = number(syntax.operands[0], &binding);
+        const Built term = operand(syntax.operands[0], &binding);
         if (!term) return std::nullopt;
         const bool first = i == *bounds[0];
-        total = first ? *term : joined(builder_, kind, total, *term);
-        if (!done(total, syntax.offset)) return std::nullopt;
+        total = first ? *term : combined(*total, *term, syntax.offset, joiner(kind));
+        if (!total) return std::nullopt;
     }
-    return done(total, syntax.offset);
+    return total;
 }
 
 Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* scope) {
@@ -200,26 +233,33 @@ Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* 
                     hint_to_define(syntax.text));
     }
     const std::size_t wanted = definition->arguments.size();
-    if (syntax.operands.size() != wanted) {
-        const std::string given = std::to_string(syntax.operands.size());
+    auto arguments = operands(syntax.operands, scope);
+    if (!arguments) return std::nullopt;
+    const bool spreads = arguments->size() == 1 && wanted > 1 && arguments->front().is_vector() &&
+                         arguments->front().size() == wanted;
+    if (spreads) arguments = Values(*arguments->front().parts);
+    if (arguments->size() != wanted) {
+        const std::string given = std::to_string(arguments->size());
         const std::string reason =
             wanted == 1 ? filled(tr("{0} takes 1 argument, not {1}"), {syntax.text, given})
                         : filled(tr("{0} takes {1} arguments, not {2}"),
                                  {syntax.text, std::to_string(wanted), given});
-        return fail(syntax.offset, reason);
-    }
-    std::vector<NodeId> arguments;
-    for (const SyntaxId id : syntax.operands) {
-        const Number argument = number(id, scope);
-        if (!argument) return std::nullopt;
-        arguments.push_back(*argument);
+        const bool is_point = wanted == 1 && arguments->size() > 1 && arguments->size() <= 4;
+        return fail(syntax.offset, reason,
+                    is_point ? filled(tr("for a vector type {0}"), {syntax.text + "((a, b, ...))"})
+                             : std::string());
     }
     if (definition->in_progress) {
         return fail(syntax.offset, filled(tr("{0} is defined by itself"), {quoted(syntax.text)}),
                     tr("write the terms out, or use sum or prod"));
     }
     definition->is_called = true;
-    return function_value(*definition, arguments);
+    const Built value = function_value(*definition, *arguments);
+    if (value && definition->called_with.empty()) {
+        for (const Value& argument : *arguments)
+            definition->called_with.push_back(argument.size());
+    }
+    return value;
 }
 
 std::size_t Elaborator::CallHash::operator()(const Call& call) const {
@@ -231,17 +271,29 @@ std::size_t Elaborator::CallHash::operator()(const Call& call) const {
     return hash;
 }
 
-Elaborator::Built Elaborator::function_value(Definition& definition,
-                                             const std::vector<NodeId>& arguments) {
-    const auto [entry, is_new] =
-        calls_.try_emplace(Call{&definition, arguments}, Value{.id = 0, .condition = false});
-    Value& known = entry->second;
-    if (!is_new) return known;
+/// Adds what tells a value apart from others: the nodes of its parts, and how many they are.
+void Elaborator::add_key(const Value& value, std::vector<NodeId>& key) {
+    if (value.is_single()) return key.push_back(value.id);
+    constexpr NodeId lists = ~NodeId{0};
+    constexpr NodeId vectors = lists - 1;
+    key.push_back(value.is_list() ? lists : vectors);
+    key.push_back(static_cast<NodeId>(value.size()));
+    for (const Value& part : *value.parts) {
+        ++steps_;
+        add_key(part, key);
+    }
+}
+
+Elaborator::Built Elaborator::function_value(Definition& definition, const Values& arguments) {
+    Call call{&definition, {}};
+    for (const Value& argument : arguments)
+        add_key(argument, call.second);
+    if (const auto known = calls_.find(call); known != calls_.end()) return known->second;
     std::vector<Binding> scope;
     scope.reserve(arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         scope.push_back({.name = definition.arguments[i],
-                         .value = {.id = arguments[i], .condition = false},
+                         .value = arguments[i],
                          .outer = i == 0 ? nullptr : &scope[i - 1]});
     }
     definition.in_progress = true;
@@ -249,7 +301,7 @@ Elaborator::Built Elaborator::function_value(Definition& definition,
     const Built value = build(definition.body, scope.empty() ? nullptr : &scope.back());
     statement_ = outer;
     definition.in_progress = false;
-    if (value) known = *value;
+    if (value) calls_.emplace(std::move(call), *value);
     return value;
 }
 

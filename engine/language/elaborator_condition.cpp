@@ -11,6 +11,11 @@ namespace zeroset {
 
 /// A condition as a number: 1 where it holds, 0 elsewhere.
 Elaborator::Number Elaborator::number_of(const Value& value, std::size_t offset) {
+    if (!value.is_single()) {
+        return fail(offset, filled(tr("a number is wanted here, not {0}"), {described(value)}),
+                    value.is_vector() ? tr("type its length(...), or a part of it such as p.x")
+                                      : tr("type sum, min or max of it"));
+    }
     if (!value.condition) return value.id;
     const NodeId one = builder_.constant(1.0);
     const NodeId zero = builder_.constant(0.0);
@@ -22,6 +27,7 @@ Elaborator::Number Elaborator::number_of(const Value& value, std::size_t offset)
 /// A number as a condition: true where the number is not 0.
 Elaborator::Number Elaborator::condition_of(const Value& value, std::size_t offset) {
     if (value.condition) return value.id;
+    if (!value.is_single()) return number_of(value, offset);
     const Node node = builder_.node(value.id);
     const NodeId one = builder_.constant(1.0);
     const NodeId zero = builder_.constant(0.0);
@@ -121,22 +127,25 @@ Elaborator::Built Elaborator::connected(const Syntax& syntax, Op op, const Bindi
 
 Elaborator::Built Elaborator::cases(const Syntax& syntax, const Binding* scope) {
     const Numbers numbers = syntax.marks == "?" ? Numbers::TrueUnlessZero : Numbers::Refused;
-    Number value;
+    Built value;
     std::size_t i = syntax.operands.size();
     if (i % 2 == 1) {
-        value = number(syntax.operands[--i], scope);
+        value = operand(syntax.operands[--i], scope);
         if (!value) return std::nullopt;
     }
     for (; i >= 2; i -= 2) {
         const Number where = condition(syntax.operands[i - 2], scope, numbers);
-        const Number there = where ? number(syntax.operands[i - 1], scope) : std::nullopt;
+        const Built there = where ? operand(syntax.operands[i - 1], scope) : std::nullopt;
         if (!there) return std::nullopt;
-        value = value ? make_call(builder_, Op::If, *where, *there, *value)
-                      : make_call(builder_, Op::Where, *there, *where);
-        if (!done(*value, syntax.offset)) return std::nullopt;
+        Values all{{.id = *where}, *there};
+        if (value) all.push_back(*value);
+        value = mapped(all, syntax.offset, [&](std::span<const NodeId> of) {
+            return of.size() == 3 ? make_call(builder_, Op::If, of[0], of[1], of[2])
+                                  : make_call(builder_, Op::Where, of[1], of[0]);
+        });
+        if (!value) return std::nullopt;
     }
-    if (!value) return std::nullopt;
-    return Value{.id = *value, .condition = false};
+    return value;
 }
 
 }  // namespace zeroset

@@ -41,6 +41,7 @@ std::optional<Definition> DefinitionTable::definition_in(std::size_t index) cons
                           .body = relation.operands[1],
                           .arguments = {},
                           .is_certain = statement.is_certain,
+                          .called_with = {},
                           .value = {}};
     if (left.kind == SyntaxKind::Name && !is_axis(left.text)) return definition;
     if (left.kind != SyntaxKind::Call || left.function != nullptr) return std::nullopt;
@@ -141,6 +142,7 @@ void DefinitionTable::collect_uses(SyntaxId id, Bound& bound) {
         return;
     }
     const bool repeats = syntax.function != nullptr && syntax.function->repeats() &&
+                         syntax.operands.size() > 1 &&
                          tree_[syntax.operands[1]].kind == SyntaxKind::Name;
     const std::string_view index = repeats ? tree_[syntax.operands[1]].text : std::string_view();
     if (repeats) ++bound[index];
@@ -200,8 +202,30 @@ void DefinitionTable::choose_levels() {
         const SyntaxKind kind = tree_[definition.body].kind;
         const Places& places = places_[definition.statement];
         out_[i] = is_parameter_name(definition.name) && !is_built_in_value(definition.name) &&
-                  !is_used(definition.name) && !is_condition(kind) && (places.axes || places.polar);
+                  !is_used(definition.name) && !is_condition(kind) &&
+                  (places.axes || places.polar) && !is_bundle(definition.body);
     }
+}
+
+/// Whether an expression is seen to be a vector or a list: one that is written out, a definition of
+/// such, or a sum or product of it.
+bool DefinitionTable::is_bundle(SyntaxId root) {
+    constexpr int most_looked_at = 1000;
+    std::vector<SyntaxId> pending{root};
+    for (int looked_at = 0; !pending.empty() && looked_at < most_looked_at; ++looked_at) {
+        const Syntax& syntax = tree_[pending.back()];
+        pending.pop_back();
+        if (syntax.kind == SyntaxKind::Vector || syntax.kind == SyntaxKind::Items) return true;
+        const bool is_joined = syntax.kind == SyntaxKind::Sum ||
+                               syntax.kind == SyntaxKind::Product ||
+                               syntax.kind == SyntaxKind::Negate;
+        if (is_joined)
+            pending.insert(pending.end(), syntax.operands.begin(), syntax.operands.end());
+        if (syntax.kind != SyntaxKind::Name) continue;
+        if (const auto known = values_.find(syntax.text); known != values_.end())
+            pending.push_back(definitions_[known->second.back()].body);
+    }
+    return false;
 }
 
 /// Fills the tables of definitions by name.

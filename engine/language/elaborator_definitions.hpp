@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,10 +19,28 @@
 
 namespace zeroset {
 
-/// A node of the graph, which is a number or a truth value.
+/// A value: a node of the graph, which is a number or a truth value, or several values.
 struct BuiltValue {
-    NodeId id;
-    bool condition;  ///< true: a truth value
+    enum class Kind : std::uint8_t {
+        Single,
+        Vector,  ///< 2 to 4 numbers: (x, y, z)
+        List,    ///< any number of numbers or vectors: [1, 2, 3]
+    };
+
+    NodeId id = 0;
+    bool condition = false;  ///< true: a truth value
+    Kind kind = Kind::Single;
+    std::shared_ptr<const std::vector<BuiltValue>> parts{};  ///< nullptr: a single one
+
+    [[nodiscard]] bool is_single() const { return kind == Kind::Single; }
+    [[nodiscard]] bool is_vector() const { return kind == Kind::Vector; }
+    [[nodiscard]] bool is_list() const { return kind == Kind::List; }
+    /// Number of parts; 1 for a single value.
+    [[nodiscard]] std::size_t size() const { return parts ? parts->size() : 1; }
+    /// The part at `index`; a single value has itself at each.
+    [[nodiscard]] const BuiltValue& part(std::size_t index) const {
+        return parts ? (*parts)[index] : *this;
+    }
 };
 
 /// A statement `name = body` or `name(arguments) = body`.
@@ -35,6 +54,8 @@ struct Definition {
     bool in_progress = false;
     bool settled = false;
     bool is_called = false;
+    std::vector<std::size_t> called_with;  ///< of the first call: how many parts each argument has,
+                                           ///< 1 for a number
     std::optional<BuiltValue> value;  ///< the value of the body, once known; none for a function
 };
 
@@ -86,6 +107,7 @@ private:
     void choose_built_in();
     void find_places();
     void choose_levels();
+    [[nodiscard]] bool is_bundle(SyntaxId root);
     void enter();
     void note_definitions(Notes& notes) const;
     void note_repetitions(const Lists& lists, Notes& notes) const;

@@ -36,24 +36,24 @@ bool Elaborator::build_graphs() {
 bool Elaborator::build_graph(Definition& definition) {
     constexpr std::array<const char*, 3> axes{"x", "y", "z"};
     std::array<bool, 3> taken{};
-    std::vector<NodeId> arguments;
+    Values arguments;
     for (const std::string& argument : definition.arguments) {
         const auto axis =
             static_cast<std::size_t>(std::ranges::find(axes, argument) - axes.begin());
         if (axis == axes.size() || std::exchange(taken.at(axis), true)) return true;
-        arguments.push_back(builder_.variable(static_cast<int>(axis)));
+        arguments.push_back({.id = builder_.variable(static_cast<int>(axis))});
     }
     if (arguments.size() != 2) return true;
     const auto up = static_cast<std::size_t>(std::ranges::find(taken, false) - taken.begin());
     const std::size_t offset = tree_.statements[definition.statement].offset;
     const NodeId height = builder_.variable(static_cast<int>(up));
     statement_ = definition.statement;
-    for (const NodeId id : {arguments[0], arguments[1], height}) {
+    for (const NodeId id : {arguments[0].id, arguments[1].id, height}) {
         if (!done(id, offset)) return false;
     }
     const Built value = function_value(definition, arguments);
     if (!value) return false;
-    if (value->condition) return true;
+    if (value->condition || !value->is_single()) return true;
     const NodeId root = make_subtract(builder_, height, value->id);
     if (!done(root, offset) || !add_surface(definition.statement, root)) return false;
     notes_.add(offset, filled(tr("this is the graph of {0}"),

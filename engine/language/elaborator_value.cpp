@@ -21,6 +21,10 @@ constexpr int deep = 500;        // from this depth on, definitions are settled 
                                  // looked up
 constexpr std::size_t max_steps = 10'000'000;  // takes less than two seconds
 
+NodeId make_mod(ExprBuilder& builder, NodeId a, NodeId b) {
+    return make_call(builder, Op::Mod, a, b);
+}
+
 std::string why_undefined(const Node& node) {
     if (node.op == Op::Divide) return tr("this is not a number: a division by 0");
     if (node.op == Op::Mod) return filled(tr("this is not a number: {0}"), {"mod(a, 0)"});
@@ -58,6 +62,13 @@ Elaborator::Built Elaborator::done(NodeId id, std::size_t offset, bool condition
     return Value{.id = id, .condition = condition};
 }
 
+bool Elaborator::counts(std::size_t offset) {
+    if (++steps_ <= max_steps) return true;
+    fail(offset, tr("the sums and functions here ask for too many operations"),
+         tr("use fewer terms"));
+    return false;
+}
+
 Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
     struct Level {
         int& depth;
@@ -67,10 +78,7 @@ Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
     const Level level(depth_);
     const Syntax& syntax = tree_[id];
     if (depth_ > max_depth) return fail(syntax.offset, tr("the definitions are nested too deep"));
-    if (++steps_ > max_steps) {
-        return fail(syntax.offset, tr("the sums and functions here ask for too many operations"),
-                    tr("use fewer terms"));
-    }
+    if (!counts(syntax.offset)) return std::nullopt;
     switch (syntax.kind) {
         case SyntaxKind::Number: return literal(syntax);
         case SyntaxKind::Name: return name(syntax, scope);
@@ -79,6 +87,10 @@ Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
         case SyntaxKind::Product: return product(syntax, scope);
         case SyntaxKind::Power: return power(syntax, scope);
         case SyntaxKind::Volume: return volume(syntax, scope);
+        case SyntaxKind::Vector: return vector(syntax, scope);
+        case SyntaxKind::Items: return list(syntax, scope);
+        case SyntaxKind::Part: return part(syntax, scope);
+        case SyntaxKind::Replace: return replaced(syntax, scope);
         case SyntaxKind::Call: return call(syntax, scope);
         case SyntaxKind::Compare: return compare(syntax, scope);
         case SyntaxKind::And: return connected(syntax, Op::And, scope);
@@ -243,57 +255,68 @@ bool Elaborator::settle(Definition& definition) {
 }
 
 Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope) {
-    const Number a = number(syntax.operands[0], scope);
-    return a ? done(make_negate(builder_, *a), syntax.offset) : std::nullopt;
+    const Built a = operand(syntax.operands[0], scope);
+    if (!a) return a;
+    return mapped(std::span(&*a, 1), syntax.offset,
+                  [&](std::span<const NodeId> of) { return make_negate(builder_, of[0]); });
 }
 
 Elaborator::Built Elaborator::power(const Syntax& syntax, const Binding* scope) {
-    const Number a = number(syntax.operands[0], scope);
-    const Number b = a ? number(syntax.operands[1], scope) : std::nullopt;
-    return b ? done(make_power(builder_, *a, *b), syntax.offset) : std::nullopt;
+    const Built a = operand(syntax.operands[0], scope);
+    const Built b = a ? operand(syntax.operands[1], scope) : std::nullopt;
+    if (!b) return b;
+    if (a->is_vector() || b->is_vector()) {
+        return fail(syntax.offset, tr("a vector has no powers"),
+                    tr("type dot(p, p) for its squared length"));
+    }
+    return combined(*a, *b, syntax.offset, make_power);
 }
 
 Elaborator::Built Elaborator::sum(const Syntax& syntax, const Binding* scope) {
-    Number total = number(syntax.operands[0], scope);
+    Built total = operand(syntax.operands[0], scope);
     for (std::size_t i = 1; total && i < syntax.operands.size(); ++i) {
-        const Number term = number(syntax.operands[i], scope);
+        const Built term = operand(syntax.operands[i], scope);
         if (!term) return std::nullopt;
-        total = syntax.marks[i - 1] == '+' ? make_add(builder_, *total, *term)
-                                           : make_subtract(builder_, *total, *term);
-        if (!done(*total, tree_[syntax.operands[i]].offset)) return std::nullopt;
+        const std::size_t offset = tree_[syntax.operands[i]].offset;
+        if (total->is_vector() != term->is_vector() && !total->is_list() && !term->is_list())
+            note(offset, tr("a number beside a vector counts for each of its parts"));
+        total = combined(*total, *term, offset,
+                         syntax.marks[i - 1] == '+' ? make_add : make_subtract);
     }
-    if (!total) return std::nullopt;
-    return Value{.id = *total, .condition = false};
+    return total;
 }
 
 Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope) {
-    Number total = number(syntax.operands[0], scope);
+    Built total = operand(syntax.operands[0], scope);
     for (std::size_t i = 1; total && i < syntax.operands.size(); ++i) {
-        const Number factor = number(syntax.operands[i], scope);
+        const Built factor = operand(syntax.operands[i], scope);
         if (!factor) return std::nullopt;
         const std::size_t offset = tree_[syntax.operands[i]].offset;
+        if (total->is_vector() && factor->is_vector()) {
+            note(offset, tr("vectors are multiplied and divided part by part; type dot(a, b) or "
+                            "cross(a, b) for their products"));
+        }
         switch (syntax.marks[i - 1]) {
-            case '*': total = make_multiply(builder_, *total, *factor); break;
+            case '*': total = combined(*total, *factor, offset, make_multiply); break;
             case '/':
                 if (is_zero_by_name(syntax.operands[i], *factor)) return std::nullopt;
-                total = make_divide(builder_, *total, *factor);
+                total = combined(*total, *factor, offset, make_divide);
                 break;
             default:
-                total = make_call(builder_, Op::Mod, *total, *factor);
+                total = combined(*total, *factor, offset, make_mod);
                 notes_.add(offset,
                            tr("a % b is mod(a, b), from 0 up to b; for the remainder of C, with "
                               "the sign of a, type fmod(a, b)"));
         }
-        if (!done(*total, offset)) return std::nullopt;
     }
-    if (!total) return std::nullopt;
-    return Value{.id = *total, .condition = false};
+    return total;
 }
 
 /// Whether a divisor is a name whose value is 0; sets the error if so.
-bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
+bool Elaborator::is_zero_by_name(SyntaxId id, const Value& divisor) {
+    if (!divisor.is_single()) return false;
     const Syntax& syntax = tree_[id];
-    const auto& constant = facts_[divisor].constant;
+    const auto& constant = facts_[divisor.id].constant;
     const bool is_zero = constant && constant->neg_lo == 0 && constant->hi == 0;
     if (!refuses_undefined_ || syntax.kind != SyntaxKind::Name || !is_zero) return false;
     fail(syntax.offset,

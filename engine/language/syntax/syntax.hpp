@@ -35,6 +35,10 @@ enum class SyntaxKind : std::uint8_t {
     Cases,    ///< condition, value, condition, value, ..., and perhaps a last value for all other
               ///< cases; marks: "?" if written condition ? value : value
     Let,      ///< text: a name; operands: its value, and the expression that may use the name
+    Vector,   ///< 2 to 4 operands: (a, b, c)
+    Items,    ///< 2 operands or more: [a, b, c]
+    Part,     ///< text: the parts, as xz; 1 operand
+    Replace,  ///< text: parts, as xz; operands: a vector, and what takes the place of these parts
     List,     ///< values computed in order; the value of the list is the last one
     Earlier,  ///< an earlier value of the same list
 };

@@ -110,11 +110,6 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
 SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     const std::size_t start = at_ - 1;
     const int bars = std::exchange(bars_, 0);
-    if (start == statement_start_ && opener.text != "{" && is_list()) {
-        return fail(opener,
-                    tr("a list in brackets is a point or a parametric surface, no equation"),
-                    tr("type an equation in x, y and z"));
-    }
     ++brackets_;
     Parsed inside = choice();
     if (inside && opener.text == "(" && next_is(",") && start > statement_start_ &&
@@ -122,6 +117,7 @@ SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
         return refuse(no_function(tokens_[start - 1]));
     }
     if (inside && opener.text == "{" && next_is(":")) inside = cases(opener, *inside);
+    if (inside && opener.text != "{" && next_is(",")) inside = tuple(opener, *inside);
     if (!inside) return inside;
     if (!close(opener)) return std::nullopt;
     --brackets_;
@@ -129,16 +125,28 @@ SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     return inside;
 }
 
-/// Whether the brackets just opened hold several values, as (x, y, z).
-bool SyntaxParser::is_list() const {
-    int open = 1;
-    for (std::size_t i = at_; open > 0 && tokens_[i].kind != TokenKind::End; ++i) {
-        if (tokens_[i].kind == TokenKind::Break) return false;
-        if (is_symbol(tokens_[i], {"(", "[", "{"})) ++open;
-        if (is_symbol(tokens_[i], {")", "]", "}"})) --open;
-        if (open == 1 && is_symbol(tokens_[i], {","})) return true;
+/// Reads the rest of a vector (a, b, c) or of a list [a, b, c].
+SyntaxParser::Parsed SyntaxParser::tuple(const Token& opener, SyntaxId first) {
+    constexpr std::size_t most_parts = 4;
+    const bool is_list = opener.text == "[";
+    std::vector<SyntaxId> values{first};
+    while (next_is(",")) {
+        if (!is_list && values.size() == most_parts) {
+            return fail(next(), tr("a vector has at most 4 parts"),
+                        tr("type a list in brackets: [a, b, c, d, e]"));
+        }
+        take();
+        const Parsed value = choice();
+        if (!value) return value;
+        values.push_back(*value);
     }
-    return false;
+    return add(is_list ? SyntaxKind::Items : SyntaxKind::Vector, opener.offset, std::move(values));
+}
+
+/// Reads the part of a vector that is next: .x, or .xz for several.
+SyntaxParser::Parsed SyntaxParser::part_of(SyntaxId vector) {
+    const Token& token = take();
+    return add(SyntaxKind::Part, token.offset, {vector}, {}, token.text);
 }
 
 /// Reads the rest of { condition: value, condition: value, value otherwise }, in which the last
@@ -167,7 +175,9 @@ SyntaxParser::Parsed SyntaxParser::absolute(const Token& opener) {
     if (!inside) return inside;
     if (!close(opener)) return std::nullopt;
     bars_ = bars;
-    return add_call(*find_function("abs"), opener.offset, {*inside});
+    const SyntaxId call = add_call(*find_function("abs"), opener.offset, {*inside});
+    tree_.nodes[call].marks = "|";
+    return call;
 }
 
 SyntaxParser::Parsed SyntaxParser::floor_or_ceil(const Token& opener) {
@@ -288,7 +298,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
         return values;
     }
     const std::string name(function.name);
-    if (!function.takes(1)) {
+    if (!function.takes_a_number()) {
         const bool restricts = function.op == Op::Where || function.op == Op::If;
         const std::string call = name + "(" + std::string(function.arguments) + ")";
         const char* const hint = restricts

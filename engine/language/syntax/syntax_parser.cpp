@@ -224,6 +224,8 @@ SyntaxParser::Parsed SyntaxParser::power() {
     const Level level(depth_);
     if (!may_nest()) return std::nullopt;
     Parsed base = operand();
+    while (base && next().kind == TokenKind::Part)
+        base = part_of(*base);
     while (base) {
         const std::size_t offset = next().offset;
         Parsed exponent = 0;

@@ -97,7 +97,8 @@ private:
     Parsed volume(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);
-    [[nodiscard]] bool is_list() const;
+    Parsed tuple(const Token& opener, SyntaxId first);
+    Parsed part_of(SyntaxId vector);
     Parsed absolute(const Token& opener);
     Parsed floor_or_ceil(const Token& opener);
     Parsed fraction();

@@ -56,8 +56,8 @@ void SyntaxParser::skip_label() {
 
 bool SyntaxParser::skip_type_words() {
     bool skips = false;
-    while (next().kind == TokenKind::Name && is_type_word(next().text) &&
-           tokens_[at_ + 1].kind == TokenKind::Name && !is_logic_word(tokens_[at_ + 1].text)) {
+    while (next().kind != TokenKind::End && declares(next(), tokens_[at_ + 1]) &&
+           !is_logic_word(tokens_[at_ + 1].text)) {
         take();
         skips = true;
     }

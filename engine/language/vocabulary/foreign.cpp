@@ -56,11 +56,16 @@ std::optional<ParseError> error_for_word_of_programs(std::string_view word, std:
 
 std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
     const std::string word = in_small_letters(name);
-    if (is_one_of(word, {"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
-                         "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
+    if (is_one_of(word, {"vec", "float2", "float3", "float4", "vector", "ivec2", "ivec3", "dvec2",
+                         "dvec3"})) {
         return ParseError{.offset = offset,
-                          .reason = filled(tr("vectors are not read: {0}"), {quoted(name)}),
-                          .hint = tr("write their components as numbers of their own")};
+                          .reason = filled(tr("{0} is not known as a vector"), {quoted(name)}),
+                          .hint = tr("type a vector as (x, y, z) or vec3(x, y, z)")};
+    }
+    if (is_one_of(word, {"mat2", "mat3", "mat4", "matrix"})) {
+        return ParseError{.offset = offset,
+                          .reason = filled(tr("matrices are not read: {0}"), {quoted(name)}),
+                          .hint = tr("to turn a point type rotate(p, axis, angle)")};
     }
     constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
     const bool is_noise =
@@ -179,8 +184,8 @@ ParseError error_for_part(std::string_view part, std::size_t offset) {
                 .hint = tr("type a formula that gives a number")};
     }
     return {.offset = offset,
-            .reason = tr("vectors and their parts are not read"),
-            .hint = tr("write the components as numbers of their own")};
+            .reason = filled(tr("a vector has no part {0}"), {"." + std::string(part)}),
+            .hint = tr("type .x, .y, .z or .w, or several at once: p.xz")};
 }
 
 }  // namespace zeroset

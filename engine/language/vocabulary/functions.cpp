@@ -332,6 +332,9 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Union: return fold(builder, Op::Min, a);
         case Composed::Intersect: return fold(builder, Op::Max, a);
         case Composed::Without: return make_without(builder, a);
+        case Composed::Vector2:
+        case Composed::Vector3:
+        case Composed::Vector4:
         case Composed::Keep:
         case Composed::Kept:
         case Composed::Least:
@@ -346,6 +349,8 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
 }  // namespace
 
 bool Function::takes(std::size_t arguments_given) const {
+    if (repeats() && arguments_given > 1) return arguments_given == static_cast<std::size_t>(most);
+    if (joins() && arguments_given == 1) return true;
     return arguments_given >= static_cast<std::size_t>(least) &&
            (most < 0 || arguments_given <= static_cast<std::size_t>(most));
 }

@@ -35,9 +35,22 @@ struct Function {
         return composed == Composed::Sum || composed == Composed::Product ||
                composed == Composed::Least || composed == Composed::Greatest;
     }
+    /// Whether the function makes one vector of what it is given.
+    [[nodiscard]] bool makes_vector() const {
+        return composed == Composed::Vector2 || composed == Composed::Vector3 ||
+               composed == Composed::Vector4;
+    }
+    /// Whether the function takes any number of values, as those of a list.
+    [[nodiscard]] bool joins() const {
+        return op == Op::Min || op == Op::Max || composed == Composed::Union ||
+               composed == Composed::Intersect;
+    }
     /// Whether the function is a row of library.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
+    /// Whether a call may have this many arguments; one may have to be a list or vector.
     [[nodiscard]] bool takes(std::size_t arguments_given) const;
+    /// Whether one number may be the only argument.
+    [[nodiscard]] bool takes_a_number() const { return least == 1 && !repeats(); }
     /// The error for another number of arguments than the function takes.
     [[nodiscard]] std::string refusal(std::size_t arguments_given) const;
 };

@@ -218,17 +218,27 @@ Done Lexer::other_character() {
     if (peek() == '_') hint = tr("a subscript stands right behind a letter: c_1, c_{12}");
     const bool behind_value =
         !tokens_.empty() && tokens_.back().end() == at_ &&
-        (tokens_.back().kind == TokenKind::Name || is_symbol(tokens_.back(), {")"}));
-    if (peek() == '.' && behind_value && is_letter(peek(1))) {
-        const std::size_t length = run_length(text_, at_ + 1, is_letter);
-        return std::unexpected(error_for_part(text_.substr(at_ + 1, length), at_));
-    }
+        (tokens_.back().kind == TokenKind::Name || tokens_.back().kind == TokenKind::Part ||
+         is_symbol(tokens_.back(), {")", "]"}));
+    if (peek() == '.' && behind_value && is_letter(peek(1))) return part();
     const bool printable = point.length > 1 || (peek() > ' ' && peek() < '\x7F');
     const std::string reason =
         printable ? filled(tr("{0} has no meaning here"), {quoted(text_.substr(at_, point.length))})
                   : filled(tr("the byte {0} has no meaning here"),
                            {std::to_string(static_cast<unsigned char>(peek()))});
     return std::unexpected(ParseError{.offset = at_, .reason = reason, .hint = hint});
+}
+
+/// Reads a part of a vector, as .x or .xz.
+Done Lexer::part() {
+    constexpr std::size_t most_parts = 4;
+    const std::size_t length = run_length(text_, at_ + 1, is_letter);
+    const std::string_view letters = text_.substr(at_ + 1, length);
+    const bool names_parts =
+        length <= most_parts && letters.find_first_not_of("xyzw") == std::string_view::npos;
+    if (!names_parts) return std::unexpected(error_for_part(letters, at_));
+    push(TokenKind::Part, letters, 1 + length);
+    return {};
 }
 
 Done Lexer::command() {

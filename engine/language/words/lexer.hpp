@@ -21,6 +21,7 @@ enum class TokenKind : std::uint8_t {
     Superscript,  ///< an exponent in raised digits, such as "-12"
     Symbol,
     Volume,  ///< a field that a file holds, as typed: volume("ct.nrrd", edge)
+    Part,    ///< the letters of a part of a vector behind its point: xz of p.xz
     Break,   ///< the end of a statement: ";" or the end of a line
     End,
 };

@@ -3,6 +3,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/field_source.hpp"
+#include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/words/lexer_reader.hpp"
 #include "engine/language/words/words_defined.hpp"
 
@@ -66,6 +67,10 @@ bool Lexer::identifier() {
     constexpr std::size_t longest_rest = 64;
     const bool may_be_defined = !within || run.size() <= longest_rest;
     if (library_prefix(run) || (may_be_defined && defined_name(run))) return true;
+    if (!within && is_digit(run.back()) && find_function(run) != nullptr) {
+        push(TokenKind::Name, run, run.size());  // as vec3
+        return true;
+    }
     if (defined_ == nullptr || (!within && !has_pieces(run))) {
         push(TokenKind::Name, run, run.size());
     } else {

@@ -39,6 +39,7 @@ private:
     Done step();
     Done other_character();
     Done command();
+    Done part();
     [[nodiscard]] bool starts_volume() const;
     Done volume();
     [[nodiscard]] bool is_elementwise_dot() const;

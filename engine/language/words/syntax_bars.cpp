@@ -110,7 +110,9 @@ private:
 }  // namespace
 
 bool ends_operand(const Token& token) {
-    if (token.kind == TokenKind::Number || token.kind == TokenKind::Superscript) return true;
+    if (token.kind == TokenKind::Number || token.kind == TokenKind::Superscript ||
+        token.kind == TokenKind::Part)
+        return true;
     if (token.kind == TokenKind::Name) {
         return !is_logic_word(token.text) && token.text[0] != '\\' &&
                find_function(token.text) == nullptr;

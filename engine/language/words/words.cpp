@@ -62,9 +62,8 @@ bool is_program_word(std::span<const Token> tokens, std::size_t at) {
     if (word.text == "function")
         return behind({"=", ":="}) || (starts && is_symbol(tokens[at + 1], {"{"}));
     if (word.text == "return") return starts || behind({"}"});
-    const bool behind_word = at > 0 && is_type_word(tokens[at - 1].text);
-    return is_type_word(word.text) && tokens[at + 1].kind == TokenKind::Name &&
-           (starts || behind_word || behind({"(", ","}));
+    const bool behind_word = at > 0 && declares(tokens[at - 1], word);
+    return declares(word, tokens[at + 1]) && (starts || behind_word || behind({"(", ","}));
 }
 
 bool is_number(std::string_view subscript) {

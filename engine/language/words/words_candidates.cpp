@@ -25,8 +25,8 @@ bool is_plain_name(const Token& token) {
 /// Number of words before a name that belong to its declaration, such as `const float`.
 std::size_t type_words_before(Tokens statement) {
     std::size_t count = 0;
-    while (count + 1 < statement.size() && statement[count].kind == TokenKind::Name &&
-           is_type_word(statement[count].text) && is_plain_name(statement[count + 1]))
+    while (count + 1 < statement.size() && declares(statement[count], statement[count + 1]) &&
+           is_plain_name(statement[count + 1]))
         ++count;
     return count;
 }

@@ -14,9 +14,9 @@
 namespace zeroset {
 namespace {
 
-constexpr std::array<std::string_view, 16> type_words{
-    "float", "double", "int",   "real",   "const",   "let",  "var",   "val",
-    "def",   "auto",   "local", "static", "declare", "lowp", "highp", "mediump"};
+constexpr std::array<std::string_view, 19> type_words{
+    "float", "double", "int",     "real", "const", "let",     "var",  "val",  "def", "auto",
+    "local", "static", "declare", "lowp", "highp", "mediump", "vec2", "vec3", "vec4"};
 
 /// Whether a name is one letter, ASCII or not; such names are never split.
 bool is_letter_name(std::string_view name) {
@@ -45,6 +45,11 @@ bool is_type_word(std::string_view word) {
 
 bool is_plain_name(std::string_view run) {
     return std::ranges::all_of(run, [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+}
+
+bool declares(const Token& word, const Token& next) {
+    const bool follows = next.kind == TokenKind::Name && word.kind == TokenKind::Name;
+    return follows && (word.text == "in" ? is_type_word(next.text) : is_type_word(word.text));
 }
 
 std::string plain_name(std::string_view run) {

@@ -17,6 +17,8 @@ namespace zeroset {
 
 /// Whether the word stands before a definition in some programming language: float, const, let.
 bool is_type_word(std::string_view word);
+/// Whether the word belongs to a declaration of what follows: `float a`, `in vec3 p`.
+bool declares(const Token& word, const Token& next);
 
 /// The form of a name in which it is looked up: c_12 for c_{12} and c₁₂, theta1 for θ1.
 std::string plain_name(std::string_view run);
