@@ -43,15 +43,16 @@ public:
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
             const std::size_t k = (i + 2) % 3;
-            product.at(i) = make_subtract(builder_, times(a.at(j), b.at(k)), times(a.at(k), b.at(j)));
+            product.at(i) =
+                make_subtract(builder_, times(a.at(j), b.at(k)), times(a.at(k), b.at(j)));
         }
         return product;
     }
     NodeId dot(const Vector& a, const Vector& b) {
         NodeId sum = number(0.0);
         for (std::size_t i = 0; i < 3; ++i) {
-            const NodeId term = a.at(i) == b.at(i) ? make_int_power(builder_, a.at(i), 2)
-                                                   : times(a.at(i), b.at(i));
+            const NodeId term =
+                a.at(i) == b.at(i) ? make_int_power(builder_, a.at(i), 2) : times(a.at(i), b.at(i));
             sum = make_add(builder_, sum, term);
         }
         return sum;
@@ -172,13 +173,11 @@ Expr meeting_tube(const PatchGraphs& graphs, double radius) {
     const NodeId fg = build.dot(by_f, by_g);
     const auto square = [&](NodeId a) { return make_int_power(builder, a, 2); };
     const NodeId mixed = build.times(build.number(2.0), build.times(build.times(f, g), fg));
-    const NodeId distance =
-        make_subtract(builder,
-                      make_add(builder, build.times(square(f), gg), build.times(square(g), ff)),
-                      mixed);
+    const NodeId distance = make_subtract(
+        builder, make_add(builder, build.times(square(f), gg), build.times(square(g), ff)), mixed);
     const NodeId area = make_subtract(builder, build.times(ff, gg), square(fg));
-    NodeId root = make_subtract(builder, distance,
-                                build.times(build.number(radius * radius), area));
+    NodeId root =
+        make_subtract(builder, distance, build.times(build.number(radius * radius), area));
     const Expr& condition = graphs.point[2];
     const bool is_limited = condition.node(condition.root()).op != Op::Constant;
     if (is_limited) root = make_call(builder, Op::Where, root, build.copy(condition));

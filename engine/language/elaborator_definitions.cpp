@@ -41,7 +41,6 @@ std::optional<Definition> DefinitionTable::definition_in(std::size_t index) cons
                           .body = relation.operands[1],
                           .arguments = {},
                           .is_certain = statement.is_certain,
-                          .called_with = {},
                           .value = {}};
     if (left.kind == SyntaxKind::Name && !is_axis(left.text)) return definition;
     if (left.kind != SyntaxKind::Call || left.function != nullptr) return std::nullopt;

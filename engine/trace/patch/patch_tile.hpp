@@ -6,6 +6,7 @@
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/tile_rays.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,7 +46,19 @@ public:
     /// itself; and what was found.
     struct Room {
         std::vector<double> u, v, to;
+        std::vector<double> reach;  ///< of the first hit so far, or `to`: what is nearer counts
+        std::vector<std::uint8_t> is_set;  ///< else there is no hit, and `best` is of before
         std::vector<PatchHit> best;
+
+        [[nodiscard]] const PatchHit& hit(std::size_t pixel) const {
+            static const PatchHit none;
+            return is_set[pixel] != 0 ? best[pixel] : none;
+        }
+        void set(std::size_t pixel, const PatchHit& hit) {
+            best[pixel] = hit;
+            is_set[pixel] = 1;
+            reach[pixel] = std::min(hit.s, to[pixel]);
+        }
         std::vector<Leaf> leaves;
         std::vector<Candidate> candidates;
         std::vector<Rest> rest;

@@ -15,9 +15,9 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// How much of a box its form stands for.
 constexpr double inner = 1.0 / form_growth;
 /// Leaves are so flat that two or three steps of Newton's method find a zero.
-constexpr double flat_norm = 0.25;
+constexpr double flat_norm = 0.4;
 /// Parts as small as this, in pixels, are leaves, whatever they are like.
-constexpr double least_pixels = 3.0;
+constexpr double least_pixels = 5.0;
 /// No part is divided further for many rays at once.
 constexpr int most_levels = 14;
 /// Krawczyk's test says enough below this.
@@ -55,7 +55,9 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
     room_.leaves.clear();
     room_.candidates.clear();
     room_.rest.clear();
-    room_.best.assign(tile_pixels, PatchHit());
+    room_.best.resize(tile_pixels);
+    room_.is_set.assign(tile_pixels, 0);
+    room_.reach = room_.to;
     find_bounds();
     const DepthRange range =
         rays_.depths(0.5 * (bounds_.u_lo + bounds_.u_hi), 0.5 * (bounds_.v_lo + bounds_.v_hi),
@@ -236,7 +238,7 @@ void PatchTile::scan_blocks(std::size_t leaf, double near) {
 }
 
 void PatchTile::scan_pixel(std::size_t pixel, std::size_t leaf, double near) {
-    if (near > std::min(room_.best[pixel].s, room_.to[pixel])) return;
+    if (near > room_.reach[pixel]) return;
     const auto& [node, sight, contraction] = room_.leaves[leaf];
     const SightRay ray = ray_of(pixel);
     const LinearZeros zeros = linear_zeros(sight, axes_, ray);
@@ -263,10 +265,8 @@ void PatchTile::solve() {
     room_.leaves.clear();
     double farthest = -unbounded;
     for (int row = 0; row < rows_; ++row) {
-        for (int col = 0; col < cols_; ++col) {
-            const std::size_t pixel = index_of(col, row);
-            farthest = std::max(farthest, std::min(room_.best[pixel].s, room_.to[pixel]));
-        }
+        for (int col = 0; col < cols_; ++col)
+            farthest = std::max(farthest, room_.reach[index_of(col, row)]);
     }
     limit_ = std::min(limit_, farthest);
 }
@@ -305,7 +305,7 @@ void PatchTile::advance(bool is_last) {
 bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const PatchPoint& point,
                        bool is_last) {
     if (test.found == ZeroTest::Found::None) return true;
-    PatchHit& best = room_.best[candidate.pixel];
+    const PatchHit& best = room_.hit(candidate.pixel);
     if (test.s - test.s_radius > best.s) return true;
     if (test.found != ZeroTest::Found::One || !(2.0 * test.s_radius <= rays_.tolerance()))
         return false;
@@ -320,13 +320,16 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
         test.s < rays_.first_depth())
         return true;
     const UvBox place = place_in(box, test.p, test.q, 0.0);
-    best = {.s = test.s,
-            .s_radius = test.s_radius,
-            .is_proved = where == InSquare::Inside,
-            .place = {place.u, place.v},
-            .normal = glm::cross(point.su, point.sv),
-            .unsettled = best.unsettled};
-    if (wish_ == Wish::AnyHits && best.is_proved) room_.to[candidate.pixel] = -unbounded;
+    room_.set(candidate.pixel, {.s = test.s,
+                                .s_radius = test.s_radius,
+                                .is_proved = where == InSquare::Inside,
+                                .place = {place.u, place.v},
+                                .normal = glm::cross(point.su, point.sv),
+                                .unsettled = best.unsettled});
+    if (wish_ == Wish::AnyHits && where == InSquare::Inside) {
+        room_.to[candidate.pixel] = -unbounded;
+        room_.reach[candidate.pixel] = -unbounded;
+    }
     return true;
 }
 
@@ -334,8 +337,7 @@ void PatchTile::search_rest() {
     std::ranges::sort(room_.rest, {}, &Rest::near);
     for (const Rest& rest : room_.rest) {
         if (frame_.stopped()) return;
-        PatchHit& best = room_.best[rest.pixel];
-        if (rest.near > std::min(best.s, room_.to[rest.pixel])) continue;
+        if (rest.near > room_.reach[rest.pixel]) continue;
         const SightRay ray = ray_of(rest.pixel);
         const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
         const PatchQuest quest{.axes = axes_,
@@ -345,7 +347,7 @@ void PatchTile::search_rest() {
                                .tolerance = rays_.tolerance(),
                                .any = wish_ == Wish::AnyHits};
         if (!(quest.from <= quest.to)) continue;
-        best = search_.search(quest, *rest.node, best);
+        room_.set(rest.pixel, search_.search(quest, *rest.node, room_.hit(rest.pixel)));
     }
 }
 
@@ -406,7 +408,8 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
             const std::size_t pixel = index_of(col, row);
-            put_hit(room.best[pixel],
+            if (room.is_set[pixel] == 0) continue;
+            put_hit(room.hit(pixel),
                     {.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
                     rays, room.u[pixel], room.v[pixel], hits);
         }
@@ -423,7 +426,7 @@ void find_patch_blocks(const TraceFrame& frame, const TileRays& rays, std::span<
     room.to.assign(to.begin(), to.end());
     PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::AnyHits, counters, room).run();
     for (std::size_t i = 0; i < tile_pixels; ++i) {
-        const PatchHit& hit = room.best[i];
+        const PatchHit& hit = room.hit(i);
         const bool is_open = !hit.is_proved && (hit.is_hit() || hit.unsettled < to[i]);
         blocks[i] = hit.is_hit() && hit.is_proved                        ? PatchBlock::Proved
                     : is_open || (to[i] > -unbounded && frame.stopped()) ? PatchBlock::Unknown
