@@ -47,11 +47,13 @@ TEST(PatchPictures, AreThoseOfEquations) {
                  "(cos u cos v, cos u sin v, sin u), -pi/2 < u < pi/2, 0 < v < 2 pi");
     expect_alike("x sin z = y cos z, x cos z + y sin z > 0, x^2 + y^2 < 1, -1 < z < 1",
                  "(u cos v, u sin v, v), 0 < u < 1, -1 < v < 1");
-    expect_alike("z = x^2 - y^2, -1 < x < 1, -1 < y < 1", "(u, v, u^2 - v^2), -1 < u < 1, -1 < v < 1");
+    expect_alike("z = x^2 - y^2, -1 < x < 1, -1 < y < 1",
+                 "(u, v, u^2 - v^2), -1 < u < 1, -1 < v < 1");
 }
 
 TEST(PatchPictures, FollowParameters) {
-    const std::string text = "(a cos u cos v, a cos u sin v, a sin u), -pi/2 < u < pi/2, 0 < v < 2 pi";
+    const std::string text =
+        "(a cos u cos v, a cos u sin v, a sin u), -pi/2 < u < pi/2, 0 < v < 2 pi";
     PictureRequest request = picture_of(text);
     ASSERT_EQ(request.uniforms.size(), 2U);
     request.uniforms[1] = 0.5;

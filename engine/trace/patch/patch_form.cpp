@@ -2,6 +2,7 @@
 
 #include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/point_batch.hpp"
+#include "engine/kernel/range_boxes.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -12,6 +13,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t at_once = PatchForms::at_once;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 using Cells = FormCells<double, at_once>;
 
 /// The distance of the eye whose cells boxes are: a cell of a frustum is
@@ -70,8 +72,7 @@ struct Range {
 Range slope_of(const Cells& cells, std::size_t i, double radius, double other) {
     const double lo = -cells.slope_neg_lo[i];
     const double hi = cells.slope_hi[i];
-    if (!std::isfinite(lo) || !std::isfinite(hi))
-        return {.middle = 0.0, .radius = std::numeric_limits<double>::infinity()};
+    if (!std::isfinite(lo) || !std::isfinite(hi)) return {.middle = 0.0, .radius = unbounded};
     const double middle = 0.5 * lo + 0.5 * hi;
     const double half = std::max(hi - middle, middle - lo) + 0x1p-50 * (std::abs(middle) + other);
     return {.middle = middle * radius, .radius = half * radius * (1.0 + 0x1p-50)};
@@ -81,7 +82,65 @@ double slope_bound(const Cells& cells, std::size_t i) {
     return std::max(std::abs(cells.slope_neg_lo[i]), std::abs(cells.slope_hi[i]));
 }
 
+/// Asks between which numbers a coordinate is where its form knows nothing.
+void ask_ranges(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes& boxes,
+                int k, PatchForms::Forms& forms) {
+    const auto knows = [k](const PatchForm& form) { return form.e[k] < unbounded; };
+    for (PatchForm& form : forms) {
+        form.lo[k] = -unbounded;
+        form.hi[k] = unbounded;
+    }
+    if (std::ranges::all_of(forms, knows)) return;
+    RangeBoxes<double, at_once> ranges;
+    for (std::size_t i = 0; i < at_once; ++i) {
+        const UvBox& box = boxes[i];
+        const double u_radius = grown({.middle = box.u, .radius = box.u_radius});
+        const double v_radius = grown({.middle = box.v, .radius = box.v_radius});
+        ranges.ends[0][i] = u_radius - box.u;
+        ranges.ends[1][i] = v_radius - box.v;
+        ranges.ends[2][i] = 0.0;
+        ranges.ends[3][i] = box.u + u_radius;
+        ranges.ends[4][i] = box.v + v_radius;
+        ranges.ends[5][i] = 0.0;
+    }
+    kernel.range(ranges.batch(at_once, uniforms.boxes<double>()));
+    for (std::size_t i = 0; i < at_once; ++i) {
+        if (knows(forms[i])) continue;
+        const double lo = -ranges.f_neg_lo[i];
+        const double hi = ranges.f_hi[i];
+        if (std::isnan(lo) || std::isnan(hi)) continue;
+        forms[i].lo[k] = lo;
+        forms[i].hi[k] = hi;
+        // Nowhere defined: both ends are beyond all numbers.
+        if (lo == unbounded && hi == -unbounded) forms[i].nowhere = true;
+    }
+}
+
 }  // namespace
+
+std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip) {
+    if (form.nowhere) return std::nullopt;
+    PatchForm within = form;
+    for (int k = 0; k < 3; ++k) {
+        const double spare = 0x1p-40 * (std::abs(clip.lo[k]) + std::abs(clip.hi[k]));
+        const double clip_lo = clip.lo[k] - spare;
+        const double clip_hi = clip.hi[k] + spare;
+        if (form.e[k] < unbounded) {
+            const double spread = std::abs(form.ku[k]) + std::abs(form.kv[k]) + form.e[k];
+            if (form.c[k] - spread > clip_hi || form.c[k] + spread < clip_lo) return std::nullopt;
+            continue;
+        }
+        const bool is_between = form.lo[k] <= form.hi[k];
+        if (!is_between && form.hi[k] < clip_lo && form.lo[k] > clip_hi) return std::nullopt;
+        const double lo = is_between ? std::max(form.lo[k], clip_lo) : clip_lo;
+        const double hi = is_between ? std::min(form.hi[k], clip_hi) : clip_hi;
+        if (lo > hi) return std::nullopt;
+        within.c[k] = 0.5 * lo + 0.5 * hi;
+        within.ku[k] = within.kv[k] = 0.0;
+        within.e[k] = 0.5 * (hi - lo) * (1.0 + 0x1p-20) + spare;
+    }
+    return within;
+}
 
 void PatchForms::evaluate(const Boxes& boxes, Forms& forms) const {
     thread_local Cells along_u;
@@ -110,6 +169,7 @@ void PatchForms::evaluate(const Boxes& boxes, Forms& forms) const {
             form.continuous = form.continuous && along_u.continuous[i] != 0;
             form.nowhere = form.nowhere || along_u.nowhere[i] != 0;
         }
+        ask_ranges(kernel, uniforms_, boxes, k, forms);
     }
 }
 

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "engine/kernel/patch_code.hpp"
+#include "engine/view/box.hpp"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace zeroset {
 
@@ -28,12 +32,19 @@ struct PatchForm {
     glm::dvec3 c, ku, kv, e;
     glm::dvec3 du, dv, du_radius, dv_radius;
     glm::dvec3 value_error;  ///< of an evaluation of S at a point of the box
+    /// Of coordinates whose e is +inf: they are at least lo and at most hi; or one of both where lo
+    /// is above hi.
+    glm::dvec3 lo, hi;
     bool continuous = false;
     bool nowhere = false;  ///< S is not defined anywhere in the box
 
     /// The most by which S differs from c.
     [[nodiscard]] glm::dvec3 spread() const { return glm::abs(ku) + glm::abs(kv) + e; }
 };
+
+/// The form of those places of a box that are in a clip box: where nothing is known of a
+/// coordinate, it is known to be there. Nothing where no place of the box is. In upward rounding.
+std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip);
 
 /// S and its derivatives by u and v, as they are computed.
 struct PatchPoint {

@@ -13,6 +13,8 @@ constexpr int most_divisions = 600;
 constexpr int kept_levels = 4;
 /// Boxes are not divided further below this: there are few doubles in them.
 constexpr double least_radius = 0x1p-46;
+/// Nor below this where S is not continuous: there is nothing to be certified.
+constexpr double least_of_jumps = 0x1p-30;
 /// How much of a box its form stands for.
 constexpr double inner = 1.0 / form_growth;
 
@@ -64,9 +66,11 @@ UvBox place_in(const UvBox& box, double p, double q, double radius) {
             .v_radius = radius * v_radius + 0x1p-52};
 }
 
-void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchForm& form,
+void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole,
                        PatchNode* node) {
-    if (form.nowhere) return;
+    const auto within = form_within(whole, quest.clip);
+    if (!within) return;
+    const PatchForm& form = *within;
     const double middle = glm::dot(quest.axes.forward, form.c - quest.axes.base);
     const double radius = glm::dot(glm::abs(quest.axes.forward), form.spread());
     const double spare = quest.axes.error + 0x1p-46 * (std::abs(middle) + radius);
@@ -202,8 +206,9 @@ PatchHit PatchSearch::search(const PatchQuest& quest, PatchNode& node, const Pat
         if (!zeros.any || zeros.beyond(inner)) continue;
         if (certify(quest, item, sight, zeros) == Outcome::Done) continue;
         const glm::dvec3 spread = sight.spread();
+        const double least = item.form.continuous ? least_radius : least_of_jumps;
         const bool is_small = 4.0 * std::max({spread.x, spread.y, spread.z}) <= quest.tolerance ||
-                              std::max(item.box.u_radius, item.box.v_radius) < least_radius;
+                              std::max(item.box.u_radius, item.box.v_radius) < least;
         if (is_small || ++divisions > most_divisions) {
             give_up(quest, item);
             continue;

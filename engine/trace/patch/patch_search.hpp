@@ -18,6 +18,7 @@ struct PatchQuest {
     SightRay ray;
     double from, to;   ///< depths s between which the first hit is wanted
     double tolerance;  ///< the width of a bracket that is narrow enough
+    const Box& clip;   ///< hits are wanted in this box
     bool any = false;  ///< a hit will do that is not the first
 };
 
@@ -60,7 +61,7 @@ private:
     };
     enum class Outcome : std::uint8_t { Done, Open };
 
-    void push(const PatchQuest& quest, const UvBox& box, const PatchForm& form, PatchNode* node);
+    void push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole, PatchNode* node);
     Outcome certify(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                     const LinearZeros& zeros);
     void take(const PatchQuest& quest, const Item& item, const ZeroTest& test,

@@ -20,6 +20,8 @@ constexpr double flat_norm = 0.4;
 constexpr double least_pixels = 5.0;
 /// No part is divided further for many rays at once.
 constexpr int most_levels = 14;
+/// Nor where S is not continuous: such parts may be as many as there are along a line.
+constexpr int most_levels_of_jumps = 4;
 /// Krawczyk's test says enough below this.
 constexpr double most_norm = 0.5;
 constexpr std::size_t candidates_at_once = 512;
@@ -151,8 +153,7 @@ PatchTile::Rect PatchTile::pixels_of(const PatchSight& sight, const Depths& dept
 }
 
 bool PatchTile::is_leaf(const PatchNode& node, const PatchSight& sight, const Rect& rect) const {
-    if (node.level >= most_levels) return true;
-    if (!(glm::dot(sight.e, glm::dvec3(1.0)) < unbounded)) return false;
+    if (node.level >= (node.form.continuous ? most_levels : most_levels_of_jumps)) return true;
     const glm::dvec3 spread = sight.spread();
     const double pixel = rays_.pixel() * (axes_.distance + sight.c.z);
     if (2.0 * std::max(spread.x, spread.y) < least_pixels * pixel) return true;
@@ -176,10 +177,12 @@ SightRays PatchTile::rays_of(const Rect& rect) const {
 }
 
 void PatchTile::visit(PatchNode& node) {
-    if (node.form.nowhere || frame_.stopped()) return;
-    const Depths depths = depths_of(node.form);
+    if (frame_.stopped()) return;
+    const auto form = form_within(node.form, frame_.scene.clip);
+    if (!form) return;
+    const Depths depths = depths_of(*form);
     if (is_hidden(depths)) return;
-    const PatchSight sight = sight_of(node.form, axes_);
+    const PatchSight sight = sight_of(*form, axes_);
     if (is_beside(sight, bounds_)) return;
     Rect rect = pixels_of(sight, depths);
     rect.col = std::max(rect.col, 0);
@@ -345,6 +348,7 @@ void PatchTile::search_rest() {
                                .from = std::max(range.enter_lo, rays_.first_depth()),
                                .to = std::min(range.exit_hi, room_.to[rest.pixel]),
                                .tolerance = rays_.tolerance(),
+                               .clip = frame_.scene.clip,
                                .any = wish_ == Wish::AnyHits};
         if (!(quest.from <= quest.to)) continue;
         room_.set(rest.pixel, search_.search(quest, *rest.node, room_.hit(rest.pixel)));

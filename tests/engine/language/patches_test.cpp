@@ -56,14 +56,12 @@ TEST(Patches, ReadsASurface) {
     EXPECT_EQ(patch_of(program.surfaces.front())->kind, PatchKind::Surface);
     expect_near(at(program, 0.5, 0.25), {0.0, 0.5, 0.5 * pi});
     expect_near(at(program, 1.0, 1.0), {1.0, 0.0, 2.0 * pi});
-    EXPECT_EQ(program.readings.front().text,
-              "(u*cos(v), u*sin(v), v), 0 < u < 1, 0 < v < 2*pi");
+    EXPECT_EQ(program.readings.front().text, "(u*cos(v), u*sin(v), v), 0 < u < 1, 0 < v < 2*pi");
 }
 
 TEST(Patches, ReadsRangesThatDescendAndDependOnEachOther) {
     expect_near(at(program_of("(u, v, 0), 3 > u > 1, u <= v <= 2u"), 0.5, 0.5), {2.0, 3.0, 0.0});
-    expect_near(at(program_of("(u, v, 0), 0 < u < 1 and -1 < v < 1"), 0.5, 0.75),
-                {0.5, 0.5, 0.0});
+    expect_near(at(program_of("(u, v, 0), 0 < u < 1 and -1 < v < 1"), 0.5, 0.75), {0.5, 0.5, 0.0});
 }
 
 TEST(Patches, KeepsOtherLettersAsParameters) {
