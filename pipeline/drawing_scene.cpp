@@ -85,8 +85,10 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                                aspect_of(choice.page), choice.fits_box, limit);
     }
     const PictureRequest request = request_for(document, *prepared, choice.page);
-    if (auto refused = patch_refusal(request, tr("a line drawing")))
-        return std::unexpected(*refused);
+    auto refused = patch_refusal(
+        request, tr("a line drawing shows equations, not yet parametric surfaces, curves and "
+                    "points: hide their rows, or save a picture"));
+    if (refused) return std::unexpected(std::move(*refused));
     result.scene = scene_of(request);
     result.camera = request.camera;
     for (const std::size_t i : shown_indices(request))

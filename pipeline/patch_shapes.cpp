@@ -128,9 +128,9 @@ std::array<Expr, 3> tube(const std::array<Expr, 3>& curve, double radius) {
     const Vector second = build.unit(build.cross(way, first));
     const NodeId turn = build.builder().variable(1);
     const NodeId size = build.number(radius);
-    const Vector aside =
-        build.plus(build.times(build.times(size, build.of_turns(Op::Cos, turn)), first),
-                   build.times(build.times(size, build.of_turns(Op::Sin, turn)), second));
+    const Vector aside = build.plus(
+        build.times(build.times(size, build.of_turns(Op::Cos, turn)), first),
+        build.times(build.times(build.number(-radius), build.of_turns(Op::Sin, turn)), second));
     return build.finish(build.plus(build.copy(curve), aside), curve[0].parameters());
 }
 
@@ -142,7 +142,7 @@ std::array<Expr, 3> ball(const std::array<Expr, 3>& point, double radius) {
     const NodeId across = build.times(size, build.of_turns(Op::Sin, half_turn));
     const Vector aside{build.times(across, build.of_turns(Op::Cos, turn)),
                        build.times(across, build.of_turns(Op::Sin, turn)),
-                       build.times(build.number(-radius), build.of_turns(Op::Cos, half_turn))};
+                       build.times(size, build.of_turns(Op::Cos, half_turn))};
     return build.finish(build.plus(build.copy(point), aside), point[0].parameters());
 }
 

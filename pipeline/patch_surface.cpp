@@ -1,6 +1,5 @@
 #include "pipeline/patch_surface.hpp"
 
-#include "engine/base/translation.hpp"
 #include "engine/kernel/patch_code.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/patch_shapes.hpp"
@@ -33,16 +32,12 @@ Kernel patch_code(const PatchGraphs& graphs, const Box& clip) {
     return patch_kernel(std::move(point));
 }
 
-std::optional<InputError> patch_refusal(const PictureRequest& request, const std::string& what) {
+std::optional<InputError> patch_refusal(const PictureRequest& request, std::string reason) {
     const bool any = std::ranges::any_of(request.surfaces, [&](const ShownSurface& surface) {
         return is_patch(request.formula->program->surfaces[surface.index]);
     });
     if (!any) return std::nullopt;
-    return InputError{
-        .reason =
-            filled(tr("{0} knows only equations: hide the rows of parametric surfaces, curves "
-                      "and points, or type an equation in x, y and z"),
-                   {what})};
+    return InputError{.reason = std::move(reason)};
 }
 
 }  // namespace zeroset

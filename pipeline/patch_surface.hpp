@@ -20,8 +20,8 @@ Kernel patch_code(const PatchGraphs& graphs, const Box& clip);
 /// themselves.
 Expr drawn_formula(const Expr& surface, const Box& clip);
 
-/// Why something cannot be made of what a picture shows: one of its surfaces is a parametric one.
-/// `what`: the beginning of the line, translated. Nothing: there is none.
-std::optional<InputError> patch_refusal(const PictureRequest& request, const std::string& what);
+/// The error of what knows only equations, if a picture shows a parametric surface, a curve or a
+/// point; nothing where it does not.
+std::optional<InputError> patch_refusal(const PictureRequest& request, std::string reason);
 
 }  // namespace zeroset

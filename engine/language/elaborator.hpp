@@ -106,7 +106,7 @@ private:
     std::optional<std::vector<Binding>> bind_names(const std::vector<Ranged>& ranges);
     std::optional<std::array<NodeId, 3>> point_over(const StatementSyntax& statement,
                                                     const std::vector<Binding>& bindings);
-    std::string open_variable(std::size_t statement);
+    std::string open_variable(std::size_t statement, const std::vector<Ranged>& ranges);
     std::string patch_text(const std::array<NodeId, 3>& point, const std::vector<Ranged>& ranges,
                            const std::vector<Binding>& bindings);
     bool build_patch(std::size_t index);

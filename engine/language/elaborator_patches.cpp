@@ -108,12 +108,14 @@ std::optional<std::array<NodeId, 3>> Elaborator::point_over(const StatementSynta
     return value ? point_of(*value) : std::nullopt;
 }
 
-/// The first of the usual names of a surface's variables that a row uses without saying what it is.
-std::string Elaborator::open_variable(std::size_t statement) {
+/// The first of the usual names of variables that a row uses without saying what it is; empty:
+/// there is none.
+std::string Elaborator::open_variable(std::size_t statement, const std::vector<Ranged>& ranges) {
     for (const NameUse& use : table_.uses(statement)) {
         const std::string& name = tree_[use.at].text;
         const bool is_usual = name == "u" || name == "v" || name == "t";
-        if (is_usual && table_.meant(use, statement) == nullptr) return name;
+        const bool is_ranged = std::ranges::find(ranges, name, &Ranged::name) != ranges.end();
+        if (is_usual && !is_ranged && table_.meant(use, statement) == nullptr) return name;
     }
     return {};
 }
@@ -183,14 +185,11 @@ bool Elaborator::build_patch(std::size_t index) {
              filled(tr("type {0}"), {example}));
         return false;
     }
-    if (const std::string open = open_variable(index); !open.empty() && ranges.size() < 2) {
-        const bool is_ranged =
-            std::ranges::any_of(ranges, [&](const Ranged& range) { return range.name == open; });
-        if (!is_ranged) {
-            fail(statement.offset, filled(tr("{0} has no range"), {open}),
-                 filled(tr("type {0}"), {example}));
-            return false;
-        }
+    const std::string open = ranges.size() < 2 ? open_variable(index, ranges) : std::string();
+    if (!open.empty()) {
+        fail(statement.offset, filled(tr("{0} has no range"), {open}),
+             filled(tr("type {0}"), {example}));
+        return false;
     }
     const auto shares = bind_ranges(ranges);
     const auto point = shares ? point_over(statement, *shares) : std::nullopt;

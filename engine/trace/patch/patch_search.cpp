@@ -18,20 +18,6 @@ constexpr double least_of_jumps = 0x1p-30;
 /// How much of a box its form stands for.
 constexpr double inner = 1.0 / form_growth;
 
-/// How a box is divided: `cols` x `rows` parts, sixteen of them.
-struct Division {
-    std::size_t cols, rows;
-};
-
-/// So that parts are about as wide as they are high, in the world.
-Division division_of(double width, double height) {
-    if (width > 8.0 * height) return {.cols = 16, .rows = 1};
-    if (width > 2.0 * height) return {.cols = 8, .rows = 2};
-    if (height > 8.0 * width) return {.cols = 1, .rows = 16};
-    if (height > 2.0 * width) return {.cols = 2, .rows = 8};
-    return {.cols = 4, .rows = 4};
-}
-
 /// The part of [-inner, inner] in which zeros may be, as middle and radius.
 struct Part {
     double middle, radius;

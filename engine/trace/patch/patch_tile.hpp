@@ -20,6 +20,11 @@ namespace zeroset {
 /// The axes of the rays of tiles.
 SightAxes axes_of(const TileRays& rays);
 
+/// Some rays in the image plane; none where lo > hi.
+struct RayBounds {
+    double u_lo, u_hi, v_lo, v_hi;
+};
+
 /// A tile whose patch is searched: parts of the patch that are flat enough, from front to back, and
 /// in each the pixels that it may cover; what that leaves open, ray by ray.
 class PatchTile {
@@ -90,17 +95,11 @@ private:
         double near, far;
     };
 
-    /// The rays of a part of the tile, in the image plane; the part is empty where lo > hi.
-    struct Bounds {
-        double u_lo, u_hi, v_lo, v_hi;
-    };
-
     void find_bounds();
     void visit(PatchNode& node);
     void visit_parts(PatchNode::Children& parts);
     [[nodiscard]] Depths depths_of(const PatchForm& form) const;
     [[nodiscard]] bool is_hidden(const Depths& depths) const;
-    [[nodiscard]] bool is_beside(const PatchSight& sight, const Bounds& bounds) const;
     [[nodiscard]] Rect pixels_of(const PatchSight& sight, const Depths& depths) const;
     [[nodiscard]] bool is_leaf(const PatchNode& node, const PatchSight& sight,
                                const Rect& rect) const;
@@ -128,9 +127,9 @@ private:
     Room& room_;
     SightAxes axes_;
     const PatchTree& tree_;
-    Bounds bounds_{};  ///< of all rays that are wanted
+    RayBounds bounds_{};  ///< of all rays that are wanted
     static constexpr int block = 8;
-    std::array<Bounds, std::size_t{tile_size / block} * (tile_size / block)> blocks_{};
+    std::array<RayBounds, std::size_t{tile_size / block} * (tile_size / block)> blocks_{};
     Depths depths_{};  ///< of all rays, within the clip box and the region
     double limit_;     ///< behind this depth nothing is wanted
     PatchSearch search_;

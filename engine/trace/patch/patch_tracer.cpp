@@ -30,6 +30,20 @@ constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_s
 
 std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
 
+/// Whether a part of the patch is on one side of a plane through the eye that bounds rays.
+bool is_beside(const PatchSight& sight, const SightAxes& axes, const RayBounds& bounds) {
+    if (bounds.u_lo > bounds.u_hi) return true;
+    const auto side = [&](double sign, int axis, double edge) {
+        const double spread = std::abs(sight.kp[axis] - edge * sight.kp.z) +
+                              std::abs(sight.kq[axis] - edge * sight.kq.z) + sight.e[axis] +
+                              std::abs(edge) * sight.e.z;
+        const double middle = sight.c[axis] - edge * axes.distance - edge * sight.c.z;
+        return sign * middle > spread * (1.0 + 0x1p-40);
+    };
+    return side(-1.0, 0, bounds.u_lo) || side(1.0, 0, bounds.u_hi) || side(-1.0, 1, bounds.v_lo) ||
+           side(1.0, 1, bounds.v_hi);
+}
+
 }  // namespace
 
 SightAxes axes_of(const TileRays& rays) {
@@ -69,9 +83,9 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
 }
 
 void PatchTile::find_bounds() {
-    constexpr Bounds none{
+    constexpr RayBounds none{
         .u_lo = unbounded, .u_hi = -unbounded, .v_lo = unbounded, .v_hi = -unbounded};
-    const auto widen = [](Bounds& bounds, double u, double v) {
+    const auto widen = [](RayBounds& bounds, double u, double v) {
         bounds = {.u_lo = std::min(bounds.u_lo, u),
                   .u_hi = std::max(bounds.u_hi, u),
                   .v_lo = std::min(bounds.v_lo, v),
@@ -111,20 +125,6 @@ PatchTile::Depths PatchTile::depths_of(const PatchForm& form) const {
 
 bool PatchTile::is_hidden(const Depths& depths) const {
     return depths.near > limit_ || depths.far < depths_.near;
-}
-
-bool PatchTile::is_beside(const PatchSight& sight, const Bounds& bounds) const {
-    if (bounds.u_lo > bounds.u_hi) return true;
-    // The part is on one side of a plane through the eye that bounds the tile.
-    const auto side = [&](double sign, int axis, double edge) {
-        const double spread = std::abs(sight.kp[axis] - edge * sight.kp.z) +
-                              std::abs(sight.kq[axis] - edge * sight.kq.z) + sight.e[axis] +
-                              std::abs(edge) * sight.e.z;
-        const double middle = sight.c[axis] - edge * axes_.distance - edge * sight.c.z;
-        return sign * middle > spread * (1.0 + 0x1p-40);
-    };
-    return side(-1.0, 0, bounds.u_lo) || side(1.0, 0, bounds.u_hi) || side(-1.0, 1, bounds.v_lo) ||
-           side(1.0, 1, bounds.v_hi);
 }
 
 PatchTile::Rect PatchTile::pixels_of(const PatchSight& sight, const Depths& depths) const {
@@ -183,7 +183,7 @@ void PatchTile::visit(PatchNode& node) {
     const Depths depths = depths_of(*form);
     if (is_hidden(depths)) return;
     const PatchSight sight = sight_of(*form, axes_);
-    if (is_beside(sight, bounds_)) return;
+    if (is_beside(sight, axes_, bounds_)) return;
     Rect rect = pixels_of(sight, depths);
     rect.col = std::max(rect.col, 0);
     rect.row = std::max(rect.row, 0);
@@ -201,7 +201,7 @@ void PatchTile::visit(PatchNode& node) {
 void PatchTile::visit_parts(PatchNode::Children& parts) {
     std::array<std::pair<double, PatchNode*>, PatchForms::at_once> order;
     for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = {depths_of(parts.nodes[i].form).near, &parts.nodes[i]};
+        order[i] = {glm::dot(axes_.forward, parts.nodes[i].form.c), &parts.nodes[i]};
     std::ranges::sort(order, {}, &std::pair<double, PatchNode*>::first);
     for (const auto& [near, node] : order)
         visit(*node);
@@ -228,7 +228,7 @@ void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
 
 void PatchTile::scan_blocks(std::size_t leaf, double near) {
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (is_beside(room_.leaves[leaf].sight, blocks_[i])) continue;
+        if (is_beside(room_.leaves[leaf].sight, axes_, blocks_[i])) continue;
         const int col = static_cast<int>(i) % (tile_size / block) * block;
         const int row = static_cast<int>(i) / (tile_size / block) * block;
         scan_rect(leaf,
@@ -372,6 +372,22 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
     }
 }
 
+/// Whether the rays of a tile of the image may meet the patch, as far as its largest parts tell.
+bool may_meet(const TraceFrame& frame, const TileRays& rays, const Tile& tile) {
+    const PatchTree& tree = tree_of(frame);
+    const SightAxes axes = axes_of(rays);
+    const RayBounds bounds{.u_lo = rays.u(0.0),
+                           .u_hi = rays.u(tile.cols - 1),
+                           .v_lo = rays.v(tile.rows - 1),
+                           .v_hi = rays.v(0.0)};
+    const auto meets = [&](const PatchNode& node) {
+        const auto form = form_within(node.form, frame.scene.clip);
+        return form && !is_beside(sight_of(*form, axes), axes, bounds);
+    };
+    const PatchNode::Children* const parts = tree.parts(tree.root());
+    return parts == nullptr ? meets(tree.root()) : std::ranges::any_of(parts->nodes, meets);
+}
+
 /// The normal of a hit, or one that faces the eye where there is none.
 std::array<float, 3> normal_of(const PatchHit& hit, const ViewFrame& view, double u, double v) {
     const double size = glm::dot(hit.normal, hit.normal);
@@ -406,6 +422,7 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
     assert(tile.places == nullptr);
     thread_local PatchTile::Room room;
     const TileRays rays(frame, tile);
+    if (!may_meet(frame, rays, tile)) return;
     place_rays(tile, rays, room);
     PatchTile(frame, rays, tile.cols, tile.rows, PatchTile::Wish::FirstHits, counters, room).run();
     if (frame.stopped()) return hits.leave_undecided(tile);

@@ -3,14 +3,12 @@
 #include "engine/real/rounding.hpp"
 
 #include <cassert>
+#include <limits>
 #include <mutex>
 #include <utility>
 
 namespace zeroset {
 namespace {
-
-constexpr std::size_t across = 4;
-static_assert(across * across == PatchForms::at_once);
 
 /// The trees of a kernel: of the last uniforms.
 struct KeptTree {
@@ -26,13 +24,13 @@ PatchForms::Boxes grown_boxes(const PatchForms::Boxes& boxes) {
     return grown;
 }
 
-PatchForms::Boxes parts_of(const UvBox& box) {
+PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
     PatchForms::Boxes parts{};
-    const double u_radius = box.u_radius / across;
-    const double v_radius = box.v_radius / across;
+    const double u_radius = box.u_radius / static_cast<double>(division.cols);
+    const double v_radius = box.v_radius / static_cast<double>(division.rows);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto col = static_cast<double>(i % across);
-        const auto row = static_cast<double>(i / across);
+        const auto col = static_cast<double>(i % division.cols);
+        const auto row = static_cast<double>(i / division.cols);
         parts[i] = {.u = box.u - box.u_radius + (2.0 * col + 1.0) * u_radius,
                     .v = box.v - box.v_radius + (2.0 * row + 1.0) * v_radius,
                     .u_radius = u_radius,
@@ -41,7 +39,24 @@ PatchForms::Boxes parts_of(const UvBox& box) {
     return parts;
 }
 
+/// A bound of the length of what is between -radius and radius of a middle; of what is known.
+double length_of(const glm::dvec3& middle, const glm::dvec3& radius) {
+    glm::dvec3 size = glm::abs(middle) + radius;
+    for (int k = 0; k < 3; ++k) {
+        if (!(size[k] < std::numeric_limits<double>::infinity())) size[k] = 0.0;
+    }
+    return glm::length(size);
+}
+
 }  // namespace
+
+Division division_of(double width, double height) {
+    if (width > 8.0 * height) return {.cols = 16, .rows = 1};
+    if (width > 2.0 * height) return {.cols = 8, .rows = 2};
+    if (height > 8.0 * width) return {.cols = 1, .rows = 16};
+    if (height > 2.0 * width) return {.cols = 2, .rows = 8};
+    return {.cols = 4, .rows = 4};
+}
 
 /// Deletes the parts of all parts without a call within a call for each of thousands.
 PatchNode::~PatchNode() { delete children.load(); }  // NOLINT(cppcoreguidelines-owning-memory)
@@ -62,7 +77,10 @@ PatchNode::Children* PatchTree::parts(PatchNode& node) const {
         return known;
     if (is_full()) return nullptr;
     auto made = std::make_unique<PatchNode::Children>();
-    const PatchForms::Boxes boxes = parts_of(node.box);
+    const PatchForm& form = node.form;
+    const Division division =
+        division_of(length_of(form.du, form.du_radius), length_of(form.dv, form.dv_radius));
+    const PatchForms::Boxes boxes = parts_of(node.box, division);
     PatchForms::Forms forms;
     forms_.evaluate(grown_boxes(boxes), forms);
     for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -16,7 +16,15 @@ namespace zeroset {
 /// for: a root at the border of two boxes is inside of both.
 inline constexpr double form_growth = 1.0 + 0x1p-4;
 
-/// A part of the unit square, of which the parts of a level are all the same size.
+/// How a box is divided: `cols` x `rows` parts, sixteen of them.
+struct Division {
+    std::size_t cols, rows;
+};
+
+/// The division whose parts are about as wide as they are high.
+Division division_of(double width, double height);
+
+/// A part of the unit square.
 struct PatchNode {
     struct Children;
 
@@ -43,7 +51,8 @@ public:
 
     [[nodiscard]] PatchNode& root() const { return root_; }
     [[nodiscard]] const PatchForms& forms() const { return forms_; }
-    /// The 4 x 4 parts of a node; nullptr where the tree has no room for more.
+    /// The sixteen parts of a node, in the world about as long as wide; nullptr where the tree has
+    /// no room for more.
     PatchNode::Children* parts(PatchNode& node) const;
     /// Boxes in the world that hold the patch together, those of parts of parts. In upward
     /// rounding.
