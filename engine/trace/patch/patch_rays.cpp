@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace zeroset {
 namespace {
@@ -37,6 +38,7 @@ PatchHit find_patch_hit(const TraceFrame& frame, const PatchRay& ray, bool any,
                            .from = ray.from,
                            .to = ray.to,
                            .tolerance = std::ldexp(frame.scene.clip.size(), -frame.depth.wanted),
+                           .pixel = frame.view.pixel_at_look(frame.image.height),
                            .clip = frame.scene.clip,
                            .any = any};
     return PatchSearch(tree, frame.limit, counters).search(quest, tree.root());
@@ -51,6 +53,7 @@ PatchHit find_patch_hit(const PatchTree& tree, const PatchRay& ray, double toler
                            .from = ray.from,
                            .to = ray.to,
                            .tolerance = tolerance,
+                           .pixel = std::numeric_limits<double>::infinity(),
                            .clip = everywhere};
     const TimeLimit none;
     Counters counters;

@@ -9,8 +9,6 @@ namespace {
 
 /// Boxes that a ray may ask for, by sixteen; where that is not enough, it is undecided.
 constexpr int most_divisions = 600;
-/// Nodes of these levels are kept in the tree, whoever asks for them.
-constexpr int kept_levels = 4;
 /// Boxes are not divided further below this: there are few doubles in them.
 constexpr double least_radius = 0x1p-46;
 /// Nor below this where S is not continuous: there is nothing to be certified.
@@ -137,7 +135,8 @@ void PatchSearch::give_up(const PatchQuest& quest, const Item& item) {
 void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                          const LinearZeros& zeros) {
     if (item.node != nullptr) {
-        const bool keeps = item.node->level < kept_levels;
+        const glm::dvec3 spread = sight.spread();
+        const bool keeps = std::max(spread.x, spread.y) > quest.pixel;
         PatchNode::Children* const parts =
             keeps ? tree_.parts(*item.node) : item.node->children.load(std::memory_order_acquire);
         if (parts != nullptr) {

@@ -18,7 +18,8 @@ struct PatchQuest {
     SightRay ray;
     double from, to;   ///< depths s between which the first hit is wanted
     double tolerance;  ///< the width of a bracket that is narrow enough
-    const Box& clip;   ///< hits are wanted in this box
+    double pixel;     ///< parts larger than this are kept in the tree: other rays will ask for them
+    const Box& clip;  ///< hits are wanted in this box
     bool any = false;  ///< a hit will do that is not the first
 };
 

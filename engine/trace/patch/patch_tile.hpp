@@ -115,6 +115,10 @@ private:
     bool settle(const Candidate& candidate, const ZeroTest& test, const PatchPoint& point,
                 bool is_last);
     void search_rest();
+    /// The width of a pixel at a depth.
+    [[nodiscard]] double pixel_at(double s) const {
+        return rays_.pixel() * std::max(axes_.distance + s, 0.0);
+    }
     [[nodiscard]] SightRay ray_of(std::size_t pixel) const {
         return {.u = room_.u[pixel], .v = room_.v[pixel]};
     }

@@ -155,7 +155,7 @@ PatchTile::Rect PatchTile::pixels_of(const PatchSight& sight, const Depths& dept
 bool PatchTile::is_leaf(const PatchNode& node, const PatchSight& sight, const Rect& rect) const {
     if (node.level >= (node.form.continuous ? most_levels : most_levels_of_jumps)) return true;
     const glm::dvec3 spread = sight.spread();
-    const double pixel = rays_.pixel() * (axes_.distance + sight.c.z);
+    const double pixel = pixel_at(sight.c.z);
     if (2.0 * std::max(spread.x, spread.y) < least_pixels * pixel) return true;
     if (!node.form.continuous) return false;
     return contraction_of(sight, rays_of(rect)).norm <= flat_norm;
@@ -348,6 +348,7 @@ void PatchTile::search_rest() {
                                .from = std::max(range.enter_lo, rays_.first_depth()),
                                .to = std::min(range.exit_hi, room_.to[rest.pixel]),
                                .tolerance = rays_.tolerance(),
+                               .pixel = 0.5 * pixel_at(rest.near),
                                .clip = frame_.scene.clip,
                                .any = wish_ == Wish::AnyHits};
         if (!(quest.from <= quest.to)) continue;
