@@ -7,7 +7,6 @@
 #include "engine/appearance/frame_light.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
-#include "engine/kernel/patch_code.hpp"
 #include "engine/light/encode.hpp"
 #include "engine/light/keep_planes.hpp"
 #include "engine/real/rounding.hpp"

@@ -25,6 +25,9 @@ struct RayBounds {
     double u_lo, u_hi, v_lo, v_hi;
 };
 
+/// Whether a part of the patch is on one side of a plane through the eye that bounds rays.
+bool is_beside(const PatchSight& sight, const SightAxes& axes, const RayBounds& bounds);
+
 /// A tile whose patch is searched: parts of the patch that are flat enough, from front to back, and
 /// in each the pixels that it may cover; what that leaves open, ray by ray.
 class PatchTile {
