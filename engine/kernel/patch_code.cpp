@@ -88,7 +88,7 @@ Kernel patch_kernel(std::array<Kernel, 3> point) {
 }
 
 std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel) {
-    std::shared_ptr<const PatchCode> code = kernel.memory->of<PatchCode>();
+    const std::shared_ptr<const PatchCode> code = kernel.memory->of<PatchCode>();
     return code->point.empty() ? nullptr : code;
 }
 

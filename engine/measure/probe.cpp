@@ -133,7 +133,7 @@ void probe_patch(const ProbedPicture& picture, const PixelRay& ray, double depth
                  PointFacts& facts) {
     const UpwardRounding upward;
     const auto tree = patch_tree(picture.formulas[facts.surface], picture.uniforms);
-    const double finest = 0x1p-44 * (std::abs(depth) + glm::length(ray.at(depth)));
+    const double finest = 0x1p-38 * (std::abs(depth) + glm::length(ray.at(depth)));
     const PatchHit hit = find_patch_hit(*tree,
                                         {.origin = ray.at(0.0),
                                          .direction = ray.direction,

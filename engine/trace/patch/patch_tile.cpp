@@ -63,7 +63,6 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
       room_(room),
       axes_(axes_of(rays)),
       tree_(tree_of(frame)),
-      limit_(-unbounded),
       search_(tree_, frame.limit, counters) {
     room_.leaves.clear();
     room_.candidates.clear();

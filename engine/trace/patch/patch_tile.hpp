@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -138,7 +139,7 @@ private:
     static constexpr int block = 8;
     std::array<RayBounds, std::size_t{tile_size / block} * (tile_size / block)> blocks_{};
     Depths depths_{};  ///< of all rays, within the clip box and the region
-    double limit_;     ///< behind this depth nothing is wanted
+    double limit_ = -std::numeric_limits<double>::infinity();  ///< behind it nothing is wanted
     PatchSearch search_;
 };
 
