@@ -28,8 +28,8 @@ constexpr std::size_t most_nodes = 8'000;
 /// The surfaces that are drawn as f = 0.
 std::vector<Expr> implicit_surfaces(const Formula& formula) {
     std::vector<Expr> surfaces;
-    for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (!is_patch(formula.drawn[i])) surfaces.push_back(formula.drawn[i]);
+    for (const Expr& surface : formula.drawn) {
+        if (!is_patch(surface)) surfaces.push_back(surface);
     }
     return surfaces;
 }
