@@ -4,12 +4,15 @@
 
 namespace zeroset {
 
-/// Squares of these levels are not divided: where all their rays have roots, where not, where f is
-/// not known to be continuous, and for their colours.
+/// Squares of these levels are not divided: where surfaces begin one before the other's end, at
+/// edges that are no lines, at such edges in walls of the clip region, where f is not known to be
+/// continuous, and for their colours. 16 squares of five rays each tell as much of an edge without
+/// a name as it is worth.
 inline constexpr int last_level = 4;
-inline constexpr int last_edge_level = 6;
+inline constexpr int last_edge_level = 2;
+inline constexpr int last_wall_level = 5;
 inline constexpr int last_broken_level = 1;
-inline constexpr int last_color_level = 3;
+inline constexpr int last_color_level = 2;
 /// Where f may have kinks, and so an edge more than one colour.
 inline constexpr int last_kinked_edge_level = 2;
 /// From this level on rays that agree stand for a square.
@@ -30,6 +33,10 @@ inline constexpr double thread_width = 1.0 / 8;
 inline constexpr double thinnest_thread = 1.0 / 80;
 /// The first cell of a pixel whose own ray hits nothing, in its widths.
 inline constexpr double first_widths = 8.0;
+/// How much longer than their slabs cells are at both ends, in pixels' widths.
+inline constexpr double cell_margin = 1.0 / 1024;
+/// How well roots are known, in pixels' widths.
+inline constexpr double root_error = 1.0 / 1024;
 /// Less of a square is not worth a search.
 inline constexpr double least_share = 1e-3;
 

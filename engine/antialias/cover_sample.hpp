@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace zeroset {
 
@@ -23,6 +24,8 @@ struct MixedPixel {
     std::uint16_t pixel;
     float from;  ///< depth along the view axis, as TileRays has it, before which nothing is seen
     float hit;   ///< how far the hit of its own ray is from the eye; +inf: there is none
+    /// Depth behind which nothing is seen; +inf: not known.
+    float to = std::numeric_limits<float>::infinity();
     /// The level to which the pixel is divided in any case: 4^level samples.
     std::uint8_t least_level = 0;
 };

@@ -72,15 +72,19 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     if (front.state == State::Going) return {.step = Step::Evaluate, .surface = first};
     // Surfaces that may begin before this front ends are searched first.
     const CoverSquare& at = field_.square(square);
+    const bool is_rest = at.rest.has_value();
     for (std::size_t i = 0; i < fronts.size(); ++i) {
         if (i == first || fronts[i].state == State::Gone || fronts[i].free_to() >= front.to)
             continue;
         if (fronts[i].state == State::Going) return {.step = Step::Evaluate, .surface = i};
-        if (!at.is_ray() && at.level < last_level) return {.step = Step::Divide, .surface = i};
+        if (is_rest || (!at.is_ray() && at.level < last_level))
+            return {.step = Step::Divide, .surface = i};
     }
     if (!at.is_ray() && at.level < at.least_level) return {.step = Step::Divide, .surface = first};
+    if (front.state == State::Edged && is_rest) return {.step = Step::Divide, .surface = first};
     if (front.state == State::Edged) return {.step = Step::Edge, .surface = first};
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
+    if (uneven && is_rest) return {.step = Step::Divide, .surface = first};
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
     work_[first].drafts.add(at, front);

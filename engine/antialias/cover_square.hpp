@@ -1,10 +1,22 @@
 #pragma once
 
+#include "engine/antialias/half_square.hpp"
 #include "engine/antialias/square_rays.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace zeroset {
+
+/// What is left of a square beside an edge.
+struct SquareRest {
+    double share;           ///< of the square
+    SquarePart part;        ///< of share 0: not known
+    SquareRayFlags misses;  ///< the square's rays that go beside the edge
+
+    /// A place that stands for it.
+    [[nodiscard]] SquareRay middle() const;
+};
 
 /// A square part of a pixel, or a ray that stands for a part.
 struct CoverSquare {
@@ -14,8 +26,12 @@ struct CoverSquare {
     double col = 0.0, row = 0.0;   ///< of the middle, in pixels from the pixel's middle, downwards
     double side = 1.0;             ///< in pixels; 0: a ray
     double area = 1.0;             ///< of the part that it stands for, in pixels
+    std::optional<SquareRest> rest = std::nullopt;  ///< else all of it is wanted
 
     [[nodiscard]] bool is_ray() const { return side == 0.0; }
+    /// The part that is wanted: its share, and a place that stands for it.
+    [[nodiscard]] double share() const { return rest ? rest->share : 1.0; }
+    [[nodiscard]] SquareRay middle() const { return rest ? rest->middle() : square_middle; }
     /// A place of the square, as `col` and `row`.
     [[nodiscard]] double col_of(const SquareRay& place) const { return col + 0.5 * side * place.x; }
     [[nodiscard]] double row_of(const SquareRay& place) const { return row + 0.5 * side * place.y; }

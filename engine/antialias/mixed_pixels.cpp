@@ -19,11 +19,14 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
     float to = none;
     float other = none;
     float hit = none;
+    float last = -none;
     for (const TileHits& of : hits) {
         const PixelCover& cover = of.cover;
         hit = std::min(hit, of.depth[at]);
         if (!cover.known) other = -none;
+        if (!cover.known) last = none;
         if (!cover.known || !cover.marked) continue;
+        last = std::max(last, cover.last[at]);
         const bool nearer = cover.to[at] < to;
         other = std::min({other, cover.other_from[at], nearer ? from : cover.from[at]});
         if (nearer) from = cover.from[at];
@@ -31,7 +34,8 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
     }
     const float first = std::min(from, other);
     if (!(first < none) || to < other) return std::nullopt;
-    return MixedPixel{.pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit};
+    return MixedPixel{
+        .pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit, .to = last};
 }
 
 /// Hits of a layer that the key light reaches.

@@ -31,7 +31,7 @@ void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double
 }
 
 void SampleDrafts::add(const CoverSquare& square, const Front& front) {
-    add(square, square_middle, 1.0, front.at, front.to, Certificate::Certified);
+    add(square, square.middle(), square.share(), front.at, front.to, Certificate::Certified);
     drafts_.back().root.several = !front.monotone;
 }
 

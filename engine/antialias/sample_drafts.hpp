@@ -18,7 +18,7 @@ public:
     /// place.
     void add(const CoverSquare& square, const SquareRay& place, double share, double from,
              double to, Certificate certificate);
-    /// A sample for all of a square, which has roots between the ends of the front.
+    /// A sample for what is wanted of a square, which has roots between the ends of the front.
     void add(const CoverSquare& square, const Front& front);
     /// A sample whose root is known.
     void add(const CoverSquare& square, double share, const RayRoot& root);

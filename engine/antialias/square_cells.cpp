@@ -21,7 +21,7 @@ public:
           surface_(surface),
           field_(field),
           rays_(field.rays()),
-          margin_(2.0 * rays_.tolerance()) {}
+          margin_(std::max(field.width_of(cell_margin, 0.0), 2.0 * rays_.depth_error())) {}
 
     void evaluate(std::span<const std::size_t> squares, Counters& counters);
 
@@ -64,16 +64,19 @@ CellVerdict SquareCells<Real>::verdict_of(const CoverSquare& square, const Front
     // The error goes with the square of the length, or nearly so.
     if (verdict.rejected) {
         verdict.growth = std::abs(c) / (aside + error + std::abs(along));
-    } else if (known) {
-        verdict.growth = std::sqrt(most_cell_error * aside / error);
+        return verdict;
     }
-    if (verdict.rejected || !known || along == 0.0) return verdict;
+    if (!known) return verdict;
+    if (!verdict.precise) verdict.growth = std::sqrt(most_cell_error * aside / error);
+    if (along == 0.0) return verdict;
     constexpr double slack = 16 * std::numeric_limits<Real>::epsilon();
-    const double at = -c / along;
+    const double per_along = 1.0 / along;
+    const double at = -c * per_along;
     const double spare =
-        (aside + error) / std::abs(along) * (1.0 + slack) + slack * (1.0 + std::abs(at));
+        (aside + error) * std::abs(per_along) * (1.0 + slack) + slack * (1.0 + std::abs(at));
     verdict.root_from = middle + radius * (at - spare);
     verdict.root_to = middle + radius * (at + spare);
+    if (!(verdict.root_from > verdict.from && verdict.root_to < verdict.to)) return verdict;
     // The form's linear part is f's gradient, in parts of the cell's radii.
     const double across =
         square.is_ray() ? 0.0 : aside / (0.5 * field_.width_of(square.side, middle));

@@ -10,8 +10,12 @@ namespace {
 
 constexpr SquarePart unknown_part{.share = 0.0, .x = 0.0, .y = 0.0};
 
-std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square) {
-    const double error = square.level < last_edge_level
+/// The level of which edges are not divided.
+int last_level_of(bool is_inside) { return is_inside ? last_edge_level : last_wall_level; }
+
+std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square,
+                                      bool is_inside) {
+    const double error = square.level < last_level_of(is_inside)
                              ? std::min(most_error_of_line / square.side, most_error_of_edge)
                              : 2.0 * most_error_of_edge;
     return fit_edge(samples, error, square.level >= first_flat_level);
@@ -22,8 +26,8 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples,
                                             const SquareStretches& stretches,
                                             const CoverSquare& square) {
     const EdgeSamples entry = entry_samples(stretches);
-    if (is_all_below(entry)) return line_of(samples, square);
-    return is_all_below(samples) ? line_of(entry, square) : std::nullopt;
+    if (is_all_below(entry)) return line_of(samples, square, false);
+    return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
 }
 
 }  // namespace
@@ -42,7 +46,8 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool one_entry = is_inside || samples.before_end.front();
-    const auto fit = one_entry ? line_of(samples, at) : line_at_walls(samples, stretches, at);
+    const auto fit =
+        one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
         switch (walls_.add(square, stretches, fit)) {
             case SquareWalls::Choice::None: break;
@@ -79,7 +84,9 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     const bool is_hit = samples.height[deepest] <= 0.0;
     drafts_.add(at, is_hit ? square_rays[deepest] : SquareRay{.x = part.x, .y = part.y}, part.share,
                 root.from, root.to, Certificate::Certified);
-    field_.add_rest(square, surface_, samples.misses(), 1.0 - part.share, part_below_zero(-fit));
+    field_.keep_rest(
+        square, surface_,
+        {.share = 1.0 - part.share, .part = part_below_zero(-fit), .misses = samples.misses()});
     return false;
 }
 
@@ -96,7 +103,8 @@ bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretch
     // Behind the thread, and beside it, is what all rays meet.
     SquareRayFlags beside{};
     beside.fill(true);
-    field_.add_rest(square, surface_, beside, 1.0 - share, unknown_part);
+    field_.keep_rest(square, surface_,
+                     {.share = 1.0 - share, .part = unknown_part, .misses = beside});
     return false;
 }
 
@@ -107,8 +115,9 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
     const std::size_t roots = samples.roots();
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches);
-    const bool all = sheet || (roots == square_ray_count && at.level >= last_level);
-    if (!all && at.level < (front.continuous ? last_edge_level : last_broken_level)) {
+    const int last = front.continuous ? last_level_of(is_inside) : last_broken_level;
+    const bool all = sheet || (roots == square_ray_count && at.level >= std::min(last, last_level));
+    if (!all && at.level < last) {
         field_.divide(square);
         return false;
     }
@@ -125,7 +134,8 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
     const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;
     drafts_.add(at, square_rays[deepest], thread ? thread_width / at.side : rooted, root.from,
                 root.to, roots == 0 ? Certificate::Undecided : Certificate::Certified);
-    field_.add_rest(square, surface_, samples.misses(), 1.0 - rooted, unknown_part);
+    field_.keep_rest(square, surface_,
+                     {.share = 1.0 - rooted, .part = unknown_part, .misses = samples.misses()});
     return false;
 }
 
@@ -149,6 +159,7 @@ void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::
     }
     walls_.decide();
     creases_.decide();
+    field_.reopen(open);
 }
 
 }  // namespace zeroset

@@ -23,9 +23,9 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
     const double row = row_of(square, place);
     RayStretch stretch{.col = col, .row = row, .from = front.at, .to = front.to};
     if (front.is_inside(front.at, front.to)) return stretch;
-    const DepthRange depths = rays_.depths(rays_.u(col), rays_.v(row), 0.0, 0.0);
-    stretch.from = std::max(front.at, 0.5 * depths.enter_lo + 0.5 * depths.enter_hi);
-    stretch.to = std::min(front.to, 0.5 * depths.exit_lo + 0.5 * depths.exit_hi);
+    const TileRays::Stretch inside = rays_.stretch_inside(rays_.u(col), rays_.v(row));
+    stretch.from = std::max(front.at, inside.from);
+    stretch.to = std::min(front.to, inside.to);
     return stretch;
 }
 
@@ -41,12 +41,16 @@ void SquareField::begin(const MixedPixel& pixel) {
     const double hit =
         static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
     const double fair = width_of(1.0, front.at);
+    // A little more, so that roots end before the last cell.
+    front.end = std::min(front.end, static_cast<double>(pixel.to) + 2.0 * fair);
+    if (!(front.at < front.end)) return;
     front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
     squares_.push_back(square);
     fronts_.insert(fronts_.end(), surfaces_, front);
 }
 
 void SquareField::divide(std::size_t square) {
+    if (squares_[square].rest) return divide_rest(square, *squares_[square].rest);
     for (const SquareRay& middle : std::span(square_rays).subspan(1))
         add_part(square, squares_[square].quarter(middle));
 }
@@ -63,7 +67,15 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     for (const Front& of_whole : fronts(square)) {
         Front front;
         front.at = of_whole.at;
-        place(part, front);
+        if (of_whole.state != Front::State::Going && of_whole.is_inside(of_whole.at, of_whole.to)) {
+            front.inside_from = of_whole.inside_from;
+            front.inside_to = of_whole.inside_to;
+            front.end = of_whole.end;
+        } else {
+            place(part, front);
+            front.end = std::min(front.end, of_whole.end);
+        }
+        if (!(front.at < front.end)) front.state = Front::State::Gone;
         if (of_whole.state == Front::State::Gone) front.state = Front::State::Gone;
         const double length = of_whole.state == Front::State::Going
                                   ? of_whole.step
@@ -81,17 +93,29 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     }
 }
 
-void SquareField::add_rest(std::size_t square, std::size_t surface, const SquareRayFlags& misses,
-                           double share, const SquarePart& rest) {
-    if (!(share > least_share)) return;
+void SquareField::keep_rest(std::size_t square, std::size_t surface, const SquareRest& rest) {
+    if (!(rest.share > least_share)) return;
     fronts(square)[surface].pass();
+    // There is often nothing behind an edge: long cells tell so at once.
+    for (Front& front : fronts(square))
+        front.step = std::max(front.step, 0.25 * (front.end - front.at));
+    squares_[square].rest = rest;
+    reopened_.push_back(square);
+}
+
+void SquareField::reopen(std::vector<std::size_t>& open) {
+    open.insert(open.end(), reopened_.begin(), reopened_.end());
+    reopened_.clear();
+}
+
+void SquareField::divide_rest(std::size_t square, const SquareRest& rest) {
     const CoverSquare at = squares_[square];
-    const auto count = static_cast<double>(std::ranges::count(misses, true));
+    const auto count = static_cast<double>(std::ranges::count(rest.misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
-    const bool several = count > 0.0 && (at.level == 0 || !(rest.share > 0.0));
-    if (!several) return add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
+    const bool several = count > 0.0 && (at.level == 0 || !(rest.part.share > 0.0));
+    if (!several) return add_part(square, at.ray(rest.middle(), rest.share));
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        if (misses[i]) add_part(square, at.ray(square_rays[i], share / count));
+        if (rest.misses[i]) add_part(square, at.ray(square_rays[i], rest.share / count));
     }
 }
 

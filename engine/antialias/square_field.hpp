@@ -48,12 +48,12 @@ public:
                                         const SquareRay& place) const;
 
     void begin(const MixedPixel& pixel);
-    /// Goes on with the quarters of a square instead of it.
+    /// Goes on with the quarters of a square instead of it; of the rest of one, with rays.
     void divide(std::size_t square);
-    /// Goes on behind an edge of a surface with rays beside it, some of `misses`; they stand for
-    /// that share of the square. `rest`: the part beside the edge; of share 0: not known.
-    void add_rest(std::size_t square, std::size_t surface, const SquareRayFlags& misses,
-                  double share, const SquarePart& rest);
+    /// Goes on behind an edge of a surface with what is left of the square beside it.
+    void keep_rest(std::size_t square, std::size_t surface, const SquareRest& rest);
+    /// Adds the squares of which a rest was kept to `open`.
+    void reopen(std::vector<std::size_t>& open);
     /// Goes on with the rays of a square instead of it.
     void divide_into_rays(std::size_t square);
     /// Goes on with the next level; false when there is none.
@@ -64,11 +64,13 @@ private:
     void place(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.
     void add_part(std::size_t square, const CoverSquare& part);
+    void divide_rest(std::size_t square, const SquareRest& rest);
 
     const TileRays& rays_;
     std::size_t surfaces_;
     std::vector<CoverSquare> squares_, next_squares_, ray_squares_;
     std::vector<Front> fronts_, next_fronts_, ray_fronts_;
+    std::vector<std::size_t> reopened_;
 };
 
 }  // namespace zeroset

@@ -2,28 +2,36 @@
 
 #include "engine/antialias/cover_rules.hpp"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace zeroset {
 
 auto SquareWalls::add(std::size_t square, const SquareStretches& stretches,
                       const std::optional<LinearOnSquare>& fit) -> Choice {
-    Task task{.square = square, .stretches = stretches, .places = {}, .ways = {}};
-    std::size_t outside_count = 0;
-    for (std::size_t i = 0; i < square_ray_count; ++i) {
-        outside_count += stretches[i].is_empty() ? 1U : 0U;
-        task.places.push_back({.at = square_rays[i], .hit = stretches[i].has_root()});
-    }
     const Front& front = field_.fronts(square)[surface_];
-    for (const SquareRay& corner : square_corners) {
-        const bool outside = field_.stretch_of(field_.square(square), front, corner).is_empty();
-        outside_count += outside ? 1U : 0U;
-        if (outside || fit)
-            task.places.push_back({.at = corner, .hit = !outside && fit->at(corner) <= 0.0});
+    std::array<bool, square_corners.size()> outside_at{};
+    std::size_t outside_count = 0;
+    for (const RayStretch& stretch : stretches)
+        outside_count += stretch.is_empty() ? 1U : 0U;
+    for (std::size_t i = 0; i < square_corners.size(); ++i) {
+        outside_at[i] =
+            field_.stretch_of(field_.square(square), front, square_corners[i]).is_empty();
+        outside_count += outside_at[i] ? 1U : 0U;
     }
+    if (outside_count == 0) return Choice::None;
     const bool outside = outside_count == square_ray_count + square_corners.size();
     if (outside && field_.square(square).level >= first_flat_level) return Choice::Outside;
-    const auto ways = outside_count > 0 ? wall_between(task.places) : std::nullopt;
+    Task task{.square = square, .stretches = stretches, .places = {}, .ways = {}};
+    for (std::size_t i = 0; i < square_ray_count; ++i)
+        task.places.push_back({.at = square_rays[i], .hit = stretches[i].has_root()});
+    for (std::size_t i = 0; i < square_corners.size(); ++i) {
+        const SquareRay& corner = square_corners[i];
+        if (outside_at[i] || fit)
+            task.places.push_back({.at = corner, .hit = !outside_at[i] && fit->at(corner) <= 0.0});
+    }
+    const auto ways = wall_between(task.places);
     if (!ways) return Choice::None;
     task.ways = *ways;
     tasks_.push_back(std::move(task));
@@ -61,7 +69,8 @@ void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
     const RayStretch& ray = task.stretches[hit];
     drafts_.add(field_.square(task.square), square_rays[hit], share, ray.from, ray.at,
                 Certificate::Certified);
-    field_.add_rest(task.square, surface_, misses, 1.0 - share, part_below_zero(-line));
+    field_.keep_rest(task.square, surface_,
+                     {.share = 1.0 - share, .part = part_below_zero(-line), .misses = misses});
 }
 
 void SquareWalls::decide() {
@@ -71,7 +80,7 @@ void SquareWalls::decide() {
         const auto line = line_of_wall(task.places, task.ways);
         if (line) {
             show(task, *line);
-        } else if (field_.square(task.square).level < last_edge_level) {
+        } else if (field_.square(task.square).level < last_wall_level) {
             field_.divide(task.square);
         }
     }

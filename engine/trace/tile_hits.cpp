@@ -18,6 +18,7 @@ void PixelCover::clear() {
     if (marked || from.empty()) {
         for (std::vector<float>* const column : {&from, &to, &other_from})
             column->assign(pixels, none);
+        last.assign(pixels, -none);
     }
     known = true;
     marked = false;

@@ -29,6 +29,8 @@ struct PixelCover {
     std::vector<float> from, to;
     /// Before this no ray meets anything but that sheet; +inf: nor behind it, as far as it is seen.
     std::vector<float> other_from;
+    /// Behind this no ray meets anything; +inf: not known; -inf: nor before it.
+    std::vector<float> last;
 
     /// Nothing is marked.
     void clear();

@@ -235,6 +235,25 @@ DepthRange TileRays::in_box(const Rays& rays) const {
             .exit_hi = all.exit_hi - from_eye + depth_error_};
 }
 
+auto TileRays::stretch_inside(double u, double v) const -> Stretch {
+    if (view_.parallel() || !region_.is_whole()) {
+        const DepthRange range = depths(u, v, 0.0, 0.0);
+        return {.from = 0.5 * range.enter_lo + 0.5 * range.enter_hi,
+                .to = 0.5 * range.exit_lo + 0.5 * range.exit_hi};
+    }
+    constexpr double flat = 1e-270;  // rays less steep than this stay where they are
+    Stretch inside{.from = std::max(0.0, nearest_), .to = farthest_};
+    for (int i = 0; i < 3; ++i) {
+        const double d = view_.forward[i] + u * view_.right[i] + v * view_.up[i];
+        const double per_depth = 1.0 / (std::abs(d) > flat ? d : std::copysign(flat, d));
+        const double lo = (clip_.lo[i] - view_.eye[i]) * per_depth;
+        const double hi = (clip_.hi[i] - view_.eye[i]) * per_depth;
+        inside.from = std::max(inside.from, std::min(lo, hi));
+        inside.to = std::min(inside.to, std::max(lo, hi));
+    }
+    return {.from = inside.from - view_.look_distance, .to = inside.to - view_.look_distance};
+}
+
 DepthRange TileRays::depths_kept(const Section& section, double u, double v, double u_radius,
                                  double v_radius) const {
     return below(height(section.normal, section.offset, error_of(section),

@@ -69,6 +69,11 @@ public:
     /// Where all rays within the radii of (u, v) are inside the clip box and the region, and in
     /// front of the eye.
     [[nodiscard]] DepthRange depths(double u, double v, double u_radius, double v_radius) const;
+    /// Where the ray of (u, v) is inside, to rounding errors; empty where `from` > `to`.
+    struct Stretch {
+        double from, to;
+    };
+    [[nodiscard]] Stretch stretch_inside(double u, double v) const;
     /// `depths` as if there were no sections.
     [[nodiscard]] DepthRange depths_uncut(double u, double v, double u_radius,
                                           double v_radius) const;

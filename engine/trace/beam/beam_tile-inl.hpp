@@ -150,8 +150,8 @@ void BeamTile<Real>::trace() {
     look_closer();
     march_rays();
     nearest_.end();
+    nearest_.cover.end(nearest_.s);
     write_hits();
-    nearest_.cover.end();
 }
 
 template <class Real>
@@ -358,7 +358,7 @@ void BeamTile<Real>::write_row(int row) {
 
 template <class Real>
 void BeamTile<Real>::mark_unsettled(std::uint32_t pixel, double s) {
-    nearest_.cover.leave(pixel, s);
+    nearest_.cover.leave(pixel, s, std::numeric_limits<double>::infinity());
     hits_.mark_unsettled(
         {.col = static_cast<std::int16_t>(pixel % tile_size),
          .row = static_cast<std::int16_t>(pixel / tile_size)},

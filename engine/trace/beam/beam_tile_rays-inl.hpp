@@ -84,7 +84,8 @@ void BeamTile<Real>::leave_pixels(const LinearCell& linear, const PixelForm& for
             if (lo > to || middle + radius < from) continue;
             const auto pixel =
                 static_cast<std::size_t>((tile.row() + row) * tile_size + tile.col() + col);
-            nearest_.cover.leave(pixel, static_cast<double>(lo));
+            const Real hi = middle + radius < to ? middle + radius : to;
+            nearest_.cover.leave(pixel, static_cast<double>(lo), static_cast<double>(hi));
         }
     }
 }

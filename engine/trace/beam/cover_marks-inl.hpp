@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// For each pixel of a tile, the nearest sheet that covers all of it, and where something else may
-/// be.
+/// be first and last.
 template <class Real>
 class CoverMarks {
 public:
@@ -36,11 +36,14 @@ public:
             from_ = out.from.data();
             to_ = out.to.data();
             other_from_ = out.other_from.data();
+            last_ = out.last.data();
         } else {
             own_.assign(3 * out.from.size(), std::numeric_limits<Real>::infinity());
+            own_.resize(4 * out.from.size(), -std::numeric_limits<Real>::infinity());
             from_ = own_.data();
             to_ = from_ + out.from.size();
             other_from_ = to_ + out.from.size();
+            last_ = other_from_ + out.from.size();
         }
     }
     [[nodiscard]] bool wanted() const { return out_ != nullptr; }
@@ -59,21 +62,32 @@ public:
                    &other_from_[pixel]);
         hn::StoreU(hn::IfThenElse(nearer, from, old_from), tag, &from_[pixel]);
         hn::StoreU(hn::IfThenElse(nearer, to, old_to), tag, &to_[pixel]);
+        hn::StoreU(hn::IfThenElse(some, hn::Max(hn::LoadU(tag, &last_[pixel]), to),
+                                  hn::LoadU(tag, &last_[pixel])),
+                   tag, &last_[pixel]);
     }
-    /// From a depth on nothing is known of a pixel.
-    void leave(std::size_t pixel, double from) {
+    /// Between two depths nothing is known of a pixel.
+    void leave(std::size_t pixel, double from, double to) {
         if (out_ == nullptr) return;
         out_->marked = true;
         other_from_[pixel] = std::min(other_from_[pixel], -upper_end(Real{}, -from));
+        last_[pixel] = std::max(last_[pixel], upper_end(Real{}, to));
     }
-    void end() {
+    /// Ends a tile; `nearest`: the roots on the pixels' own rays, behind which not all was
+    /// searched.
+    void end(const Real* nearest) {
+        if (out_ == nullptr || !out_->marked) return;
+        for (std::size_t pixel = 0; pixel < out_->from.size(); ++pixel) {
+            constexpr Real none = std::numeric_limits<Real>::infinity();
+            last_[pixel] = nearest[pixel] < none ? none : last_[pixel];
+        }
         if constexpr (!std::is_same_v<Real, float>) {
-            if (out_ == nullptr || !out_->marked) return;
             const auto below = [](Real depth) { return -float_above(-depth); };
             for (std::size_t pixel = 0; pixel < out_->from.size(); ++pixel) {
                 out_->from[pixel] = below(from_[pixel]);
                 out_->to[pixel] = float_above(to_[pixel]);
                 out_->other_from[pixel] = below(other_from_[pixel]);
+                out_->last[pixel] = float_above(last_[pixel]);
             }
         }
     }
@@ -83,6 +97,7 @@ private:
     Real* from_ = nullptr;
     Real* to_ = nullptr;
     Real* other_from_ = nullptr;
+    Real* last_ = nullptr;
     std::vector<Real> own_;  ///< depths that have no place in `out_`
 };
 
