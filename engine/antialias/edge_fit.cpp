@@ -33,6 +33,18 @@ std::size_t EdgeSamples::deepest() const {
     return static_cast<std::size_t>(std::ranges::min_element(height) - height.begin());
 }
 
+std::size_t EdgeSamples::nearest_hit(const SquareRay& place) const {
+    std::size_t nearest = deepest();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const double apart = std::hypot(square_rays[i].x - place.x, square_rays[i].y - place.y);
+        if (!(height[i] <= 0.0) || !(apart < least)) continue;
+        nearest = i;
+        least = apart;
+    }
+    return nearest;
+}
+
 RayRoot EdgeSamples::bracket(const SquareStretches& stretches, std::size_t i) const {
     const RayStretch& ray = stretches[i];
     return {.col = ray.col,

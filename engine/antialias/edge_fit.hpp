@@ -24,6 +24,8 @@ struct EdgeSamples {
     [[nodiscard]] SquareRayFlags misses() const;
     /// The ray of the least height.
     [[nodiscard]] std::size_t deepest() const;
+    /// The ray with a root that is nearest to a place; `deepest` where none has one.
+    [[nodiscard]] std::size_t nearest_hit(const SquareRay& place) const;
 };
 EdgeSamples edge_samples(const SquareStretches& stretches);
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,

@@ -79,11 +79,14 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
         field_.divide(square);
         return false;
     }
-    const std::size_t deepest = samples.deepest();
-    const RayRoot root = samples.bracket(stretches, deepest);
-    const bool is_hit = samples.height[deepest] <= 0.0;
-    drafts_.add(at, is_hit ? square_rays[deepest] : SquareRay{.x = part.x, .y = part.y}, part.share,
-                root.from, root.to, Certificate::Certified);
+    // The ray in the middle of the part is like most of them; a wall may cut it.
+    const SquareRay middle{.x = part.x, .y = part.y};
+    const std::size_t nearest = samples.nearest_hit(middle);
+    const Front& front = field_.fronts(square)[surface_];
+    const bool is_sure = front.is_inside(front.at, front.to) || samples.height[nearest] > 0.0;
+    const RayRoot root = samples.bracket(stretches, nearest);
+    drafts_.add(at, is_sure ? middle : square_rays[nearest], part.share, root.from, root.to,
+                Certificate::Certified);
     field_.keep_rest(
         square, surface_,
         {.share = 1.0 - part.share, .part = part_below_zero(-fit), .misses = samples.misses()});
