@@ -39,6 +39,7 @@ DEFINITIONS = {
     "engine/language/vocabulary/functions.def":
         r'ZEROSET_FUNCTION\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/library.def": r'ZEROSET_LIBRARY\("\w+", "[^"]*", ',
+    "engine/language/vocabulary/shapes.def": r'ZEROSET_WORD\(\w+, "\w+", "[^"]*", "\w+", ',
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'
 KEYWORDS = ["tr:1", "tr_in:1c,2", "marked:1", "marked_in:1c,2", "choice:1",

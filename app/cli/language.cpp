@@ -3,8 +3,10 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/report.hpp"
 #include "engine/language/help.hpp"
+#include "engine/language/vocabulary/functions.hpp"
 
 #include <iostream>
+#include <string>
 #include <string_view>
 
 namespace zeroset {
@@ -20,6 +22,15 @@ std::string cell(std::string_view text) {
     return result;
 }
 
+/// The picture of a shape, which is in resources/docs/shapes; empty for other entries.
+std::string picture(const HelpEntry& entry) {
+    const std::string name = entry.typed.substr(0, entry.typed.find('('));
+    const Function* const function = find_function(name);
+    const bool is_shape = function != nullptr && function->section == WordSection::Shapes &&
+                          entry.typed.size() > name.size();
+    return is_shape ? " ![" + name + "](shapes/" + name + ".png)" : std::string();
+}
+
 }  // namespace
 
 std::string language_page() {
@@ -28,8 +39,11 @@ std::string language_page() {
         "This page is what `zeroset language` prints, from the program's own tables.\n";
     for (const HelpSection& section : language_help()) {
         page += "\n## " + section.title + "\n\n| type | meaning |\n|---|---|\n";
-        for (const HelpEntry& entry : section.entries)
-            page += "| `" + cell(entry.typed) + "` | " + cell(entry.meaning) + " |\n";
+        for (const HelpEntry& entry : section.entries) {
+            page += "| `" + cell(entry.typed) + "` | " + cell(entry.meaning);
+            page += picture(entry);
+            page += " |\n";
+        }
     }
     page +=
         "\n## Grammar\n\nA product without `*` binds like one with it. What is read in an unusual "

@@ -28,6 +28,14 @@ struct MixedPixel {
     float to = std::numeric_limits<float>::infinity();
     /// The level to which the pixel is divided in any case: 4^level samples.
     std::uint8_t least_level = 0;
+    /// One smooth sheet of this surface covers the pixel, between `from` and `sheet_to`; +inf: that
+    /// is not known.
+    std::uint8_t surface = 0;
+    float sheet_to = std::numeric_limits<float>::infinity();
+
+    [[nodiscard]] bool is_sheet() const {
+        return sheet_to < std::numeric_limits<float>::infinity();
+    }
 };
 
 }  // namespace zeroset

@@ -83,7 +83,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     if (!at.is_ray() && at.level < at.least_level) return {.step = Step::Divide, .surface = first};
     if (front.state == State::Edged && is_rest) return {.step = Step::Divide, .surface = first};
     if (front.state == State::Edged) return {.step = Step::Edge, .surface = first};
-    const bool uneven = front.turn > most_turn_of(work_[first].frame);
+    const bool uneven = front.is_uneven();
     if (uneven && is_rest) return {.step = Step::Divide, .surface = first};
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
@@ -125,8 +125,13 @@ void CoverSearch::finish_level() {
 }
 
 void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out) {
-    for (const MixedPixel& pixel : pixels)
-        field_.begin(pixel);
+    for (const MixedPixel& pixel : pixels) {
+        if (pixel.is_sheet()) {
+            work_[pixel.surface].drafts.add(pixel);
+        } else {
+            field_.begin(pixel);
+        }
+    }
     do {
         finish_level();
     } while (!stopped() && field_.go_down());

@@ -31,8 +31,10 @@ void Front::leave_open(const CellVerdict& cell) {
         open_from = at;
         open_cells = 0;
         continuous = true;
+        kinked = false;
     }
     continuous = continuous && cell.continuous;
+    kinked = kinked || cell.kinked;
     stretched = false;
     at = cell.to;
     if (++open_cells >= most_open_cells || at >= end) end_stretch(at);
@@ -46,7 +48,7 @@ void Front::take_root(const CellVerdict& cell, const FrontRules& rules) {
         step = 0.5 * length;
         return;
     }
-    if (cell.turn > rules.most_turn && length > 3.0 * (width + rules.margin)) {
+    if (cell.turn > most_turn_of(cell.kinked) && length > 3.0 * (width + rules.margin)) {
         // A long cell tells more of f beside the sheet than of the sheet.
         const double spare = 0.25 * width + rules.margin;
         at = std::max(cell.from, cell.root_from - spare);
@@ -58,6 +60,7 @@ void Front::take_root(const CellVerdict& cell, const FrontRules& rules) {
     to = cell.root_to;
     turn = cell.turn;
     monotone = cell.monotone;
+    kinked = cell.kinked;
 }
 
 void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
@@ -75,6 +78,7 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
     if (cell.continuous && begins && ends && is_inside(cell.root_from, cell.root_to)) {
         // So far before the roots that the next cell holds them, too.
         const double spare = cell.root_to - cell.root_from + rules.margin;
+        kinked = kinked || cell.kinked;
         if (is_open()) return end_stretch(std::max(cell.from, cell.root_from - spare));
         return take_root(cell, rules);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/antialias/cover_rules.hpp"
+
 #include <cstdint>
 #include <limits>
 
@@ -11,6 +13,7 @@ struct CellVerdict {
     bool rejected;    ///< no ray has a root
     bool continuous;  ///< f is
     bool monotone;    ///< f rises on all rays, or falls: there is at most one root on each
+    bool kinked;      ///< f may have a kink
     bool precise;     ///< the form's error is small beside its change across the square
     /// Where its linear part lets roots be, perhaps beyond the slab.
     double root_from, root_to;
@@ -22,7 +25,6 @@ struct CellVerdict {
 /// The lengths and bounds that steer the search along a beam.
 struct FrontRules {
     double fair_length;  ///< of the longest cell that is not halved
-    double most_turn;    ///< of a square that one sample stands for
     double margin;       ///< by which cells are longer than their slabs, at both ends
 };
 
@@ -39,6 +41,7 @@ struct Front {
 
     State state = State::Going;
     bool continuous = true;  ///< f is, between open_from and `at`, if that is a stretch
+    bool kinked = false;     ///< f may have a kink there, or between `at` and `to`
     bool stretched = false;  ///< the last cell was made longer for the roots that it holds
     std::uint8_t open_cells = 0;
     double at = 0.0;
@@ -51,6 +54,9 @@ struct Front {
     double inside_from = 0.0, inside_to = 0.0;
     double turn = 0.0;      ///< Rooted: the width of the enclosure of normal . view
     bool monotone = false;  ///< Rooted: there is one root on each ray; else there may be more
+
+    /// Whether one sample cannot stand for all rays of a root.
+    [[nodiscard]] bool is_uneven() const { return turn > most_turn_of(kinked); }
 
     [[nodiscard]] bool is_open() const { return open_from < none; }
     /// Whether all rays are within the clip region between two depths.

@@ -142,10 +142,13 @@ void add_light_edges(const Tile& tile, std::span<const LitLayer> layers,
                              .hit = std::numeric_limits<float>::infinity(),
                              .least_level = level};
             // One sheet covers the pixel, with nothing before it.
-            for (const TileHits& of : hits) {
-                if (!(of.depth[at] < pixel.hit)) continue;
-                pixel.hit = of.depth[at];
-                if (of.cover.known) pixel.from = of.cover.from[at];
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                const PixelCover& cover = hits[i].cover;
+                pixel.hit = std::min(pixel.hit, hits[i].depth[at]);
+                if (!cover.known || !cover.marked || !(cover.to[at] < pixel.sheet_to)) continue;
+                pixel.from = cover.from[at];
+                pixel.sheet_to = cover.to[at];
+                pixel.surface = static_cast<std::uint8_t>(i);
             }
             mixed.push_back(pixel);
         }

@@ -35,6 +35,26 @@ void SampleDrafts::add(const CoverSquare& square, const Front& front) {
     drafts_.back().root.several = !front.monotone;
 }
 
+void SampleDrafts::add(const MixedPixel& pixel) {
+    const int parts = 1 << pixel.least_level;
+    const double side = 1.0 / parts;
+    Front sheet;
+    sheet.at = static_cast<double>(pixel.from);
+    sheet.to = static_cast<double>(pixel.sheet_to);
+    sheet.monotone = true;
+    for (int row = 0; row < parts; ++row) {
+        for (int col = 0; col < parts; ++col) {
+            const CoverSquare part{.pixel = pixel.pixel,
+                                   .level = pixel.least_level,
+                                   .col = (col + 0.5) * side - 0.5,
+                                   .row = (row + 0.5) * side - 0.5,
+                                   .side = side,
+                                   .area = side * side};
+            add(part, sheet);
+        }
+    }
+}
+
 void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,
                          std::vector<CoverSample>& out, Counters& counters) const {
     std::vector<RayRoot> roots;

@@ -20,6 +20,8 @@ public:
              double to, Certificate certificate);
     /// A sample for what is wanted of a square, which has roots between the ends of the front.
     void add(const CoverSquare& square, const Front& front);
+    /// 4^least_level samples of a pixel that a sheet covers.
+    void add(const MixedPixel& pixel);
     /// A sample whose root is known.
     void add(const CoverSquare& square, double share, const RayRoot& root);
     /// Finds the roots and adds the samples to `out`.

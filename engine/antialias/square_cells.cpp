@@ -5,7 +5,9 @@
 #include "engine/real/scalar.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace zeroset {
@@ -37,6 +39,7 @@ private:
     const TileRays& rays_;
     double margin_;  ///< cells are longer than their slabs by this at both ends
     FormCells<Real, cells_at_once> cells_;
+    std::array<ContinuityMask<Real>, cells_at_once> branches_;
 };
 
 template <class Real>
@@ -50,12 +53,15 @@ CellVerdict SquareCells<Real>::verdict_of(const CoverSquare& square, const Front
     const double middle = number(cells_.s[cell]);
     const double radius = number(cells_.s_radius[cell]);
     const bool known = std::isfinite(error);
+    const BranchBits branches{frame_.kernel.branches ? static_cast<std::uint32_t>(branches_[cell])
+                                                     : 0U};
     CellVerdict verdict{
         .from = front.at,
         .to = front.next(),
         .rejected = cells_.nowhere[cell] != 0 || std::abs(c) > aside + error + std::abs(along),
         .continuous = known && cells_.continuous[cell] != 0,
         .monotone = cells_.slope_hi[cell] < 0 || cells_.slope_neg_lo[cell] < 0,
+        .kinked = branches.may_hold_kink(),
         .precise = known && error <= most_cell_error * aside,
         .root_from = -Front::none,
         .root_to = Front::none,
@@ -122,15 +128,14 @@ template <class Real>
 void SquareCells<Real>::evaluate(std::span<const std::size_t> squares, Counters& counters) {
     const CoverSquare& model = field_.square(squares.front());
     const FrustumOf<Real> frustum = frustum_of(model);
-    const double turn = most_turn_of(frame_);
     for (std::size_t first = 0; first < squares.size() && !frame_.stopped();
          first += cells_at_once) {
         const auto some = squares.subspan(first, std::min(cells_at_once, squares.size() - first));
         const std::size_t size = padded(some.size(), frame_.kernel.lane_multiple);
         fill_cells(some, size);
         counters.form += some.size();
-        const auto batch =
-            cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
+        auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
+        batch.branches = branches_.data();
         if (model.is_ray()) {
             frame_.kernel.ray_form(batch);
         } else {
@@ -140,18 +145,12 @@ void SquareCells<Real>::evaluate(std::span<const std::size_t> squares, Counters&
             const CoverSquare& square = field_.square(some[i]);
             Front& front = field_.fronts(some[i])[surface_];
             front.advance(verdict_of(square, front, i),
-                          {.fair_length = field_.fair_length(square, front.at),
-                           .most_turn = turn,
-                           .margin = margin_});
+                          {.fair_length = field_.fair_length(square, front.at), .margin = margin_});
         }
     }
 }
 
 }  // namespace
-
-double most_turn_of(const TraceFrame& frame) {
-    return frame.kernel.branches ? most_turn_at_kinks : most_turn;
-}
 
 void advance_fronts(const TraceFrame& frame, std::size_t surface, SquareField& field,
                     std::span<const std::size_t> squares, Counters& counters) {

@@ -8,9 +8,6 @@
 
 namespace zeroset {
 
-/// The width of the enclosure of normal . view that is too much for one sample of the surface.
-double most_turn_of(const TraceFrame& frame);
-
 /// Evaluates the next cell of a surface's front in each of some squares, all of one level, and
 /// takes the fronts on by what it says. In upward rounding.
 void advance_fronts(const TraceFrame& frame, std::size_t surface, SquareField& field,

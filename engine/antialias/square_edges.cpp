@@ -15,8 +15,9 @@ int last_level_of(bool is_inside) { return is_inside ? last_edge_level : last_wa
 
 std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square,
                                       bool is_inside) {
+    const double in_pixels = is_inside ? most_error_of_line : most_error_at_walls;
     const double error = square.level < last_level_of(is_inside)
-                             ? std::min(most_error_of_line / square.side, most_error_of_edge)
+                             ? std::min(in_pixels / square.side, most_error_of_edge)
                              : 2.0 * most_error_of_edge;
     return fit_edge(samples, error, square.level >= first_flat_level);
 }
@@ -60,7 +61,7 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
         if (thread) return take_thread(square, stretches, samples, *thread);
     }
     const bool all = samples.roots() == square_ray_count;
-    const bool kinked = frame_.kernel.branches;
+    const bool kinked = front.kinked;
     const bool creased = all && is_inside && (!fit || (kinked && is_all_below(samples)));
     if (creased && at.level < last_color_level) {
         creases_.add(square, stretches, samples);
@@ -75,7 +76,7 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     const SquarePart part = part_below_zero(fit);
     if (!(part.share > 0.0)) return pass(square);
     const CoverSquare at = field_.square(square);
-    if (frame_.kernel.branches && at.level < last_kinked_edge_level) {
+    if (field_.fronts(square)[surface_].kinked && at.level < last_kinked_edge_level) {
         field_.divide(square);
         return false;
     }

@@ -160,6 +160,7 @@ private:
     Built mapped(std::span<const Value> values, std::size_t offset, const Make& make);
     using Binary = NodeId (*)(ExprBuilder&, NodeId, NodeId);
     Built combined(const Value& a, const Value& b, std::size_t offset, Binary make);
+    std::nullopt_t refuse_index(const Value& of, std::size_t offset);
     Built sizes_differ(const Value& a, const Value& b, std::size_t offset);
     Built joined_parts(const Syntax& syntax, const Value& of);
     Built length(const Function& function, const Values& values, std::size_t offset);
@@ -185,11 +186,18 @@ private:
     // elaborator_call.cpp: functions
     Built call(const Syntax& syntax, const Binding* scope);
     Built repeated(const Syntax& syntax, const Binding* scope);
+    Built repeated_from(const Syntax& syntax, const Binding* scope, double first, double last);
+    Built argument_of(const Function& function, std::size_t place, SyntaxId id,
+                      const Binding* scope);
+    Built repeated_up_to(const Syntax& syntax, const Binding* scope, double first, NodeId last);
     Built defined_call(const Syntax& syntax, const Binding* scope);
     Built function_value(Definition& definition, const Values& arguments);
     void add_key(const Value& value, std::vector<NodeId>& key);
     Built applied(const Syntax& syntax, const Values& arguments);
     Built library_call(const Syntax& syntax, const Binding* scope);
+    bool fits(const Syntax& syntax, Values& arguments);
+    bool make_point(char kind, Value& argument, const Syntax& syntax, std::size_t index);
+    Built iterated(const Syntax& syntax, const Binding* scope);
     Built volume(const Syntax& syntax, const Binding* scope);
     std::shared_ptr<const Field> field_of(const Syntax& syntax);
     Built kept_value(const Syntax& syntax, const Binding* scope);
@@ -233,7 +241,8 @@ private:
     bool says_w_ = false;                            ///< the text has w for the fourth coordinate
     bool says_t_ = false;                            ///< and t
     bool refuses_undefined_ = true;
-    bool wants_vector_ = false;  ///< the error is a number in place of a vector
+    bool reads_function_ = false;  ///< its arguments are parameters that stand for any number
+    bool wants_vector_ = false;    ///< the error is a number in place of a vector
     int depth_ = 0;
     std::size_t steps_ = 0;
 };

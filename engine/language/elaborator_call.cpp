@@ -9,6 +9,7 @@
 #include "engine/language/vocabulary/foreign.hpp"
 #include "engine/language/words/words.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -16,7 +17,8 @@ namespace zeroset {
 namespace {
 
 constexpr double max_terms = 10'000;
-constexpr double largest_bound = 1e15;  // up to here i + 1 is exact and differs from i
+constexpr double most_terms_of_slider = 32;  // where a slider gives the last index
+constexpr double largest_bound = 1e15;       // up to here i + 1 is exact and differs from i
 
 using Join = NodeId (*)(ExprBuilder&, NodeId, NodeId);
 
@@ -36,6 +38,7 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     if (syntax.function->repeats() && syntax.operands.size() > 1) return repeated(syntax, scope);
     if (syntax.function->is_of_library()) return library_call(syntax, scope);
     const std::optional<Composed> composed = syntax.function->composed;
+    if (composed == Composed::Iterate) return iterated(syntax, scope);
     if (composed == Composed::Keep || composed == Composed::Kept) return kept_value(syntax, scope);
     const std::optional<Op> op = syntax.function->op;
     Values arguments;
@@ -45,18 +48,21 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
             if (const auto truth = known_truth(arguments[0].id))
                 return build(syntax.operands[*truth ? 1 : 2], scope);
         }
-        const bool is_condition = (op == Op::If && place == 0) || (op == Op::Where && place == 1);
-        Built argument;
-        if (is_condition) {
-            const Number holds = condition(id, scope, Numbers::TrueUnlessZero);
-            if (holds) argument = Value{.id = *holds};
-        } else {
-            argument = operand(id, scope);
-        }
+        Built argument = argument_of(*syntax.function, place, id, scope);
         if (!argument) return std::nullopt;
         arguments.push_back(std::move(*argument));
     }
     return applied(syntax, arguments);
+}
+
+/// The argument of a function at `place`, which is a condition of if and where.
+Elaborator::Built Elaborator::argument_of(const Function& function, std::size_t place, SyntaxId id,
+                                          const Binding* scope) {
+    const bool is_condition =
+        (function.op == Op::If && place == 0) || (function.op == Op::Where && place == 1);
+    if (!is_condition) return operand(id, scope);
+    const Number holds = condition(id, scope, Numbers::TrueUnlessZero);
+    return holds ? Built(Value{.id = *holds}) : std::nullopt;
 }
 
 /// A function of op.def or functions.def over values.
@@ -73,10 +79,11 @@ Elaborator::Built Elaborator::applied(const Syntax& syntax, const Values& argume
         return joined_parts(syntax, arguments[0]);
     if (is_alone && !function.takes_a_number()) {
         if (library_offset_ && function.repeats()) return arguments[0];
-        return fail(syntax.offset, function.refusal(1),
-                    filled(tr("type {0}, or a list: {1}"),
-                           {std::string(function.name) + "(" + std::string(function.arguments) + ")",
-                            std::string(function.name) + "([a, b, c])"}));
+        return fail(
+            syntax.offset, function.refusal(1),
+            filled(tr("type {0}, or a list: {1}"),
+                   {std::string(function.name) + "(" + std::string(function.arguments) + ")",
+                    std::string(function.name) + "([a, b, c])"}));
     }
     return mapped(arguments, syntax.offset, [&](std::span<const NodeId> of) {
         return make_function(builder_, function, of);
@@ -105,8 +112,8 @@ std::optional<std::vector<NodeId>> Elaborator::numbers(std::span<const SyntaxId>
 /// names.
 Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* scope) {
     const LibraryFunction& function = tree_.library.at(syntax.function);
-    const auto arguments = operands(syntax.operands, scope);
-    if (!arguments) return std::nullopt;
+    auto arguments = operands(syntax.operands, scope);
+    if (!arguments || !fits(syntax, *arguments)) return std::nullopt;
     std::vector<Binding> names;
     names.reserve(arguments->size());
     for (std::size_t i = 0; i < arguments->size(); ++i) {
@@ -193,8 +200,11 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
         return fail(index.offset, filled(tr("the second argument of {0} is a name"), {name}),
                     example);
     }
+    const Number last = number(syntax.operands[3], scope);
+    if (!last) return std::nullopt;
+    const bool is_of_sliders = !reads_function_ && facts_[*last].uniform && !facts_[*last].constant;
     std::optional<double> bounds[2];
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < (is_of_sliders ? 1U : 2U); ++i) {
         const std::string rule = library_offset_
                                      ? tr("the number of parts here is a whole number")
                                      : filled(tr("the bounds of {0} are whole numbers"), {name});
@@ -202,6 +212,7 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
         bounds[i] = whole_number(syntax.operands[2 + i], scope, {.reason = rule, .hint = hint});
         if (!bounds[i]) return std::nullopt;
     }
+    if (is_of_sliders) return repeated_up_to(syntax, scope, *bounds[0], *last);
     if (*bounds[1] - *bounds[0] >= max_terms) {
         return fail(syntax.offset, filled(tr("{0} has more than 10 000 terms"), {name}),
                     tr("use fewer"));
@@ -211,19 +222,64 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
     if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
         return fail(syntax.offset, filled(tr("{0} has no terms"), {name}),
                     tr("let m be at most n"));
-    Built total = Value{.id = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0)};
-    for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
-        const Binding binding{.name = index.text,
-                              .value = {.id = builder_.constant(i)},
-                              .outer = scope};
+    return repeated_from(syntax, scope, *bounds[0], *bounds[1]);
+}
+
+/// Joins the terms of a sum, product, least or greatest from one index to another.
+Elaborator::Built Elaborator::repeated_from(const Syntax& syntax, const Binding* scope,
+                                            double first, double last) {
+    const Composed kind = *syntax.function->composed;
+    const Syntax& index = tree_[syntax.operands[1]];
+    Built total = done(builder_.constant(kind == Composed::Sum ? 0.0 : 1.0), syntax.offset);
+    for (double i = first; total && i <= last; ++i) {
+        const Binding binding{
+            .name = index.text, .value = {.id = builder_.constant(i)}, .outer = scope};
         if (!done(binding.value.id, index.offset)) return std::nullopt;
-        const Built term = operand(syntax.operands[0], &binding);
+        Built term = operand(syntax.operands[0], &binding);
         if (!term) return std::nullopt;
-        const bool first = i == *bounds[0];
-        total = first ? *term : combined(*total, *term, syntax.offset, joiner(kind));
-        if (!total) return std::nullopt;
+        if (i != first) term = combined(*total, *term, syntax.offset, joiner(kind));
+        if (!term) return std::nullopt;
+        total = std::move(term);
     }
     return total;
+}
+
+/// Writes out sum(f, i, m, n) and its like where sliders give n: all terms that there may be, each
+/// only where i <= n. There is no value where n is larger, or where a least has no terms.
+Elaborator::Built Elaborator::repeated_up_to(const Syntax& syntax, const Binding* scope,
+                                             double first, NodeId last) {
+    const Composed kind = *syntax.function->composed;
+    const std::string& index = tree_[syntax.operands[1]].text;
+    const double end = first + most_terms_of_slider;
+    note(syntax.offset, filled(tr("a bound that changes is at most {0} here"),
+                               {std::to_string(static_cast<long long>(end - 1))}));
+    const bool is_extreme = kind == Composed::Least || kind == Composed::Greatest;
+    Value otherwise{.id = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0)};
+    Built total;
+    for (double i = first; i < end; ++i) {
+        const NodeId number = builder_.constant(i);
+        const Binding binding{.name = index, .value = {.id = number}, .outer = scope};
+        Built term = done(number, syntax.offset);
+        if (term) term = operand(syntax.operands[0], &binding);
+        if (!term) return std::nullopt;
+        if (is_extreme && i == first) otherwise = *term;
+        const NodeId counts = make_call(builder_, Op::LessEqual, number, last);
+        const std::array<Value, 3> choice{Value{.id = counts}, *term, otherwise};
+        term = mapped(choice, syntax.offset, [&](std::span<const NodeId> of) {
+            return make_call(builder_, Op::If, of[0], of[1], of[2]);
+        });
+        if (!term) return term;
+        total = total ? combined(*total, *term, syntax.offset, joiner(kind)) : term;
+        if (!total) return total;
+    }
+    NodeId holds = make_call(builder_, Op::Less, last, builder_.constant(end));
+    if (is_extreme) {
+        const NodeId some = make_call(builder_, Op::LessEqual, builder_.constant(first), last);
+        holds = make_call(builder_, Op::And, some, holds);
+    }
+    return mapped(
+        std::array<Value, 2>{*total, Value{.id = holds}}, syntax.offset,
+        [&](std::span<const NodeId> of) { return make_call(builder_, Op::Where, of[0], of[1]); });
 }
 
 Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* scope) {

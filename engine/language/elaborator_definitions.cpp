@@ -41,6 +41,7 @@ std::optional<Definition> DefinitionTable::definition_in(std::size_t index) cons
                           .body = relation.operands[1],
                           .arguments = {},
                           .is_certain = statement.is_certain,
+                          .called_with = {},
                           .value = {}};
     if (left.kind == SyntaxKind::Name && !is_axis(left.text)) return definition;
     if (left.kind != SyntaxKind::Call || left.function != nullptr) return std::nullopt;
@@ -138,6 +139,17 @@ void DefinitionTable::collect_uses(SyntaxId id, Bound& bound) {
         ++bound[syntax.text];
         collect_uses(syntax.operands[1], bound);
         --bound[syntax.text];
+        return;
+    }
+    const bool iterates =
+        syntax.function != nullptr && syntax.function->composed == Composed::Iterate;
+    if (iterates && tree_[syntax.operands[0]].kind == SyntaxKind::Name) {
+        const std::string_view name = tree_[syntax.operands[0]].text;
+        collect_uses(syntax.operands[1], bound);
+        collect_uses(syntax.operands[2], bound);
+        ++bound[name];
+        collect_uses(syntax.operands[3], bound);
+        --bound[name];
         return;
     }
     const bool repeats = syntax.function != nullptr && syntax.function->repeats() &&

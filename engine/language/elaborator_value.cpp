@@ -256,7 +256,7 @@ bool Elaborator::settle(Definition& definition) {
 
 Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope) {
     const Built a = operand(syntax.operands[0], scope);
-    if (!a) return a;
+    if (!a) return std::nullopt;
     return mapped(std::span(&*a, 1), syntax.offset,
                   [&](std::span<const NodeId> of) { return make_negate(builder_, of[0]); });
 }
@@ -264,7 +264,7 @@ Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope
 Elaborator::Built Elaborator::power(const Syntax& syntax, const Binding* scope) {
     const Built a = operand(syntax.operands[0], scope);
     const Built b = a ? operand(syntax.operands[1], scope) : std::nullopt;
-    if (!b) return b;
+    if (!b) return std::nullopt;
     if (a->is_vector() || b->is_vector()) {
         return fail(syntax.offset, tr("a vector has no powers"),
                     tr("type dot(p, p) for its squared length"));
@@ -280,8 +280,8 @@ Elaborator::Built Elaborator::sum(const Syntax& syntax, const Binding* scope) {
         const std::size_t offset = tree_[syntax.operands[i]].offset;
         if (total->is_vector() != term->is_vector() && !total->is_list() && !term->is_list())
             note(offset, tr("a number beside a vector counts for each of its parts"));
-        total = combined(*total, *term, offset,
-                         syntax.marks[i - 1] == '+' ? make_add : make_subtract);
+        total =
+            combined(*total, *term, offset, syntax.marks[i - 1] == '+' ? make_add : make_subtract);
     }
     return total;
 }
@@ -297,6 +297,9 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
                             "cross(a, b) for their products"));
         }
         switch (syntax.marks[i - 1]) {
+            case '[':
+                if (!total->is_single()) return refuse_index(*total, offset);
+                [[fallthrough]];
             case '*': total = combined(*total, *factor, offset, make_multiply); break;
             case '/':
                 if (is_zero_by_name(syntax.operands[i], *factor)) return std::nullopt;
@@ -328,7 +331,7 @@ bool Elaborator::is_zero_by_name(SyntaxId id, const Value& divisor) {
 /// Builds an expression that follows a local value in a function's body.
 Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Binding* scope) {
     const Built value = build(syntax.operands[0], scope);
-    if (!value) return value;
+    if (!value) return std::nullopt;
     const Binding binding{.name = syntax.text, .value = *value, .outer = scope};
     return build(syntax.operands[1], &binding);
 }

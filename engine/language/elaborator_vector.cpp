@@ -28,7 +28,7 @@ void Elaborator::note(std::size_t offset, std::string text) {
 }
 
 Elaborator::Built Elaborator::operand(SyntaxId id, const Binding* scope) {
-    const Built value = build(id, scope);
+    Built value = build(id, scope);
     if (!value || !value->condition) return value;
     const Number number = number_of(*value, tree_[id].offset);
     if (!number) return std::nullopt;
@@ -92,9 +92,9 @@ Elaborator::Built Elaborator::part_of(const Value& of, std::string_view letters,
         return fail(syntax.offset,
                     filled(tr("only a vector has a part {0}, and this is a number"),
                            {"." + std::string(letters)}),
-                    is_letter ? filled(tr("type {0} in a row of its own"),
-                                       {left.text + " = (x, y, z)"})
-                              : filled(tr("type a vector such as {0}"), {"(x, y, z)"}));
+                    is_letter
+                        ? filled(tr("type {0} in a row of its own"), {left.text + " = (x, y, z)"})
+                        : filled(tr("type a vector such as {0}"), {"(x, y, z)"}));
     }
     Values parts;
     for (const char letter : letters) {
@@ -123,6 +123,13 @@ Elaborator::Built Elaborator::replaced(const Syntax& syntax, const Binding* scop
     for (std::size_t i = 0; i < syntax.text.size(); ++i)
         parts[part_names.find(syntax.text[i])] = by->part(i);
     return bundle(Value::Kind::Vector, std::move(parts));
+}
+
+/// The error for p[1], which is no product where p is a vector or a list.
+std::nullopt_t Elaborator::refuse_index(const Value& of, std::size_t offset) {
+    return fail(offset, filled(tr("{0} has no parts by number"), {described(of)}),
+                of.is_vector() ? tr("type .x, .y, .z or .w, or several at once: p.xz")
+                               : tr("type sum, min or max of it"));
 }
 
 Elaborator::Built Elaborator::sizes_differ(const Value& a, const Value& b, std::size_t offset) {
@@ -160,9 +167,8 @@ Elaborator::Built Elaborator::mapped(std::span<const Value> values, std::size_t 
 Elaborator::Built Elaborator::combined(const Value& a, const Value& b, std::size_t offset,
                                        Binary make) {
     if (a.is_single() && b.is_single()) return done(make(builder_, a.id, b.id), offset);
-    return mapped(std::array{a, b}, offset, [&](std::span<const NodeId> of) {
-        return make(builder_, of[0], of[1]);
-    });
+    return mapped(std::array{a, b}, offset,
+                  [&](std::span<const NodeId> of) { return make(builder_, of[0], of[1]); });
 }
 
 /// Joins the parts of a vector or the elements of a list: their sum, product, least or greatest.
@@ -233,20 +239,6 @@ Elaborator::Built Elaborator::made_vector(const Syntax& syntax, const Values& va
     for (const NodeId id : numbers)
         parts.push_back({.id = id});
     return bundle(Value::Kind::Vector, std::move(parts));
-}
-
-/// The value as it is written, each of its numbers not much longer than those of a definition.
-std::string Elaborator::text_of(const Value& value, std::span<const std::string> names) {
-    const std::size_t longest = longest_definition();
-    if (value.is_single()) return builder_.text(value.id, names, longest);
-    const bool is_list = value.is_list();
-    std::string text(is_list ? "[" : "(");
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        if (i > 0) text += ", ";
-        if (text.size() > longest) return text + "...";
-        text += text_of(value.part(i), names);
-    }
-    return text + (is_list ? "]" : ")");
 }
 
 }  // namespace zeroset

@@ -78,6 +78,25 @@ constexpr Line expressions[] = {
     {"{x < 0: -x, x}", marked("cases, the same as if(x < 0, -x, x) and x < 0 ? -x : x")},
 };
 
+constexpr Line vectors[] = {
+    {"p = (x, y, z)",
+     marked("a vector of 2, 3 or 4 numbers, for all statements; also vec3(x, y, z)")},
+    {"length(p - (1, 0, 0)) = 1", marked("sums of vectors, and a number times a vector: 2p")},
+    {"p.x  p.z  p.xy", marked("parts of a vector, one or several: (p.x, p.y)")},
+    {"f(p) = length(p) - 1",
+     marked("functions of vectors, which may give vectors; f(x, y, z) takes one, too")},
+    {"|p|", marked("the length of a vector")},
+    {"max(abs(p) - 1, 0)", marked("functions of numbers go over the parts of vectors")},
+    {"[1, 2, 3]", marked("a list of numbers or of vectors, over which all functions go")},
+    {"sum([a, b, c])", marked("joins a list, or the parts of a vector; also prod, min, max")},
+    {"min(length(p - [(1, 0, 0), (0, 1, 0)])) = 1/2",
+     marked("two balls: the least of a list of distances")},
+    {"iterate(q, 5, (x, y, z, 0), f(q))",
+     marked("a step f done 5 times: up to 100 steps, 20 000 operations")},
+    {"vec3 q = abs(p) - b;",
+     marked("vectors as GLSL writes them, within functions, too; p.xy *= 2. is read there")},
+};
+
 constexpr Line elsewhere[] = {
     {"const float a = 2., b = 3.;",
      marked("values as programs write them; also double, let, var, #declare")},
@@ -112,12 +131,15 @@ sum       = product { ("+" | "-") product }
 product   = signed { ("*" | "/" | "%") signed | power }
 signed    = { "+" | "-" } ( power | "!" signed )
 power     = operand { "^" signed | superscript }
-operand   = number | name | "(" choice ")" | "[" choice "]" | "{" choice "}" | "|" choice "|"
+operand   = value { "." parts }
+value     = number | name | "(" choice ")" | "[" choice "]" | "{" choice "}" | "|" choice "|"
+          | "(" choice "," choice { "," choice } ")" | "[" choice "," choice { "," choice } "]"
           | function [ "^" signed ] ( "(" choice { "," choice } ")" | bare )
           | "{" logic ":" choice { "," logic ":" choice } [ "," choice ] "}"
           | "\frac" part part | "\sqrt" [ "[" choice "]" ] part
 bare      = signed { power of a name }
 part      = operand | digit
+parts     = ("x" | "y" | "z" | "w") [ parts ]
 )grammar";
 
 template <std::size_t size>
@@ -135,14 +157,21 @@ std::vector<HelpSection> language_help() {
         section(marked("Statements"), statements),
         section(marked("Names"), names),
         section(marked("Expressions"), expressions),
+        section(marked("Vectors"), vectors),
         section(marked("Texts from elsewhere"), elsewhere),
         {.title = marked("Functions"), .entries = {}},
+        {.title = marked("Functions of vectors"), .entries = {}},
+        {.title = marked("Shapes"), .entries = {}},
+        {.title = marked("Moved shapes"), .entries = {}},
+        {.title = marked("Blends and walls"), .entries = {}},
         {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
+    const std::size_t fixed = help.size() - 6;
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";
-        HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
-        list.entries.push_back({.typed = call, .meaning = std::string(function.meaning)});
+        std::size_t at = fixed + static_cast<std::size_t>(function.section);
+        if (function.is_of_library() && !function.is_word()) at = help.size() - 1;
+        help[at].entries.push_back({.typed = call, .meaning = std::string(function.meaning)});
     }
     return help;
 }

@@ -74,7 +74,7 @@ class ExplainTest(ProgramTest):
                 self.assertAlmostEqual(answer["value"], value, delta=1e-12)
 
     def test_what_is_not_read_is_named_in_one_line(self):
-        for text, words in [("vec3 p = vec3(x, y, z);", "vectors"), ("x + noise3d(x, y, z)", "noise"),
+        for text, words in [("mat3 m = mat3(x, y, z);", "matrices"), ("x + noise3d(x, y, z)", "noise"),
                             ("x = cos(u); y = sin(v); z = u", "parametric"),
                             ("f(u) = f(u - 1); f(x)", "defined by itself"),
                             ("for (i = 0; i < 3; i++) x", "program"),

@@ -23,7 +23,7 @@ enum class SyntaxKind : std::uint8_t {
     Name,     ///< text: the full name
     Negate,   ///< 1 operand
     Sum,      ///< marks: '+' or '-' before each operand but the first
-    Product,  ///< marks: '*', '/' or '%' before each operand but the first
+    Product,  ///< marks: '*', '/', '%' or, for '*' in p[1], '[' before each operand but the first
     Power,    ///< base, exponent
     Volume,   ///< text: volume("FILE", ...) as typed; 3 operands
     Call,     ///< function, or text: the name of a function that the text defines

@@ -25,6 +25,12 @@ std::string decimal(std::string_view typed) {
     return text;
 }
 
+/// Whether a function's name is a parameter, or words that the text defines, where it calls
+/// nothing.
+bool may_be_letter(const Function& function, std::string_view name) {
+    return function.is_word() || (function.is_of_library() && name.size() <= longest_letter);
+}
+
 }  // namespace
 
 SyntaxParser::Parsed SyntaxParser::operand() {
@@ -90,8 +96,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (called && defined_.defines_function(full)) return call_of_text(token);
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
-    const bool is_letter = function != nullptr && function->is_of_library() && !called &&
-                           full.size() <= longest_letter;
+    const bool is_letter = !called && function != nullptr && may_be_letter(*function, full);
     const bool hides = function != nullptr && function->is_of_library() && defined;
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
@@ -113,7 +118,7 @@ SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     ++brackets_;
     Parsed inside = choice();
     if (inside && opener.text == "(" && next_is(",") && start > statement_start_ &&
-        tokens_[start - 1].kind == TokenKind::Name) {
+        tokens_[start - 1].kind == TokenKind::Name && tokens_[start - 1].text != "return") {
         return refuse(no_function(tokens_[start - 1]));
     }
     if (inside && opener.text == "{" && next_is(":")) inside = cases(opener, *inside);
@@ -322,7 +327,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
 bool SyntaxParser::starts_bare_factor() const {
     if (next().kind != TokenKind::Name || !starts_factor()) return false;
     const std::string name = full_name(next());
-    return find_function(name) == nullptr && !defined_.defines_function(name) &&
+    return find_fixed_function(name) == nullptr && !defined_.defines_function(name) &&
            next().text != "\\frac" && next().text != "\\sqrt" && next().text != "log";
 }
 

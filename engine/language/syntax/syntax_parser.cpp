@@ -163,7 +163,8 @@ SyntaxParser::Parsed SyntaxParser::product() {
             return fail(next(), tr("derivatives such as d/dx are not read"),
                         tr("type the derivative as a formula"));
         }
-        marks += written ? take().text.front() : '*';
+        const bool is_like_index = next_is("[") && adjacent(tokens_[at_ - 1], next());
+        marks += written ? take().text.front() : is_like_index ? '[' : '*';
         const Parsed further = written ? signed_power() : power();
         if (!further) return further;
         operands.push_back(*further);

@@ -64,6 +64,8 @@ private:
     [[nodiscard]] bool starts_pov_function() const;
     Parsed pov_function();
     Parsed block();
+    SyntaxId new_value(const Token& name, std::string_view part, std::string_view sign,
+                       SyntaxId value);
     bool local_value(std::vector<LocalValue>& locals);
 
     // syntax_instructions.cpp

@@ -253,20 +253,42 @@ SyntaxParser::Parsed SyntaxParser::block() {
     return result;
 }
 
-/// Reads `float a = 1, b = 2;`.
+/// The value that a local name has behind `p.xy *= value`; without a part or a sign they are empty.
+SyntaxId SyntaxParser::new_value(const Token& name, std::string_view part, std::string_view sign,
+                                 SyntaxId value) {
+    const auto old = [&] { return add(SyntaxKind::Name, name.offset, {}, {}, full_name(name)); };
+    if (!sign.empty()) {
+        const bool adds = sign == "+" || sign == "-";
+        SyntaxId before = old();
+        if (!part.empty()) before = add(SyntaxKind::Part, name.end(), {before}, {}, part);
+        value =
+            add(adds ? SyntaxKind::Sum : SyntaxKind::Product, name.offset, {before, value}, sign);
+    }
+    if (part.empty()) return value;
+    return add(SyntaxKind::Replace, name.end(), {old(), value}, {}, part);
+}
+
+/// Reads `float a = 1, b = 2;`, and what changes a value: `p.xy *= 2;`.
 bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
     const bool is_certain = skip_type_words();
     do {
         const Token& name = next();
-        if (name.kind != TokenKind::Name || !is_symbol(tokens_[at_ + 1], {"="})) {
+        const bool is_name = name.kind == TokenKind::Name;
+        const bool has_part = is_name && tokens_[at_ + 1].kind == TokenKind::Part;
+        const std::size_t at = at_ + (has_part ? 2 : 1);
+        const bool changes = is_name && is_symbol(tokens_[at], {"+", "-", "*", "/"}) &&
+                             is_symbol(tokens_[at + 1], {"="}) &&
+                             adjacent(tokens_[at], tokens_[at + 1]);
+        if (!is_name || (!changes && !is_symbol(tokens_[at], {"="}))) {
             fail(name, tr("only values and 'return' are read in a function's braces"),
                  tr("type NAME = value; and return value;"));
             return false;
         }
-        take();
-        take();
-        const Parsed value = choice();
+        at_ = at + (changes ? 2 : 1);
+        Parsed value = choice();
         if (!value) return false;
+        const auto part = has_part ? tokens_[at - 1].text : std::string_view();
+        value = new_value(name, part, changes ? tokens_[at].text : std::string_view(), *value);
         locals.push_back({.name = full_name(name), .offset = name.offset, .value = *value});
         if (next().kind == TokenKind::Break) return true;
     } while (is_certain && declares_more() && take().kind == TokenKind::Symbol);

@@ -82,8 +82,8 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
     if (is_one_of(word, {"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
         return ParseError{
             .offset = offset,
-            .reason = filled(tr("iterations are not read: {0} repeats a step"), {quoted(name)}),
-            .hint = tr("type a formula that does without it")};
+            .reason = filled(tr("{0} is not known, but iterations are"), {quoted(name)}),
+            .hint = filled(tr("type {0}"), {"iterate(p, n, start, step)"})};
     }
     if (is_one_of(word, {"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
         return ParseError{

@@ -120,6 +120,19 @@ std::vector<Function> make_table() {
                      .body = (formula)});
 #include "engine/language/vocabulary/library.def"
 #undef ZEROSET_LIBRARY
+#define ZEROSET_WORD(part, word, list, letters, about, formula)            \
+    table.push_back({.name = (word),                                       \
+                     .least = count(list) - ((letters)[0] == 'p' ? 1 : 0), \
+                     .most = count(list),                                  \
+                     .arguments = (list),                                  \
+                     .meaning = (about),                                   \
+                     .op = std::nullopt,                                   \
+                     .composed = std::nullopt,                             \
+                     .body = (formula),                                    \
+                     .kinds = (letters),                                   \
+                     .section = WordSection::part});
+#include "engine/language/vocabulary/shapes.def"
+#undef ZEROSET_WORD
     return table;
 }
 
@@ -228,11 +241,17 @@ NodeId make_angle(ExprBuilder& builder, NodeId a, NodeId p, NodeId q) {
     return make_multiply(builder, make_divide(builder, p, q), a);
 }
 
-/// Blends all but the last argument from left to right; `blend` knows the width k.
-template <class Blend>
-NodeId blended(std::span<const NodeId> a, Blend blend) {
+using Blend = NodeId (*)(ExprBuilder&, NodeId, NodeId, NodeId);
+
+NodeId smooth_without(ExprBuilder& builder, NodeId a, NodeId b, NodeId k) {
+    return smooth_max(builder, a, make_negate(builder, b), k);
+}
+
+/// Blends all but the last argument, which is the width k, from left to right.
+NodeId blended(ExprBuilder& builder, std::span<const NodeId> a, Blend blend) {
     const auto solids = a.first(a.size() - 1);
-    return std::accumulate(solids.begin() + 1, solids.end(), solids.front(), blend);
+    return std::accumulate(solids.begin() + 1, solids.end(), solids.front(),
+                           [&](NodeId of, NodeId b) { return blend(builder, of, b, a.back()); });
 }
 
 NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
@@ -314,16 +333,9 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Clamp: return make_clamp(builder, a[0], a[1], a[2]);
         case Composed::SmoothMin: return smooth_min(builder, a[0], a[1], a[2]);
         case Composed::SmoothMax: return smooth_max(builder, a[0], a[1], a[2]);
-        case Composed::SmoothUnion:
-            return blended(
-                a, [&](NodeId of, NodeId b) { return smooth_min(builder, of, b, a.back()); });
-        case Composed::SmoothIntersect:
-            return blended(
-                a, [&](NodeId of, NodeId b) { return smooth_max(builder, of, b, a.back()); });
-        case Composed::SmoothSubtract:
-            return blended(a, [&](NodeId of, NodeId b) {
-                return smooth_max(builder, of, make_negate(builder, b), a.back());
-            });
+        case Composed::SmoothUnion: return blended(builder, a, smooth_min);
+        case Composed::SmoothIntersect: return blended(builder, a, smooth_max);
+        case Composed::SmoothSubtract: return blended(builder, a, smooth_without);
         case Composed::Sphere: return make_subtract(builder, length_of(builder, a.first(3)), a[3]);
         case Composed::Torus: return make_torus(builder, a);
         case Composed::Ellipsoid: return make_ellipsoid(builder, a);
@@ -335,6 +347,7 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Vector2:
         case Composed::Vector3:
         case Composed::Vector4:
+        case Composed::Iterate:
         case Composed::Keep:
         case Composed::Kept:
         case Composed::Least:
@@ -376,6 +389,11 @@ const Function* find_function(std::string_view name) {
     static const Index index = make_index();
     const auto found = index.find(name);
     return found == index.end() ? nullptr : found->second;
+}
+
+const Function* find_fixed_function(std::string_view name) {
+    const Function* const function = find_function(name);
+    return function != nullptr && function->is_word() ? nullptr : function;
 }
 
 std::vector<std::string_view> function_spellings() {

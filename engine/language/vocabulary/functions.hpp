@@ -18,6 +18,9 @@ enum class Composed : std::uint8_t {
 #undef ZEROSET_FUNCTION
 };
 
+/// The sections of the help for the rows of shapes.def.
+enum class WordSection : std::uint8_t { None, Vectors, Shapes, Moves, Blends };
+
 /// A function of the language. Exactly one of `op`, `composed` and `body` is set.
 struct Function {
     std::string_view name;
@@ -27,8 +30,10 @@ struct Function {
     std::string_view meaning;          ///< one line of help, in English
     std::optional<Op> op;              ///< the operator, for a row of op.def
     std::optional<Composed> composed;  ///< for a row of functions.def
-    std::string_view body = {};        ///< for a row of library.def: the formula, in the language
-                                       ///< itself
+    std::string_view body = {};        ///< for a row of library.def or shapes.def: the formula, in
+                                       ///< the language itself
+    std::string_view kinds = {};       ///< for a row of shapes.def: a letter for each argument
+    WordSection section = WordSection::None;
 
     /// Whether the second argument is the name of an index: sum, prod, least, greatest.
     [[nodiscard]] bool repeats() const {
@@ -45,7 +50,12 @@ struct Function {
         return op == Op::Min || op == Op::Max || composed == Composed::Union ||
                composed == Composed::Intersect;
     }
-    /// Whether the function is a row of library.def.
+    /// Whether the function is a row of shapes.def, which gives way to what the text defines and is
+    /// a word before a bracket only.
+    [[nodiscard]] bool is_word() const { return !kinds.empty(); }
+    /// Whether the first argument may be left out.
+    [[nodiscard]] bool may_omit_point() const { return kinds.starts_with('p'); }
+    /// Whether the function is written in the language: a row of library.def or shapes.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
     /// Whether a call may have this many arguments; one may have to be a list or vector.
     [[nodiscard]] bool takes(std::size_t arguments_given) const;
@@ -55,8 +65,10 @@ struct Function {
     [[nodiscard]] std::string refusal(std::size_t arguments_given) const;
 };
 
-/// All functions: the rows of op.def, functions.def and library.def.
+/// All functions: the rows of op.def, functions.def, library.def and shapes.def.
 std::span<const Function> functions();
+/// Finds a function that is no row of shapes.def, as find_function does.
+const Function* find_fixed_function(std::string_view name);
 /// Finds a function by its name or by another usual spelling (arcsin, sgn, tg); nullptr: none.
 const Function* find_function(std::string_view name);
 /// All spellings that find_function knows.

@@ -29,7 +29,7 @@ bool is_logic_word(std::string_view word) {
 }
 
 bool is_built_in(std::string_view word) {
-    return is_built_in_value(word) || find_function(word) != nullptr || is_logic_word(word);
+    return is_built_in_value(word) || find_fixed_function(word) != nullptr || is_logic_word(word);
 }
 
 std::string in_small_letters(std::string_view word) {
@@ -94,7 +94,7 @@ std::vector<std::size_t> Vocabulary::pieces(std::string_view run, bool subscript
             const std::size_t start = end - length;
             if (best[start] == never || best[start] + 1 >= best[end]) continue;
             const std::string_view piece = run.substr(start, length);
-            if (piece == "e" && find_function(run.substr(start - last[start], last[start])))
+            if (piece == "e" && find_fixed_function(run.substr(start - last[start], last[start])))
                 continue;  // "sine" is not sin(e)
             if (!only_letter && !knows(piece)) continue;
             best[end] = best[start] + 1;

@@ -115,7 +115,7 @@ bool ends_operand(const Token& token) {
         return true;
     if (token.kind == TokenKind::Name) {
         return !is_logic_word(token.text) && token.text[0] != '\\' &&
-               find_function(token.text) == nullptr;
+               find_fixed_function(token.text) == nullptr;
     }
     return is_symbol(token, {")", "]", "}", "|)", "⌋", "⌉"});
 }

@@ -32,7 +32,7 @@ bool makes_name_with(const Token& word, const Token& number) {
 /// AND.
 std::string_view known_spelling(std::string_view name) {
     const std::string lower = in_small_letters(name);
-    if (const Function* const function = find_function(lower)) return function->name;
+    if (const Function* const function = find_fixed_function(lower)) return function->name;
     for (const std::string_view value : built_in_values()) {
         if (value == lower) return value;
     }
@@ -46,7 +46,7 @@ std::string_view known_spelling(std::string_view name) {
 bool calls_as_mathematica(const Token& name, const Token& bracket) {
     if (!is_symbol(bracket, {"["}) || name.kind != TokenKind::Name) return false;
     const bool capital = name.text.size() > 1 && name.text[0] >= 'A' && name.text[0] <= 'Z';
-    return capital && find_function(in_small_letters(name.text)) != nullptr;
+    return capital && find_fixed_function(in_small_letters(name.text)) != nullptr;
 }
 
 /// Whether the token is a word of programs at its place, and no product of letters: float a, return
@@ -213,6 +213,13 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
         }
         const std::size_t size = out.size();
         if (is_program_word(tokens, static_cast<std::size_t>(&token - tokens.data()))) {
+            out.push_back(token);
+            continue;
+        }
+        const Token* const next = &token + 1 < tokens.data() + tokens.size() ? &token + 1 : nullptr;
+        const bool is_call = next != nullptr && is_symbol(*next, {"(", "["});
+        const Function* const word = is_call ? find_function(full_name(token)) : nullptr;
+        if (word != nullptr && word->is_word()) {
             out.push_back(token);
             continue;
         }

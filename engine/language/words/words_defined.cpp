@@ -32,9 +32,20 @@ std::string product_of(const std::vector<std::string>& factors) {
         if (product.size() > longest) return product + "...";
         if (!product.empty()) product += follows_function ? ' ' : '*';
         product += factor;
-        follows_function = find_function(factor) != nullptr;
+        follows_function = find_fixed_function(factor) != nullptr;
     }
     return product;
+}
+
+/// Whether the value of a function has a name in it that an argument, or a product of some, may be.
+bool mentions_argument(const Candidate& candidate) {
+    return std::ranges::any_of(candidate.value, [&](const Token& token) {
+        const std::string name = plain_name(token.text);
+        return token.kind == TokenKind::Name && find_function(name) == nullptr &&
+               std::ranges::any_of(candidate.arguments, [&](const std::string& argument) {
+                   return name.contains(argument);
+               });
+    });
 }
 
 }  // namespace
@@ -140,7 +151,7 @@ bool DefinitionSearch::defines_value(const Candidate& candidate) const {
     }
     if (candidate.is_certain || is_letter_name(name)) return true;
     if (is_built_in_value(name)) return false;  // decided later, when all statements are known
-    if (const Function* const function = find_function(name)) {
+    if (const Function* const function = find_fixed_function(name)) {
         const NameUses uses = candidates_.uses(name);
         const bool elementary = function->op && function->takes(1);  // sin = 2 is a mistake
         return uses.all > uses.calls || !elementary;
@@ -155,7 +166,7 @@ bool DefinitionSearch::defines_product(const Candidate& candidate,
                                        const std::vector<std::string>& factors) const {
     const auto is_xyz = [](const std::string& factor) {
         return factor == "x" || factor == "y" || factor == "z" || is_digit(factor[0]) ||
-               find_function(factor) != nullptr;
+               find_fixed_function(factor) != nullptr;
     };
     const bool is_letter_known = std::ranges::any_of(factors, [&](const std::string& factor) {
         return !is_built_in(factor) && candidates_.is_known_factor(factor);
@@ -199,7 +210,9 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
         return called || candidate.arguments.size() > 1;
     }
     if (is_built_in_value(name)) return uses.calls > 0 || candidate.arguments.size() > 1;
-    if (find_function(name) != nullptr) {
+    if (const Function* const function = find_function(name); function && function->is_word())
+        return mentions_argument(candidate);  // else it is an equation, as sphere(p, r) = 1
+    if (find_fixed_function(name) != nullptr) {
         return uses.calls > 0 && candidates_.depends_on_arguments_only(candidate);
     }
     if (candidate.arguments.size() > 1 || uses.calls > 0) return true;
@@ -207,7 +220,7 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
     if (factors.size() < 2) return true;
     const bool is_formula = std::ranges::all_of(factors, is_coordinate) ||
                             std::ranges::any_of(factors, [](const std::string& factor) {
-                                return find_function(factor) != nullptr;
+                                return find_fixed_function(factor) != nullptr;
                             });
     return !is_formula;
 }

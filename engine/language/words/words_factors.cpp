@@ -62,7 +62,7 @@ std::vector<std::string> Candidates::factors(std::string_view name) const {
             factors.emplace_back(rest.substr(0, defined));
             rest.remove_prefix(defined);
         } else if (is_digit(rest[0])) {  // as in sin2x
-            if (factors.empty() || find_function(factors.back()) == nullptr) return {};
+            if (factors.empty() || find_fixed_function(factors.back()) == nullptr) return {};
             const std::size_t length = std::min(rest.find_first_not_of("0123456789"), rest.size());
             factors.emplace_back(rest.substr(0, length));
             rest.remove_prefix(length);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 
 // Tests of the page on the formula language, which is generated from the program's tables.
@@ -29,11 +30,26 @@ TEST(Language, TheHelpHasEveryFunction) {
     for (const Function& function : functions()) {
         EXPECT_FALSE(function.meaning.empty()) << function.name;
         const std::string start = std::string(function.name) + "(";
-        const HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
-        EXPECT_TRUE(std::ranges::any_of(list.entries, [&](const HelpEntry& entry) {
-            return entry.typed.starts_with(start);
+        const std::size_t sections = function.is_word() ? 5 : function.is_of_library() ? 1 : 6;
+        const auto lists = std::span(help).last(sections).first(function.is_word() ? 4 : 1);
+        EXPECT_TRUE(std::ranges::any_of(lists, [&](const HelpSection& list) {
+            return std::ranges::any_of(list.entries, [&](const HelpEntry& entry) {
+                return entry.typed.starts_with(start);
+            });
         })) << function.name;
     }
+}
+
+TEST(Language, ThePicturesOfShapesAreInTheDocuments) {
+    std::size_t pictures = 0;
+    for (const Function& function : functions()) {
+        if (function.section != WordSection::Shapes) continue;
+        ++pictures;
+        const std::string name = "shapes/" + std::string(function.name) + ".png";
+        EXPECT_TRUE(std::ifstream(ZEROSET_SOURCE_DIR "/resources/docs/" + name).good()) << name;
+        EXPECT_TRUE(language_page().contains("(" + name + ")")) << name;
+    }
+    EXPECT_GT(pictures, 10);
 }
 
 TEST(Language, TheStatementsOfThePageAreRead) {

@@ -1,0 +1,138 @@
+// Writes how definitions were read.
+
+#include "engine/base/translation.hpp"
+#include "engine/expr/spelling.hpp"
+#include "engine/language/elaborator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t first_argument =
+    ProgramLimits::parameters;                     // first number of the parameters that stand for
+                                                   // functions' arguments
+constexpr std::size_t longest_readings = 200'000;  // bytes, all definitions together
+
+/// The formula to type for a built-in value whose name the text gives another meaning.
+std::string_view spelled_out(std::string_view name) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> spellings{
+        {{"r", "sqrt(x^2 + y^2 + z^2)"},
+         {"rho", "sqrt(x^2 + y^2)"},
+         {"theta", "atan2(y, x)"},
+         {"phi", "acos(z/sqrt(x^2 + y^2 + z^2))"},
+         {"t", "w"},
+         {"w", "t"},
+         {"e", "exp(1)"},
+         {"pi", "acos(-1)"},
+         {"tau", "2 acos(-1)"},
+         {"golden", "(1 + sqrt 5)/2"}}};
+    for (const auto& [built_in, spelling] : spellings) {
+        if (built_in == name) return spelling;
+    }
+    return {};
+}
+
+}  // namespace
+
+/// The longest reading of one definition, in bytes; many definitions share `longest_readings`.
+std::size_t Elaborator::longest_definition() {
+    const std::size_t count = std::max<std::size_t>(table_.all().size(), 1);
+    return std::clamp<std::size_t>(longest_readings / count, 20, 2'000);
+}
+
+std::optional<std::string> Elaborator::value_text(Definition& definition) {
+    const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
+    if (!defined_value(definition, tree_[relation.operands[0]])) return std::nullopt;
+    note_built_in(definition);
+    return definition.name + " = " + text_of(*definition.value, parameters_);
+}
+
+/// Notes that a definition gives a built-in name another meaning.
+void Elaborator::note_built_in(const Definition& definition) {
+    const std::string& name = definition.name;
+    const bool is_same = is_built_in_value(name) && definition.value->is_single() &&
+                         built_in(name)->id == definition.value->id;
+    if (!is_built_in_value(name) || is_same) return;
+    notes_.add(tree_.statements[definition.statement].offset,
+               filled(tr("{0} is this value in all statements; for the built-in {0} type {1}"),
+                      {name, spelled_out(name)}));
+}
+
+/// The reading of a function. Its arguments are what it is called with, else numbers, or vectors
+/// where it wants such.
+std::optional<std::string> Elaborator::function_text(Definition& definition) {
+    const std::size_t count = definition.arguments.size();
+    const bool is_known = definition.called_with.size() == count;
+    std::vector<std::size_t> sizes =
+        is_known ? definition.called_with : std::vector<std::size_t>(count, 1);
+    wants_vector_ = false;
+    auto text = function_text_of(definition, sizes);
+    constexpr std::size_t most_tried = 4;
+    if (text || is_known || !wants_vector_ || count > most_tried) return text;
+    const std::optional<ParseError> error = std::exchange(error_, std::nullopt);
+    for (std::size_t vectors = 1; vectors < std::size_t{1} << count; ++vectors) {
+        for (std::size_t i = 0; i < count; ++i)
+            sizes[i] = (vectors >> i & 1U) != 0 ? 3 : 1;
+        text = function_text_of(definition, sizes);
+        if (text) return text;
+        error_.reset();
+    }
+    error_ = error;
+    return std::nullopt;
+}
+
+/// The reading of a function for arguments of these numbers of parts, which are built as parameters
+/// of their own.
+std::optional<std::string> Elaborator::function_text_of(Definition& definition,
+                                                        std::span<const std::size_t> sizes) {
+    std::vector<std::string> names = parameters_;
+    names.resize(first_argument);
+    Values arguments;
+    std::string text = definition.name + "(";
+    const auto add_variable = [&](std::string name) {
+        const auto number = static_cast<int>(names.size());
+        names.push_back(std::move(name));
+        return Value{.id = builder_.variable(variable_w + 1 + number)};
+    };
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const std::string& name = definition.arguments[i];
+        text += (i > 0 ? ", " : "") + name;
+        if (sizes[i] == 1) {
+            arguments.push_back(add_variable(name));
+            continue;
+        }
+        constexpr std::string_view parts = "xyzw";
+        if (sizes[i] > parts.size()) return definition.name + "(...) = ...";
+        Values vector;
+        for (std::size_t k = 0; k < sizes[i]; ++k)
+            vector.push_back(add_variable(name + "." + parts[k]));
+        arguments.push_back(bundle(Value::Kind::Vector, std::move(vector)));
+    }
+    const std::size_t offset = tree_.statements[definition.statement].offset;
+    if (!arguments.empty() && !done(arguments.back().part(0).id, offset)) return std::nullopt;
+    reads_function_ = true;
+    const Built value = function_value(definition, arguments);
+    reads_function_ = false;
+    if (!value) return std::nullopt;
+    std::ranges::copy(parameters_, names.begin());
+    return text + ") = " + text_of(*value, names);
+}
+
+/// The value as it is written, each of its numbers not much longer than those of a definition.
+std::string Elaborator::text_of(const Value& value, std::span<const std::string> names) {
+    const std::size_t longest = longest_definition();
+    if (value.is_single()) return builder_.text(value.id, names, longest);
+    const bool is_list = value.is_list();
+    std::string text(is_list ? "[" : "(");
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        if (i > 0) text += ", ";
+        if (text.size() > longest) return text + "...";
+        text += text_of(value.part(i), names);
+    }
+    return text + (is_list ? "]" : ")");
+}
+
+}  // namespace zeroset
