@@ -78,6 +78,7 @@ struct Document {
     glm::dvec3 up{0.0, 0.0, 1.0};
     bool trackball = false;  ///< dragging turns freely
     ColorChoice coloring;
+    SectionChoice section_values;
     LightChoice light;
     std::vector<Marker> markers;  ///< in the order of their creation
 

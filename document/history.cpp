@@ -66,6 +66,7 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.markers != b.markers) return "markers";
     if (a.coloring.expression != b.coloring.expression) return "color expression";
     if (a.coloring.range != b.coloring.range) return "color range";
+    if (a.section_values != b.section_values) return "section values";
     return "look";
 }
 

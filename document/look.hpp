@@ -56,6 +56,14 @@ struct ColorChoice {
     bool operator==(const ColorChoice&) const = default;
 };
 
+/// How sections show values (Section::values).
+struct SectionChoice {
+    std::optional<ColorMap> map = std::nullopt;      ///< none: gray
+    std::optional<ValueRange> range = std::nullopt;  ///< none: found from the clip box
+
+    bool operator==(const SectionChoice&) const = default;
+};
+
 /// How all surfaces are lit, and what they look as if they were made of.
 struct LightChoice {
     Look look = Look::Standard;

@@ -20,7 +20,8 @@ struct ColorFormulas {
     std::string expression;
     std::vector<PointFunction> values;  ///< one for each surface; empty unless has_formula(by)
     std::string contour_expression = {};
-    PointFunction contours = {};  ///< of Contours::Expression
+    PointFunction contours = {};               ///< of Contours::Expression
+    std::vector<PointFunction> sections = {};  ///< of each surface what its sections show
 };
 
 /// Makes the functions for the surfaces as they were typed, in machine code unless that would take

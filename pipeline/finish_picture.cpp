@@ -8,6 +8,7 @@
 #include "engine/annotate/markers.hpp"
 #include "engine/annotate/paint_shapes.hpp"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ AxesChoice axes_choice(const Document& document) {
 }
 
 bool needs_legend(const FrameSubject& subject) {
-    return subject.legend && subject.coloring.by != ColorBy::Plain;
+    return subject.legend && (subject.coloring.by != ColorBy::Plain || subject.section_values);
 }
 
 glm::dvec2 canvas_of(const ImageSize& size) { return {size.width, size.height}; }
@@ -52,10 +53,14 @@ Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const Frame
 
 Shapes legend_over(const ImageSize& size, const FrameSubject& subject, const CardStyle& style) {
     if (!needs_legend(subject)) return {};
-    const Legend legend = legend_of(subject.coloring, subject.document.coloring.expression);
+    const Coloring& coloring = subject.coloring;
+    const Legend legend = legend_of(coloring, subject.document.coloring.expression);
+    const std::optional<Legend> sections = subject.section_values.transform(section_legend);
+    const CornerLegend corner{.legend = coloring.by == ColorBy::Plain ? nullptr : &legend,
+                              .sections = sections ? &*sections : nullptr};
     const glm::dvec2 canvas = canvas_of(size);
     const glm::dvec2 margin(style.unit);
-    return legend_shapes({.legend = &legend}, canvas - margin, canvas - 2.0 * margin, style);
+    return legend_shapes(corner, canvas - margin, canvas - 2.0 * margin, style);
 }
 
 bool has_contour_labels(const FrameSubject& subject) {

@@ -13,13 +13,16 @@
 
 namespace zeroset {
 
+inline const std::optional<SectionValues> no_section_values;
+
 /// The things that axes, markers and legend are made from, beside the frame itself.
 struct FrameSubject {
     const Document& document;
     const Camera& camera;      ///< the camera that the frame was drawn with
     const Coloring& coloring;  ///< the frame's colouring, with the range of its values
     const Uniforms& uniforms;  ///< the frame's, of what contour lines are of
-    bool legend = true;        ///< draw a legend, if the colours stand for something
+    const std::optional<SectionValues>& section_values = no_section_values;  ///< the frame's
+    bool legend = true;  ///< draw a legend, if the colours stand for something
 };
 
 /// Whether there are axes, a clip box, a grid, markers or a legend to be drawn over the frame.

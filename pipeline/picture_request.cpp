@@ -4,6 +4,7 @@
 #include "engine/scene/precision.hpp"
 #include "engine/trace/caps.hpp"
 #include "pipeline/contour_step.hpp"
+#include "pipeline/section_values.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -51,6 +52,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
         .region = document.region,
         .camera = camera_of(document, size_px),
         .coloring = document.coloring,
+        .section_values = document.section_values,
         .light = document.light,
         .jumps = document.jumps,
         .settings = settings,
@@ -134,6 +136,13 @@ Scene scene_as_written(const PictureRequest& request) {
 Scene scene_of(const PictureRequest& request) {
     Scene scene = scene_as_written(request);
     turn_fronts_out(scene);
+    std::vector<PointFunction> values;
+    for (const std::size_t surface : shown_indices(request)) {
+        // The code of colours may still be another text's.
+        if (surface < request.colors->sections.size())
+            values.push_back(request.colors->sections[surface]);
+    }
+    scene.section_values = section_values(request.section_values, std::move(values), scene);
     return scene;
 }
 

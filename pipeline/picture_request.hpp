@@ -37,6 +37,7 @@ struct PictureRequest {
     Region region;
     Camera camera;
     ColorChoice coloring;
+    SectionChoice section_values;
     LightChoice light;
     bool jumps = false;
     TraceSettings settings;

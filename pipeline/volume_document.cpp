@@ -79,6 +79,8 @@ OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
     const Program& program = *read.rows->program;
     fit_to_volumes(program, read.document);
     read.document.parameters["a"] = isovalue_slider(*volumes_of(program).front());
+    // In scans bodies are what is above; air is at most faces of the box, but not at all.
+    read.document.statements.back().solid = SolidSide::Above;
     return std::move(read.document);
 }
 

@@ -24,7 +24,8 @@ std::map<std::string, std::shared_ptr<const Volume>> isovalues(const Program& pr
 Slider isovalue_slider(const Volume& volume);
 
 /// A document of two rows that shows a volume: the file as a function, and the surface where that
-/// is a, whose slider goes over its samples' range. Allows the file from now on (allow_volume).
+/// is a, whose slider goes over its samples' range; its solid is above the value. Allows the file
+/// from now on (allow_volume).
 OrInputError<Document> document_of_volume(const std::filesystem::path& file);
 
 }  // namespace zeroset

@@ -111,7 +111,16 @@ void add_view_options(CLI::App& app, ViewText& view) {
     add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
     add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
     add_value(app, "--projection", view.projection, "perspective (default) or orthographic");
-    app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
+    auto* const hollow =
+        app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
+    add_value(app, "--section-shows", view.section_shows,
+              "what is seen on all sections: cap, values (of what the surface is a level of), "
+              "values-in-cap or nothing")
+        ->excludes(hollow);
+    add_value(app, "--section-map", view.section_map,
+              "the colors of values on sections: gray (default), aurora, ember, balance or cycle");
+    add_value(app, "--section-range", view.section_range,
+              "the values at the ends of these colors: A,B, or auto (default)");
     add_repeated(app, "--opacity", view.opacities,
                  "how opaque surfaces are, 0 to 1, all or one: 2:0.5; may be repeated");
     app.add_flag("--fit", view.fit,

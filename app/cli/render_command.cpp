@@ -198,6 +198,7 @@ std::expected<void, std::string> add_whole(const RenderCommand& command,
                                .camera = made->request.camera,
                                .coloring = made->scene.coloring,
                                .uniforms = made->scene.uniforms,
+                               .section_values = made->scene.section_values,
                                .legend = made->plan.legend};
     const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
     std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;

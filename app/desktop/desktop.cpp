@@ -309,6 +309,9 @@ void Desktop::take_frame() {
 void Desktop::show_legend(const RenderResult& result) {
     std::optional<Legend>& legend = state_.shown.picture.legend;
     legend.reset();
+    state_.shown.picture.section_legend = result.section_values.transform(section_legend);
+    state_.shown.picture.usual_section_range =
+        result.section_values.transform([](const SectionValues& of) { return of.usual_range; });
     if (!result.frame->cost.empty()) legend = cost_legend();
     if (legend || result.coloring.by == ColorBy::Plain) return;
     legend = legend_of(result.coloring, feed_.colors().expression);

@@ -26,7 +26,8 @@ std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Documen
     const auto painted = finish_picture(frame, {.document = document,
                                                 .camera = request.camera,
                                                 .coloring = scene.coloring,
-                                                .uniforms = scene.uniforms});
+                                                .uniforms = scene.uniforms,
+                                                .section_values = scene.section_values});
     return DrawnFrame{.frame = frame, .painted = painted ? *painted : frame};
 }
 

@@ -220,6 +220,8 @@ ParsedDocument document_of(const Json& json) {
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
+    if (const Json* values = fields.find("section_values"))
+        document.section_values = section_choice_of(*values, unknown);
     if (const Json* light = fields.find("light")) document.light = light_choice_of(*light, unknown);
     if (const Json* shown_on = fields.find("shown_on"))
         read.shown_on = background_of(*shown_on, "shown_on");
@@ -266,6 +268,8 @@ std::string text_of(const Document& document, const std::optional<Background>& s
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
     if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);
+    if (document.section_values != SectionChoice())
+        json["section_values"] = json_of(document.section_values);
     if (document.light != LightChoice()) json["light"] = json_of(document.light);
     if (shown_on && !document.light.background) json["shown_on"] = json_of(*shown_on);
     if (!document.markers.empty()) json["markers"] = json_of(document.markers);

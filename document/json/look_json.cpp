@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::int64_t largest_marker = 1'000'000;
 
-ValueRange range_of(const Json& json) {
-    const auto [lo, hi] = numbers_of<2>(json, "color.range");
-    if (!(lo < hi)) throw Damage{filled(tr("{0} is empty"), {"color.range"})};
+ValueRange range_of(const Json& json, const std::string& place) {
+    const auto [lo, hi] = numbers_of<2>(json, place);
+    if (!(lo < hi)) throw Damage{filled(tr("{0} is empty"), {place})};
     return {.lo = lo, .hi = hi};
 }
 
@@ -80,9 +80,28 @@ ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
         coloring.map = color_map_named(string_of(*map, "color.map"));
         if (!coloring.map) throw Damage{filled(tr("{0} is no color map"), {"color.map"})};
     }
-    if (const Json* range = fields.find("range")) coloring.range = range_of(*range);
+    if (const Json* range = fields.find("range")) coloring.range = range_of(*range, "color.range");
     if (const Json* lines = fields.find("lines")) coloring.lines = lines_of(*lines, unknown);
     return coloring;
+}
+
+Json json_of(const SectionChoice& values) {
+    Json json = Json::object();
+    if (values.map) json["map"] = name_of(*values.map);
+    if (values.range) json["range"] = Json::array({values.range->lo, values.range->hi});
+    return json;
+}
+
+SectionChoice section_choice_of(const Json& json, std::vector<std::string>& unknown) {
+    Fields fields(json, "section_values", unknown);
+    SectionChoice values;
+    if (const Json* map = fields.find("map")) {
+        values.map = color_map_named(string_of(*map, fields.at("map")));
+        if (!values.map) throw Damage{filled(tr("{0} is no color map"), {fields.at("map")})};
+    }
+    if (const Json* range = fields.find("range"))
+        values.range = range_of(*range, fields.at("range"));
+    return values;
 }
 
 Json json_of(const std::vector<Marker>& markers) {

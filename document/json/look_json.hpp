@@ -6,12 +6,16 @@
 #include <string>
 #include <vector>
 
-// Conversions of the fields "color" and "markers" of a document. Reading throws Damage.
+// Conversions of the fields "color", "section_values" and "markers" of a document. Reading throws
+// Damage.
 
 namespace zeroset {
 
 Json json_of(const ColorChoice& coloring);
 ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown);
+
+Json json_of(const SectionChoice& values);
+SectionChoice section_choice_of(const Json& json, std::vector<std::string>& unknown);
 
 Json json_of(const std::vector<Marker>& markers);
 std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unknown);

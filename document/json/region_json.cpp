@@ -28,6 +28,8 @@ Section section_of(const Json& json, const std::string& place, std::vector<std::
     // Keep a normal of length 1 to the bit, as this program writes it.
     if (std::abs(glm::length(normal) - 1.0) > 1e-15) section = make_section(normal, offset);
     if (const Json* cap = fields.find("cap")) section.cap = flag_of(*cap, fields.at("cap"));
+    if (const Json* values = fields.find("values"))
+        section.values = flag_of(*values, fields.at("values"));
     return section;
 }
 
@@ -44,6 +46,7 @@ Json json_of(const Region& region) {
         json["sections"].push_back({{"normal", array_of(section.normal)},
                                     {"offset", section.offset},
                                     {"cap", section.cap}});
+        if (section.values) json["sections"].back()["values"] = true;
     }
     return json;
 }

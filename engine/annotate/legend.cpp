@@ -141,6 +141,7 @@ double height_of(const CornerLegend& legend) {
         height += 2.0 * line;
         if (legend.legend->range) height += bar_height + below_bar;
     }
+    if (legend.sections != nullptr) height += 2.0 * line + bar_height + below_bar;
     return height + static_cast<double>(marks_of(legend).size()) * line;
 }
 
@@ -208,6 +209,10 @@ Legend legend_of(const Coloring& coloring, const std::string& expression) {
     return legend;
 }
 
+Legend section_legend(const SectionValues& values) {
+    return {.title = tr("values in sections"), .map = values.map, .range = values.range};
+}
+
 Shapes swatch_shapes(const glm::dvec2& lo, double size, PixelMark mark, const CardStyle& style) {
     const CardColors& colors = style.colors;
     const bool striped = mark != PixelMark::UndecidedNotDrawn;
@@ -232,7 +237,7 @@ Shapes swatch_shapes(const glm::dvec2& lo, double size, PixelMark mark, const Ca
 
 Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const glm::dvec2& room,
                      const CardStyle& style) {
-    if (legend.legend == nullptr && !legend.undecided) return {};
+    if (legend.legend == nullptr && legend.sections == nullptr && !legend.undecided) return {};
     const double unit = style.unit;
     const double usual = std::min((card_width + 2.0 * padding) * unit, most_of_width * room.x);
     const double width =
@@ -253,6 +258,10 @@ Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const
         } else {
             card.add_directions();
         }
+    }
+    if (legend.sections != nullptr) {
+        card.add_title(legend.sections->title);
+        card.add_scale(*legend.sections->range, *legend.sections);
     }
     for (const auto& [mark, words] : marks_of(legend))
         card.add_mark(mark, words);

@@ -28,6 +28,9 @@ Legend cost_legend();
 /// `expression`: for ColorBy::Expression.
 Legend legend_of(const Coloring& coloring, const std::string& expression);
 
+/// The legend of the values that sections show.
+Legend section_legend(const SectionValues& values);
+
 /// "mean curvature": how a choice is called.
 const char* shown_name(ColorBy by);
 
@@ -39,9 +42,10 @@ Shapes swatch_shapes(const glm::dvec2& lo, double size, PixelMark mark, const Ca
 
 /// The words and colours of a picture's corner.
 struct CornerLegend {
-    const Legend* legend = nullptr;  ///< nullptr: the colours need no words
-    bool undecided = false;          ///< undecided pixels are marked
-    bool coarse = false;             ///< and there are certified ones with a coarse bracket
+    const Legend* legend = nullptr;    ///< nullptr: the colours need no words
+    const Legend* sections = nullptr;  ///< with a range; nullptr: sections show no values
+    bool undecided = false;            ///< undecided pixels are marked
+    bool coarse = false;               ///< and there are certified ones with a coarse bracket
 };
 
 /// A card whose right lower corner is `corner`, no wider than `room`; nothing where there is

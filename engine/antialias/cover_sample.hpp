@@ -33,6 +33,9 @@ struct MixedPixel {
     std::uint8_t surface = 0;
     float sheet_to = std::numeric_limits<float>::infinity();
 
+    /// out: one smooth sheet covers it after all, and its own hit stands for it.
+    bool is_plain = false;
+
     [[nodiscard]] bool is_sheet() const {
         return sheet_to < std::numeric_limits<float>::infinity();
     }

@@ -17,7 +17,7 @@ class CoverSearch {
 public:
     CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays, Counters& counters);
 
-    void search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out);
+    void search(std::span<MixedPixel> pixels, std::vector<CoverSample>& out);
 
 private:
     using State = Front::State;
@@ -87,7 +87,11 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     if (uneven && is_rest) return {.step = Step::Divide, .surface = first};
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
-    work_[first].drafts.add(at, front);
+    if (field_.is_hit_between(square, front.at, front.to)) {
+        field_.leave_plain(square);
+    } else {
+        work_[first].drafts.add(at, front);
+    }
     return {.step = Step::Close, .surface = first};
 }
 
@@ -124,8 +128,8 @@ void CoverSearch::finish_level() {
     }
 }
 
-void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out) {
-    for (const MixedPixel& pixel : pixels) {
+void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>& out) {
+    for (MixedPixel& pixel : pixels) {
         if (pixel.is_sheet()) {
             work_[pixel.surface].drafts.add(pixel);
         } else {
@@ -143,8 +147,7 @@ void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSa
 }  // namespace
 
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
-                Counters& counters) {
+                std::span<MixedPixel> pixels, std::vector<CoverSample>& out, Counters& counters) {
     if (pixels.empty()) return;
     Tile all = tile;
     all.limits = nullptr;

@@ -13,7 +13,6 @@ namespace zeroset {
 /// of a pixel that no sample stands for shows the background. Ends early when the frames' limit is
 /// over: then nothing is said of some pixels. In upward rounding.
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
-                Counters& counters);
+                std::span<MixedPixel> pixels, std::vector<CoverSample>& out, Counters& counters);
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/antialias/cover_sample.hpp"
 #include "engine/antialias/half_square.hpp"
 #include "engine/antialias/square_rays.hpp"
 
@@ -27,6 +28,7 @@ struct CoverSquare {
     double side = 1.0;             ///< in pixels; 0: a ray
     double area = 1.0;             ///< of the part that it stands for, in pixels
     std::optional<SquareRest> rest = std::nullopt;  ///< else all of it is wanted
+    MixedPixel* whole = nullptr;                    ///< the pixel, if this is all of it
 
     [[nodiscard]] bool is_ray() const { return side == 0.0; }
     /// The part that is wanted: its share, and a place that stands for it.

@@ -29,17 +29,29 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
     return stretch;
 }
 
-void SquareField::begin(const MixedPixel& pixel) {
-    const CoverSquare square{.pixel = pixel.pixel, .least_level = pixel.least_level};
+double SquareField::hit_depth(const MixedPixel& pixel) const {
+    const double u = rays_.u(pixel.pixel % tile_size);
+    const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));
+    return static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+}
+
+bool SquareField::is_hit_between(std::size_t square, double from, double to) const {
+    const CoverSquare& at = squares_[square];
+    if (at.whole == nullptr || at.rest) return false;
+    const double hit = hit_depth(*at.whole);
+    const double spare = width_of(0.25, from);
+    return from - spare <= hit && hit <= to + spare;
+}
+
+void SquareField::begin(MixedPixel& pixel) {
+    const CoverSquare square{
+        .pixel = pixel.pixel, .least_level = pixel.least_level, .whole = &pixel};
     Front front;
     front.at = static_cast<double>(pixel.from);
     place(square, front);
     if (front.state == Front::State::Gone) return;
     // The first cell goes behind the hit of the pixel's own ray, if there is one.
-    const double u = rays_.u(col_of(square, square_middle));
-    const double v = rays_.v(row_of(square, square_middle));
-    const double hit =
-        static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+    const double hit = hit_depth(pixel);
     const double fair = width_of(1.0, front.at);
     // A little more, so that roots end before the last cell.
     front.end = std::min(front.end, static_cast<double>(pixel.to) + 2.0 * fair);

@@ -47,7 +47,12 @@ public:
     [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
                                         const SquareRay& place) const;
 
-    void begin(const MixedPixel& pixel);
+    /// Searches all of a pixel; `pixel` must outlive the field.
+    void begin(MixedPixel& pixel);
+    /// Whether the square is a pixel of which the own hit lies between two depths.
+    [[nodiscard]] bool is_hit_between(std::size_t square, double from, double to) const;
+    /// That hit stands for the pixel.
+    void leave_plain(std::size_t square) { squares_[square].whole->is_plain = true; }
     /// Goes on with the quarters of a square instead of it; of the rest of one, with rays.
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with what is left of the square beside it.
@@ -60,6 +65,8 @@ public:
     bool go_down();
 
 private:
+    /// Of the hit of a pixel's own ray; +inf: there is none.
+    [[nodiscard]] double hit_depth(const MixedPixel& pixel) const;
     /// Begins a front, no nearer than `front.at`.
     void place(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.

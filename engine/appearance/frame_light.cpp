@@ -2,6 +2,7 @@
 
 #include "engine/appearance/light_paths.hpp"
 #include "engine/light/draw_lines.hpp"
+#include "engine/light/section_values.hpp"
 #include "engine/light/shade.hpp"
 #include "engine/light/shadow.hpp"
 #include "engine/light/tile_colors.hpp"
@@ -48,6 +49,8 @@ void FrameLight::light(std::span<const TraceFrame> surfaces, const TimeLimit& li
                        Counters& counters) const {
     out.begin(hits);
     light_hits(surfaces, limit, tile, out, counters);
+    for (LitLayer& layer : out.layers())
+        show_section_values(surfaces[layer.surface], tile, fineness_, layer, counters);
     if (!out.layers().empty())
         draw_lines(surfaces, scene_.lighting.look == Look::Technical, fineness_, tile, out.layers(),
                    counters);

@@ -87,7 +87,7 @@ void add_first_hits(const TraceFrame& surface, std::uint8_t number, const Tile& 
                                .certificate = hits.certificate[pixel],
                                .error = depth_error(surface, distance),
                                .gradient = hits.gradient_at(pixel)},
-                       .is_cap = hits.any_cap && hits.cap[pixel] != 0,
+                       .is_cap = hits.is_cap(pixel),
                        .is_first = true});
     };
     for_each_hit(surface, tile, hits, add);

@@ -220,7 +220,7 @@ void LinePainter::draw_intersections() {
 void LinePainter::draw_edge(const glm::dvec3& normal, double offset) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const Place& place = places_[i];
-        if (layer_.hits->any_cap && layer_.hits->cap[place.pixel] != 0) continue;
+        if (layer_.hits->is_cap(place.pixel)) continue;
         const double distance = (offset - glm::dot(normal, place.point)) / place.rate_of(normal);
         if (distance < line_width_ + 1.0)
             add(i, cover_of(std::abs(distance), 2.0 * width_at(place)));

@@ -123,7 +123,7 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
                RowLight& light) {
     for (int col = 0; col < tile.cols; ++col) {
         const auto at = static_cast<std::size_t>(row * tile_size + col);
-        if (hits.cap[at] == 0) continue;
+        if (!hits.is_cap(at)) continue;
         const glm::dvec3 normal = hits.gradient_at(at);
         const glm::dvec3 point = frame.view.point(tile.place(col, row), frame.image,
                                                   static_cast<double>(hits.depth[at]));

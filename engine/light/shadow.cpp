@@ -69,7 +69,7 @@ constexpr Tile light_tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_si
 TileBits without_caps(const LitLayer& layer, TileBits hits) {
     if (!layer.hits->any_cap) return hits;
     for (std::size_t at = 0; at < layer.hits->cap.size(); ++at) {
-        if (layer.hits->cap[at] != 0) hits[at / tile_size] &= ~(std::uint64_t{1} << at % tile_size);
+        if (layer.hits->is_cap(at)) hits[at / tile_size] &= ~(std::uint64_t{1} << at % tile_size);
     }
     return hits;
 }

@@ -21,7 +21,7 @@ void find_colors(const TraceFrame& frame, const Tile& tile, LitLayer& layer, Cou
         pixels.push_back(pixel);
         colored.push_back({.point = {.at = ray.at(distance), .distance = distance},
                            .gradient = hits.gradient_at(pixel),
-                           .is_cap = hits.any_cap && hits.cap[pixel] != 0,
+                           .is_cap = hits.is_cap(pixel),
                            .is_front = true});
     });
     if (has_formula(coloring.by)) counters.value += pixels.size();

@@ -97,9 +97,9 @@ std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
     };
     Scene plain = scene;
     plain.coloring = {};
-    if (is_of_skin(scene.coloring.by)) {
-        for (Section& section : plain.region.sections)
-            section.cap = false;
+    for (Section& section : plain.region.sections) {
+        section.cap = section.cap && !section.values && !is_of_skin(scene.coloring.by);
+        section.values = false;
     }
     TraceSettings quick = settings;
     quick.shadows = false;

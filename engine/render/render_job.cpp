@@ -288,6 +288,7 @@ void RenderJob::publish(const Work& work, RenderResult result) {
     result.camera = work.request.camera;
     result.precision = work.precision;
     result.coloring = work.request.scene.coloring;
+    result.section_values = work.request.scene.section_values;
     result.uniforms = work.request.scene.uniforms;
     {
         const std::scoped_lock lock(mutex_);

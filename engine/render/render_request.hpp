@@ -41,7 +41,8 @@ struct RenderResult {
     Camera camera;
     Precision precision = Precision::Float;
     Coloring coloring = {};  ///< with the range that was found, if there is one
-    Uniforms uniforms = {};  ///< of the scene
+    std::optional<SectionValues> section_values = {};  ///< the scene's
+    Uniforms uniforms = {};                            ///< of the scene
 };
 
 }  // namespace zeroset

@@ -7,6 +7,7 @@
 #include "engine/trace/k_bisection/k_bisection.hpp"
 #include "engine/trace/octree/octree_tracer.hpp"
 #include "engine/trace/voxels/isosurface.hpp"
+#include "engine/trace/voxels/proved_voxels.hpp"
 #include "engine/trace/voxels/voxel_tracers.hpp"
 
 #include <algorithm>
@@ -16,10 +17,17 @@ namespace zeroset {
 
 namespace {
 
+/// Beams, but for plain isosurfaces of volumes.
+void trace_tile_usual(const TraceFrame& frame, const Tile& tile, TileHits& hits,
+                      Counters& counters) {
+    if (!trace_tile_proved_voxels(frame, tile, hits, counters))
+        trace_tile_beams(frame, tile, hits, counters);
+}
+
 constexpr std::array table{
     Tracer{.name = "beams",
            .about = "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
-           .trace_tile = trace_tile_beams,
+           .trace_tile = trace_tile_usual,
            .specializes = true,
            .takes_open_space = true,
            .takes_unions = true},

@@ -51,6 +51,17 @@ struct ValueRange {
     [[nodiscard]] double place(double value) const { return (value - lo) / (hi - lo); }
 };
 
+/// The numbers that sections show (Section::values), and how. A value.
+struct SectionValues {
+    ColorMap map = ColorMap::Gray;
+    ValueRange range = {};
+    ValueRange usual_range = {};  ///< that holds most of the values in the clip box
+    /// Of each surface what it is a level of (engine/rewrite/value_side.hpp); of those beyond: f.
+    std::vector<PointFunction> values = {};
+
+    bool operator==(const SectionValues&) const = default;
+};
+
 /// How the surfaces of a scene are coloured. A value.
 struct Coloring {
     ColorBy by = ColorBy::Plain;

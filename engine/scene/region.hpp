@@ -21,6 +21,9 @@ struct Section {
     glm::dvec3 normal{1.0, 0.0, 0.0};  ///< of length 1
     double offset = 0.0;
     bool cap = true;  ///< fills the solids that it cuts open
+    /// Shows the numbers behind the surfaces there (Scene::section_values): in caps where `cap`,
+    /// else wherever they are defined.
+    bool values = false;
 
     bool operator==(const Section&) const = default;
 };
@@ -44,6 +47,9 @@ double size_of(const Ball& ball);
 
 /// The section that keeps dot(normal, p) <= offset, for a normal of any length above 0.
 Section make_section(const glm::dvec3& normal, double offset, bool cap = true);
+
+/// Whether something is seen on the section itself.
+inline bool is_filled(const Section& section) { return section.cap || section.values; }
 
 /// Whether the section takes something away from the box, and is no face of it.
 bool cuts(const Section& section, const Box& box);

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace zeroset {
@@ -50,6 +51,7 @@ struct Scene {
     /// Where in the clip box each surface may be, for its tracer; nullptr, or none: not known. For
     /// these uniforms, and without jumps only if there are none.
     std::vector<std::shared_ptr<const OpenSpace>> open_space = {};
+    std::optional<SectionValues> section_values = std::nullopt;  ///< where sections show values
 
     [[nodiscard]] const SurfaceColors& colors_of_surface(std::size_t surface) const {
         return surface < colors.size() ? colors[surface] : colors_of(surface);

@@ -91,7 +91,7 @@ int solid_sign(const Scene& scene, std::size_t surface) {
 
 bool has_caps(const Scene& scene) {
     return std::ranges::any_of(scene.region.sections, [&](const Section& section) {
-        return section.cap && cuts(section, scene.clip);
+        return is_filled(section) && cuts(section, scene.clip);
     });
 }
 
@@ -107,7 +107,7 @@ void CapFinder::enter(const TraceFrame& frame, const Tile& tile) {
     const double radius = half * rays.pixel();
     const DepthRange uncut = rays.depths_uncut(rays.u(half), rays.v(half), radius, radius);
     for (const Section& section : frame.scene.region.sections) {
-        if (!section.cap || !cuts(section, frame.scene.clip)) continue;
+        if (!is_filled(section) || !cuts(section, frame.scene.clip)) continue;
         const DepthRange kept =
             rays.depths_kept(section, rays.u(half), rays.v(half), radius, radius);
         if (kept.enter_hi >= uncut.enter_lo && kept.enter_lo <= uncut.exit_hi)
@@ -150,6 +150,23 @@ void CapFinder::enter_pixel(const TileRays& rays, int col, int row) {
     }
 }
 
+template <class Sign>
+bool CapFinder::Entry::settle(Sign found, int solid_sign, bool continuous) {
+    const State seen = sure && continuous ? State::Certain : State::Possible;
+    if (section->values && !section->cap) {
+        // Where f jumps or may end it is drawn, too, but not certain.
+        state = found == Sign::Nowhere ? State::Empty : seen;
+        return found == Sign::Nowhere || continuous;
+    }
+    if (found == Sign::Unknown) {
+        state = State::Unknown;
+        return false;
+    }
+    const bool inside = found == (solid_sign < 0 ? Sign::Negative : Sign::Positive);
+    state = inside ? seen : State::Empty;
+    return true;
+}
+
 template <class Real>
 void CapFinder::ask(const TraceFrame& surface, int sign, std::vector<Entry*>& open) {
     static thread_local EntryBoxes<Real> boxes;
@@ -167,14 +184,7 @@ void CapFinder::ask(const TraceFrame& surface, int sign, std::vector<Entry*>& op
         for (std::size_t i = 0; i < count; ++i) {
             Entry& entry = *open[first + i];
             const SignOf found = sign_of(boxes.f_neg_lo[i], boxes.f_hi[i]);
-            if (found == SignOf::Unknown) {
-                entry.state = State::Unknown;
-                open[kept++] = &entry;
-                continue;
-            }
-            const bool inside = found == (sign < 0 ? SignOf::Negative : SignOf::Positive);
-            const bool certain = entry.sure && boxes.continuous[i] != 0;
-            entry.state = !inside ? State::Empty : certain ? State::Certain : State::Possible;
+            if (!entry.settle(found, sign, boxes.continuous[i] != 0)) open[kept++] = &entry;
         }
     }
     open.resize(kept);
@@ -218,23 +228,20 @@ void CapFinder::put(TileHits& hits) const {
     for (const Entry& entry : entries_) {
         const TileHits::Pixel pixel{.col = static_cast<std::int16_t>(entry.pixel % tile_size),
                                     .row = static_cast<std::int16_t>(entry.pixel / tile_size)};
-        switch (entry.state) {
-            case State::Empty: break;
-            case State::Unknown:
-                hits.mark_unsettled(pixel, entry.before);
-                hits.certificate[entry.pixel] = Certificate::Undecided;
-                break;
-            case State::Possible:
-                hits.put_cap(pixel, entry.distance, Certificate::Undecided, entry.section->normal);
-                break;
-            case State::Certain:
-                hits.put_cap(pixel, entry.distance, Certificate::Certified, entry.section->normal);
-                break;
+        if (entry.state == State::Empty) continue;
+        if (entry.state == State::Unknown) {
+            hits.mark_unsettled(pixel, entry.before);
+            hits.certificate[entry.pixel] = Certificate::Undecided;
+            continue;
         }
+        const bool certain = entry.state == State::Certain;
+        hits.put_cap(
+            pixel, entry.distance, certain ? Certificate::Certified : Certificate::Undecided,
+            entry.section->normal, entry.section->values ? CapKind::Values : CapKind::Solid);
     }
     if (hits.any_cap) {
         std::erase_if(hits.points,
-                      [&hits](const TileHits::Point& point) { return hits.cap[point.pixel] != 0; });
+                      [&hits](const TileHits::Point& point) { return hits.is_cap(point.pixel); });
     }
 }
 

@@ -14,11 +14,12 @@ namespace zeroset {
 /// 1 = x^2 + y^2 + z^2 is filled like x^2 + y^2 + z^2 = 1.
 int solid_sign(const Scene& scene, std::size_t surface);
 
-/// Whether the scene has a section that may be capped.
+/// Whether the scene has a section on which something may be seen.
 bool has_caps(const Scene& scene);
 
 /// The caps of a tile: where rays enter the region through a section and f has the sign of the
-/// solid, they show the section. One for each thread; what it keeps is room.
+/// solid, or is defined where the section shows values, they show the section. One for each thread;
+/// what it keeps is room.
 class CapFinder {
 public:
     CapFinder();
@@ -28,8 +29,9 @@ public:
     void fill(const TraceFrame& surface, int sign, Counters& counters);
     /// Tile::limits that leave out what is behind the caps or `limits` (nullptr: none).
     const float* limits(const float* limits);
-    /// Shows the caps instead of what was found of the surface. A cap is certified where the sign
-    /// of f and the way in are proved; where the sign is not known the ray is unsettled.
+    /// Shows the caps instead of what was found of the surface. A cap is certified where the way in
+    /// and the sign of f are proved, or for values that f is continuous there; where the sign is
+    /// not known the ray is unsettled.
     void put(TileHits& hits) const;
 
 private:
@@ -41,6 +43,10 @@ private:
         glm::dvec3 point, radius;  ///< where f is asked for: an enclosure of the entry
         float distance, before;    ///< from the eye; the latter surely no farther
         State state = State::Empty;
+
+        /// Takes in what is known of f around it; whether that settles the state.
+        template <class Sign>
+        bool settle(Sign found, int solid_sign, bool continuous);
     };
 
     void enter_pixel(const TileRays& rays, int col, int row);

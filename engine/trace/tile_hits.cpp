@@ -51,14 +51,15 @@ TileHits::TileHits() {
     for (std::vector<float>& axis : gradient)
         axis.resize(pixels);
     unsettled.resize(pixels, none);
-    cap.resize(pixels, 0);
+    cap.resize(pixels, CapKind::None);
 }
 
 void TileHits::clear() {
     if (any) std::ranges::fill(depth, none);
     if (any_unsettled) std::ranges::fill(unsettled, none);
-    if (any_cap) std::ranges::fill(cap, std::uint8_t{0});
+    if (any_cap) std::ranges::fill(cap, CapKind::None);
     any_cap = false;
+    any_values = false;
     cover.known = false;
     any = false;
     any_unsettled = false;
@@ -90,11 +91,13 @@ void TileHits::leave_undecided(const Tile& tile) {
     }
 }
 
-void TileHits::put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal) {
+void TileHits::put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal,
+                       CapKind kind) {
     const std::size_t pixel = at.index();
     any = true;
     any_cap = true;
-    cap[pixel] = 1;
+    any_values = any_values || kind == CapKind::Values;
+    cap[pixel] = kind;
     depth[pixel] = distance;
     certificate[pixel] = known;
     unsettled[pixel] = none;

@@ -16,6 +16,13 @@ namespace zeroset {
 /// The way that f goes along a ray at its root.
 enum class Trend : std::int8_t { Falling = -1, Unknown = 0, Rising = 1 };
 
+/// What a hit on a section shows.
+enum class CapKind : std::uint8_t {
+    None,    ///< it is on the surface itself
+    Solid,   ///< what the surface's solid is filled with
+    Values,  ///< the number behind the surface
+};
+
 /// A gradient of whatever size in floats, of which the direction counts.
 std::array<float, 3> float_gradient(const std::array<double, 3>& gradient);
 
@@ -79,12 +86,15 @@ struct TileHits {
     /// ray hit something afterwards or not; such a hit is not certified.
     std::vector<float> unsettled;
     bool any_unsettled = false;
-    /// Whether a hit is on a section that caps the surface's solid: its gradient is the section's
-    /// normal.
-    std::vector<std::uint8_t> cap;
-    bool any_cap = false;  ///< else `cap` is 0 everywhere
+    /// Whether a hit is on a section: then its gradient is the section's normal.
+    std::vector<CapKind> cap;
+    bool any_cap = false;     ///< else `cap` is None everywhere
+    bool any_values = false;  ///< else `cap` is nowhere Values
     PixelCover cover;
 
+    [[nodiscard]] bool is_cap(std::size_t pixel) const {
+        return any_cap && cap[pixel] != CapKind::None;
+    }
     /// That of the hit of a pixel, in rows of tile_size.
     [[nodiscard]] glm::dvec3 gradient_at(std::size_t pixel) const {
         return {gradient[0][pixel], gradient[1][pixel], gradient[2][pixel]};
@@ -99,7 +109,8 @@ struct TileHits {
     /// All rays of the tile are unsettled from the eye on.
     void leave_undecided(const Tile& tile);
     /// Puts a cap in place of what was found behind it.
-    void put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal);
+    void put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal,
+                 CapKind kind = CapKind::Solid);
 };
 
 }  // namespace zeroset

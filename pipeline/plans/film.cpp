@@ -56,6 +56,13 @@ std::optional<ValueRange> range_of(const Film& film, const FilmWatch& watch) {
     return whole;
 }
 
+/// The range of the values that sections show in the first frame; nothing where they show none.
+std::optional<ValueRange> section_range_of(const Film& film) {
+    const Scene scene = scene_of(request_at(film, film.script.document_at(0.0)));
+    const auto& values = scene.section_values;
+    return values ? std::optional(values->range) : std::nullopt;
+}
+
 /// Adds up the light of pictures.
 class LightSum {
 public:
@@ -109,6 +116,7 @@ public:
         : film_(film),
           watch_(watch),
           range_(range_of(film, watch)),
+          section_range_(section_range_of(film)),
           frame_ranges_(film.script.plan(), film.frame_range, film.settings, film.size.height,
                         [this](double moment) {
                             return request_at(film_, film_.script.document_at(moment)).uniforms;
@@ -128,9 +136,10 @@ private:
 
     const Film& film_;
     const FilmWatch& watch_;
-    std::optional<ValueRange> range_;
+    std::optional<ValueRange> range_, section_range_;
     FrameRanges frame_ranges_;
     Coloring coloring_;  ///< of the last picture
+    std::optional<SectionValues> section_values_;
     Uniforms uniforms_;
 };
 
@@ -146,7 +155,9 @@ void FrameDrawer::draw_moment(int number, const Document& document, Framebuffer&
     const PictureRequest request = request_at(film_, document);
     Scene scene = scene_of(request);
     if (range_) scene.coloring.range = range_;
+    if (section_range_ && scene.section_values) scene.section_values->range = *section_range_;
     coloring_ = scene.coloring;
+    section_values_ = scene.section_values;
     uniforms_ = scene.uniforms;
     frame_ranges_.add_to(scene, number);
     work.counters += render_frame(scene, request.camera, request.settings, frame,
@@ -177,6 +188,7 @@ std::optional<std::string> FrameDrawer::draw(NumberedFrame& drawn, FilmWork& wor
                                                 .camera = *drawn.document.camera,
                                                 .coloring = coloring_,
                                                 .uniforms = uniforms_,
+                                                .section_values = section_values_,
                                                 .legend = film_.legend});
     if (!painted) return painted.error();
     drawn.painted = std::move(*painted);

@@ -34,6 +34,7 @@ FrameSubject subject_of(const Poster& poster) {
             .camera = poster.camera,
             .coloring = poster.scene.coloring,
             .uniforms = poster.scene.uniforms,
+            .section_values = poster.scene.section_values,
             .legend = poster.legend};
 }
 

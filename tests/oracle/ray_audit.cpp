@@ -10,6 +10,7 @@
 #include "tests/support/formulas.hpp"
 #include "tests/support/oracle/random_surface.hpp"
 #include "tests/support/oracle/ray_oracle.hpp"
+#include "tests/support/voxel_scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -144,7 +145,7 @@ std::vector<std::size_t> chosen_pixels(const AuditSurface& surface, const AuditS
     return pixels;
 }
 
-std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
+std::expected<Formula, InputError> interpreted(const AuditSurface& surface, bool knows_fields) {
     auto program = read_formula(surface.equation);
     if (!program) return std::unexpected(program.error());
     const Expr drawn = traceable(program->surfaces.front());
@@ -153,7 +154,7 @@ std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     formula.program = std::make_shared<const Program>(std::move(*program));
     formula.surface_rows = {0};
     formula.drawn = {drawn};
-    formula.kernels = {interpret(drawn)};
+    formula.kernels = {knows_fields ? kernel_with_level(drawn) : interpret(drawn)};
     formula.unrestricted = {{}};
     formula.code = CodeState::Interpreted;
     return formula;
@@ -260,7 +261,7 @@ std::string AuditReport::text() const {
 
 Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
     Framebuffer frame(settings.size_px, settings.size_px);
-    const auto formula = settings.interpreted ? interpreted(surface)
+    const auto formula = settings.interpreted ? interpreted(surface, settings.knows_fields)
                                               : compile_formula(surface.equation, surface.clip);
     if (!formula) {
         ADD_FAILURE() << surface.equation << ": " << formula.error().reason;

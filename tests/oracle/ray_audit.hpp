@@ -43,6 +43,9 @@ struct AuditSettings {
     double depth_bits = 0;
     /// Draws with the interpreter; for small pictures, for which machine code takes longer to make.
     bool interpreted = false;
+    /// Tells tracers of volumes, as pictures do, so that these are traced voxel by voxel. With
+    /// `interpreted`.
+    bool knows_fields = false;
 };
 
 /// The command line that draws the surface with these settings and writes depth.pfm and

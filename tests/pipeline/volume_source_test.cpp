@@ -229,6 +229,7 @@ TEST_F(VolumeTexts, AFileBecomesADocument) {
     ASSERT_TRUE(document.has_value()) << document.error().reason;
     ASSERT_EQ(document->statements.size(), 2);
     EXPECT_EQ(document->statements[1].text, "scan(x, y, z) = a");
+    EXPECT_EQ(document->statements[1].solid, SolidSide::Above);
     const SampleRange range = sample_field()->data().range();
     const Slider level = slider_of(*document, "a");
     EXPECT_EQ(level.lo, range.lo);

@@ -99,6 +99,7 @@ std::vector<Scene> sections() {
              state.edited.layout.edges_open = true;
              state.edited.document.region.ball = Ball{{0.0, 0.0, 0.0}, 1.5};
              state.edited.document.region.sections = {make_section({1.0, 0.0, 0.0}, 0.25)};
+             state.edited.document.region.sections.front().values = true;
          }},
         {"details",
          [](UiState& state) {

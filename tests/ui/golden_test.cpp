@@ -171,6 +171,18 @@ TEST_P(Goldens, OfCuts) {
     expect_golden("cuts");
 }
 
+TEST_P(Goldens, OfValuesInSections) {
+    state_.edited.layout.clip_open = true;
+    Section section = make_section({0.0, 0.0, 1.0}, 0.25);
+    section.values = true;
+    state_.edited.document.region.sections = {section};
+    state_.shown.picture.section_legend =
+        section_legend({.map = ColorMap::Gray, .range = {-200, 600}});
+    state_.shown.picture.usual_section_range = ValueRange{-1000, 1000};
+    state_.edited.document.section_values.range = ValueRange{-200, 600};
+    expect_golden("section_values");
+}
+
 TEST_P(Goldens, OfMarkersAndThePointUnderThePointer) {
     state_.edited.layout.markers_open = true;
     state_.edited.document.markers = {{1, {0.5, 0.25, 0.75}}, {2, {-1.0, 0.0, 0.5}}};

@@ -64,11 +64,13 @@ struct StatusTexts {
 /// The picture on the screen, fine or coarse; no frame before the first.
 struct ShownPicture {
     std::shared_ptr<const Framebuffer> frame;
-    Camera camera;                                      ///< that the frame was taken with
-    std::optional<Legend> legend;                       ///< of its colours
-    Shapes contour_labels = {};                         ///< in pixels of the canvas
-    std::optional<double> contour_step = std::nullopt;  ///< of its contour lines
-    bool tracing = false;                               ///< a finer picture is on its way
+    Camera camera;                                        ///< that the frame was taken with
+    std::optional<Legend> legend;                         ///< of its colours
+    std::optional<Legend> section_legend = std::nullopt;  ///< of the values that sections show
+    std::optional<ValueRange> usual_section_range = std::nullopt;  ///< of most of these
+    Shapes contour_labels = {};                                    ///< in pixels of the canvas
+    std::optional<double> contour_step = std::nullopt;             ///< of its contour lines
+    bool tracing = false;  ///< a finer picture is on its way
     /// The picture is of another text than the rows', and so little of it is seen: 0 (all) to 1.
     float dimmed = 0.0F;
 };

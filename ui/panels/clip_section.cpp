@@ -4,6 +4,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
+#include "ui/panels/section_values_rows.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
@@ -124,9 +125,9 @@ void draw_axis(const Document& document, Section& section) {
     if (ImGui::BeginCombo("##axis", axis_name(axis), ImGuiComboFlags_NoArrowButton)) {
         for (int other = 0; other <= free_axis; ++other) {
             if (!ImGui::Selectable(axis_name(other), other == axis)) continue;
-            const bool cap = section.cap;
-            section = section_across(other, document);
-            section.cap = cap;
+            const Section across = section_across(other, document);
+            section.normal = across.normal;
+            section.offset = across.offset;
         }
         ImGui::EndCombo();
     }
@@ -165,12 +166,19 @@ bool draw_section(Edited& edited, Section& section) {
         }
     }
     const float size = ImGui::GetFrameHeight();
-    if (ImGui::Button(tr("Flip")))
-        section = {.normal = -section.normal, .offset = -section.offset, .cap = section.cap};
+    if (ImGui::Button(tr("Flip"))) {
+        section.normal = -section.normal;
+        section.offset = -section.offset;
+    }
     draw_tooltip(tr("Keeps the other side."));
     ImGui::SameLine();
     ImGui::Checkbox(tr("cap"), &section.cap);
     draw_tooltip(tr("Fills the solids that the section cuts open."));
+    ImGui::SameLine();
+    ImGui::Checkbox(labelled(tr("values"), "###values").c_str(), &section.values);
+    draw_tooltip(
+        tr("Shows the numbers behind the surface on the section, such as those of a scan: in caps, "
+           "or without caps wherever they are defined."));
     ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
     return !icon_button("##remove", Icon::Cross,
                         {.size = size, .color = palette(edited.theme).quiet}, tr("Remove"));
@@ -219,13 +227,15 @@ float clip_section_height(const Edited& edited) {
     for (const Section& section : region.sections)
         rows += axis_of(section) == free_axis ? 3.0F : 2.0F;
     if (region.sections.size() < max_sections) rows += 1.0F;
+    rows += section_values_rows(edited.document);
     return rows * ImGui::GetFrameHeightWithSpacing();
 }
 
-void draw_clip_section(Edited& edited, Wishes& wishes) {
+void draw_clip_section(Edited& edited, const Shown& shown, Wishes& wishes) {
     draw_box(edited, wishes);
     draw_ball(edited);
     draw_sections(edited);
+    draw_section_values(edited.document, shown.picture);
 }
 
 }  // namespace zeroset::ui

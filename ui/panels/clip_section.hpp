@@ -1,13 +1,14 @@
 #pragma once
 
 #include "ui/model/edited.hpp"
+#include "ui/model/shown.hpp"
 #include "ui/model/wishes.hpp"
 
 namespace zeroset::ui {
 
 /// Draws the settings of the clip region: box, sphere, sections. Edits the document's `clip` and
-/// `region`; wishes to frame the box once a number of it is typed.
-void draw_clip_section(Edited& edited, Wishes& wishes);
+/// `region` and how sections show values; wishes to frame the box once a number of it is typed.
+void draw_clip_section(Edited& edited, const Shown& shown, Wishes& wishes);
 /// Height of the section's contents in window coordinates.
 float clip_section_height(const Edited& edited);
 

@@ -5,6 +5,7 @@
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/scene/coloring.hpp"
+#include "ui/panels/map_combo.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
@@ -56,38 +57,13 @@ void draw_expression(const char* id, std::string& expression, const std::string&
     ImGui::PopStyleColor();
 }
 
-void draw_map_preview(ImDrawList& canvas, const ImVec2& lo, ColorMap map) {
-    const float height = ImGui::GetTextLineHeight();
-    draw_shapes(canvas, lo, {MapBar{.lo = {0.0, 0.0}, .hi = {em(6.0F), height}, .map = map}});
-}
-
-void draw_map_line(ColorChoice& coloring, ColorMap map, bool chosen) {
-    const ImVec2 line = ImGui::GetCursorScreenPos();
-    const std::string name(name_of(map));
-    if (ImGui::Selectable(("##" + name).c_str(), chosen)) {
-        coloring.map = map == usual_map(coloring.by) ? std::nullopt : std::optional(map);
-    }
-    ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    draw_map_preview(canvas, line, map);
-    canvas.AddText(ImVec2(line.x + em(6.8F), line.y), ImGui::GetColorU32(ImGuiCol_Text),
-                   name.c_str());
-}
-
 void draw_map(ColorChoice& coloring) {
     draw_label(tr("map"),
                tr("Colors in even steps, told apart by lightness, too. Balance is for numbers "
                   "with a sign, cycle for angles."));
-    const ColorMap shown = coloring.map.value_or(usual_map(coloring.by));
-    const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    const bool open = ImGui::BeginCombo("##color_map", "");
-    // The preview covers the combo's own field.
-    draw_map_preview(canvas, ImVec2(at.x + padding.x, at.y + padding.y), shown);
-    if (!open) return;
-    for (const ColorMap map : color_maps())
-        draw_map_line(coloring, map, map == shown);
-    ImGui::EndCombo();
+    const ColorMap usual = usual_map(coloring.by);
+    if (const auto map = draw_map_combo("##color_map", coloring.map.value_or(usual)))
+        coloring.map = *map == usual ? std::nullopt : map;
 }
 
 /// Draws a field for one end of the range; true when another finite number was typed.

@@ -107,6 +107,18 @@ void draw_name(const std::string& name, const std::string& called, const Palette
     draw_tooltip(first + (first.empty() ? "" : "\n") + tr(how));
 }
 
+/// What a right click makes of a slider: of an isovalue, the middle of the volume's values.
+Slider usual_slider(const std::string& name, const ReadingFacts& reading) {
+    Slider usual = first_slider(name);
+    const auto found = reading.histograms.find(name);
+    if (found == reading.histograms.end()) return usual;
+    const Histogram& values = *found->second;
+    usual.lo = values.first;
+    usual.hi = values.first + values.width * static_cast<double>(values.counts.size());
+    usual.value = 0.5 * (usual.lo + usual.hi);
+    return usual;
+}
+
 /// Whether the row of a slider has a button for its settings behind it.
 enum class RowParts : std::uint8_t { All, NoSettings };
 
@@ -121,7 +133,7 @@ void draw_row(Edited& edited, const ReadingFacts& reading, const std::string& na
     ImGui::SameLine(0.0F, em(0.3F));
     draw_name(name, name == w_name && reading.calls_w_t ? "t" : name, colors);
     ImGui::SameLine(left + size + em(2.5F));
-    Slider usual = first_slider(name);
+    Slider usual = usual_slider(name, reading);
     usual.presented = slider.presented;
     const bool settings = parts == RowParts::All;
     if (const auto histogram = reading.histograms.find(name);

@@ -145,7 +145,7 @@ constexpr std::array<FoldedSection, 9> sections{
      {.title = "Clip",
       .id = "##clip",
       .open = &Layout::clip_open,
-      .draw = [](UiState& state) { draw_clip_section(state.edited, state.wishes); },
+      .draw = [](UiState& state) { draw_clip_section(state.edited, state.shown, state.wishes); },
       .height = [](const UiState& state) { return clip_section_height(state.edited); }},
      {.title = "Space",
       .id = "##space",

@@ -58,9 +58,11 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
                              {.frame = *picture.frame, .camera = picture.camera, .size = size},
                              style));
     }
-    const CornerLegend legend{.legend = picture.legend ? &*picture.legend : nullptr,
-                              .undecided = edited.document.mark_undecided,
-                              .coarse = shown.figures.counts.coarse > 0};
+    const CornerLegend legend{
+        .legend = picture.legend ? &*picture.legend : nullptr,
+        .sections = picture.section_legend ? &*picture.section_legend : nullptr,
+        .undecided = edited.document.mark_undecided,
+        .coarse = shown.figures.counts.coarse > 0};
     const glm::dvec2 margin(style.unit);
     append(shapes, legend_shapes(legend, size - margin, size - 2.0 * margin, style));
     canvas.PushClipRect(lo, hi, true);

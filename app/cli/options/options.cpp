@@ -2,6 +2,7 @@
 
 #include "app/cli/options/camera_options.hpp"
 #include "app/cli/options/region_options.hpp"
+#include "app/cli/options/section_options.hpp"
 #include "app/cli/options/solid_options.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
@@ -118,7 +119,7 @@ std::optional<InputError> take_view(const ViewText& view, Document& document) {
     auto region = read_region(view, document.region, eye);
     if (!region) return region.error();
     document.region = std::move(*region);
-    return std::nullopt;
+    return read_section_looks(view, document.region, document.section_values);
 }
 
 /// Returns an error for the first value whose parameter the program does not have.

@@ -26,7 +26,8 @@ struct ViewText {
     std::optional<std::string> camera;      ///< as read_camera reads it
     std::optional<std::string> saved_view;  ///< the name of one of the document's views
     std::vector<std::string> sections, solids, opacities;
-    bool hollow = false;           ///< no section is capped
+    bool hollow = false;  ///< no section is capped
+    std::optional<std::string> section_shows, section_map, section_range;
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
     bool fit = false;
     LookText look;

@@ -36,11 +36,11 @@ double RayLines::finest(const RayLine& line, double s) const {
     return std::max(cell, std::min((look_distance_ + s) * growth_, most_growth_ * cell));
 }
 
-void RayLines::add(const Tile& tile, const TileRays& rays, int col, int row) {
+bool RayLines::take(const Tile& tile, const TileRays& rays, int col, int row) {
     const double u = rays.u(col);
     const double v = rays.v(row);
     const DepthRange inside = rays.depths(u, v, 0.0, 0.0);
-    if (inside.empty()) return;
+    if (inside.empty()) return false;
     const auto pixel = static_cast<std::uint32_t>(row * tile_size + col);
     RayLine& line = lines_[pixel];
     line.inside = inside;
@@ -61,7 +61,15 @@ void RayLines::add(const Tile& tile, const TileRays& rays, int col, int row) {
         const double limit = rays.limit(pixel);
         line.to = std::min(line.to, limit + (1 + extra_slices) * finest(line, limit));
     }
-    if (line.from <= line.to) pixels_.push_back(pixel);
+    if (!(line.from <= line.to)) return false;
+    pixels_.push_back(pixel);
+    return true;
+}
+
+void RayLines::begin_singly(const TraceFrame& frame, int digits) {
+    lines_.resize(static_cast<std::size_t>(tile_size) * tile_size);
+    pixels_.clear();
+    set_cells(frame, digits);
 }
 
 void RayLines::begin(const TraceFrame& frame, const Tile& tile, const TileRays& rays, int digits) {
@@ -73,7 +81,7 @@ void RayLines::begin(const TraceFrame& frame, const Tile& tile, const TileRays& 
     if (rays.depths(rays.u(middle), rays.v(middle), side, side).empty()) return;
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col)
-            add(tile, rays, col, row);
+            take(tile, rays, col, row);
     }
 }
 

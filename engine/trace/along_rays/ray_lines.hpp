@@ -33,6 +33,11 @@ public:
     /// Keeps its room from one tile to the next. `digits`: of the type in which f is enclosed.
     void begin(const TraceFrame& frame, const Tile& tile, const TileRays& rays, int digits);
 
+    /// In place of that, for rays that are taken one by one.
+    void begin_singly(const TraceFrame& frame, int digits);
+    /// Makes the ray of a pixel; whether something may be seen on it.
+    bool take(const Tile& tile, const TileRays& rays, int col, int row);
+
     /// The pixels whose rays are inside the clip box and the region somewhere.
     [[nodiscard]] const std::vector<std::uint32_t>& pixels() const { return pixels_; }
     [[nodiscard]] const RayLine& of(std::uint32_t pixel) const { return lines_[pixel]; }
@@ -50,8 +55,6 @@ public:
 
 private:
     void set_cells(const TraceFrame& frame, int digits);
-    void add(const Tile& tile, const TileRays& rays, int col, int row);
-
     std::vector<RayLine> lines_;  ///< in rows of tile_size
     std::vector<std::uint32_t> pixels_;
     double epsilon_ = 0.0;          ///< of the rule epsilon; 0: another one

@@ -55,6 +55,8 @@ Document rich_document() {
                       .absorption = 0.75,
                       .tone = Tone::Filmic,
                       .background = Background{.top = 0xABCDEF, .bottom = 0x123456}};
+    document.region.sections[1].values = true;
+    document.section_values = {.map = ColorMap::Ember, .range = ValueRange{-1000, 400.25}};
     document.coloring.lines = {.contours = Contours::Expression,
                                .expression = "x y",
                                .step = 0.125,

@@ -108,6 +108,54 @@ TEST_P(CapTest, FillsTheSameHoweverTheEquationIsWritten) {
     EXPECT_EQ(solid_sign(scene_, 0), -1);
 }
 
+/// Whatever the sign of f is, and certified where f is continuous.
+TEST_P(CapTest, ShowsValuesWhereverTheyAreDefined) {
+    region_.sections.front().values = true;
+    region_.sections.front().cap = false;
+    draw(ball_text);
+    const Section& section = region_.sections.front();
+    std::size_t seen = 0;
+    for_pixels([&](const Ray& ray, std::size_t i) {
+        const double at = ray.place_of(section);
+        const bool enters = glm::dot(section.normal, ray.direction) < 0 && ray.t_in == at &&
+                            ray.t_in < ray.t_out - 1e-6;
+        if (!enters) return;
+        ++seen;
+        EXPECT_NEAR(static_cast<double>(frame_.depth[i]), at, 1e-6);
+        EXPECT_EQ(frame_.certificate[i], Certificate::Certified);
+    });
+    EXPECT_GT(seen, 2000U);
+}
+
+TEST_P(CapTest, ShowsNoValuesWhereThereAreNone) {
+    region_.sections.front().values = true;
+    region_.sections.front().cap = false;
+    draw("sqrt(z) = 0.3");
+    const Section& section = region_.sections.front();
+    std::size_t seen = 0;
+    for_pixels([&](const Ray& ray, std::size_t i) {
+        const double at = ray.place_of(section);
+        const bool enters = glm::dot(section.normal, ray.direction) < 0 && ray.t_in == at &&
+                            ray.t_in < ray.t_out - 1e-6;
+        const double z = ray.at(at).z;
+        if (!enters || std::abs(z) < 1e-3) return;
+        const bool on_section = std::abs(static_cast<double>(frame_.depth[i]) - at) < 1e-6;
+        EXPECT_EQ(on_section, z > 0) << z;
+        ++seen;
+    });
+    EXPECT_GT(seen, 2000U);
+}
+
+TEST_P(CapTest, ShowsValuesInCapsAlone) {
+    draw(ball_text);
+    const Framebuffer plain = frame_;
+    region_.sections.front().values = true;
+    draw(ball_text);
+    EXPECT_EQ(frame_.depth, plain.depth);
+    EXPECT_EQ(frame_.certificate, plain.certificate);
+    EXPECT_NE(frame_.color, plain.color);
+}
+
 /// Restrictions that leave nothing of f at the faces of the box say nothing of its side.
 TEST_P(CapTest, FillsTheSameHoweverTheSurfaceIsRestricted) {
     for (const char* const text : {"1 - x^2 - y^2 - z^2", "x^2 + y^2 + z^2 - 1"}) {

@@ -100,6 +100,31 @@ TEST_P(ClipSection, AddsAndTurnsAndRemovesASection) {
     EXPECT_TRUE(sections().empty());
 }
 
+TEST_P(ClipSection, ChoosesLevelAndWindowOfValuesInSections) {
+    Section section = make_section({0, 0, 1}, 0.25);
+    section.values = true;
+    sections() = {section};
+    state_.shown.picture.usual_section_range = ValueRange{100, 300};
+    const float plain = clip_section_height(state_.edited);
+    sections()[0].values = false;
+    EXPECT_LT(clip_section_height(state_.edited), plain);
+    sections()[0].values = true;
+    SectionChoice& choice = state_.edited.document.section_values;
+    draw();
+    EXPECT_EQ(choice, SectionChoice()) << "drawing changes nothing";
+    click_row(6, 0.3F);
+    ASSERT_TRUE(choice.range);
+    const double level = 0.5 * (choice.range->lo + choice.range->hi);
+    EXPECT_GT(level, 100.0);
+    EXPECT_LT(level, 200.0);
+    EXPECT_NEAR(choice.range->hi - choice.range->lo, 200.0, 1e-9) << "the window stays";
+    click_row(7, 0.3F);
+    EXPECT_LT(choice.range->hi - choice.range->lo, 200.0);
+    EXPECT_NEAR(0.5 * (choice.range->lo + choice.range->hi), level, 1e-9) << "the level stays";
+    click_row(5, 0.98F);
+    EXPECT_FALSE(choice.range) << "by itself again";
+}
+
 TEST_P(ClipSection, HoldsAsManySectionsAsThereMayBe) {
     for (std::size_t i = 0; i < max_sections; ++i)
         click_row(2 + 2 * static_cast<int>(i), 0.5F);

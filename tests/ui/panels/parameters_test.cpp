@@ -14,7 +14,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -175,6 +178,21 @@ TEST_P(Parameters, GoBackAtARightClick) {
         draw_frame();
     }
     EXPECT_EQ(slider_at(0), Slider());
+}
+
+TEST_P(Parameters, GoBackToTheRangeOfAVolume) {
+    add(1);
+    state_.edited.document.parameters["p0"] = {.value = 30.0, .lo = -40.0, .hi = 50.0};
+    state_.shown.reading.histograms["p0"] = std::make_shared<const Histogram>(
+        Histogram{.first = -1000, .width = 30, .counts = std::vector<std::uint64_t>(100, 1)});
+    draw();
+    const glm::vec2 below{slider(0).x, slider(0).y + ImGui::GetFrameHeightWithSpacing()};
+    OffscreenWindow::point(below, false);
+    for (const bool pressed : {false, true, false}) {
+        OffscreenWindow::press_right(pressed);
+        draw_frame();
+    }
+    EXPECT_EQ(slider_at(0), (Slider{.value = 500.0, .lo = -1000.0, .hi = 2000.0}));
 }
 
 TEST_P(Parameters, PlayAndStopAtTheirButton) {

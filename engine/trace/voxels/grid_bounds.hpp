@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/trace/trace_frame.hpp"
+#include "engine/trace/voxels/isosurface.hpp"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace zeroset {
+
+/// Bounds of the numbers of a volume and a level.
+struct GridBounds {
+    double size;         ///< of samples and level
+    double indices = 0;  ///< of all terms of places in the grid
+
+    GridBounds(const Isosurface& surface, const TraceFrame& frame) : size(std::abs(surface.level)) {
+        const VolumeData& data = surface.volume->data();
+        size += std::max(std::abs(data.range().lo), std::abs(data.range().hi));
+        const Box& clip = frame.scene.clip;
+        const glm::dvec3 eye = glm::abs(frame.view.eye);
+        const glm::dvec3 box = glm::max(glm::abs(clip.lo), glm::abs(clip.hi));
+        const double reach = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z}) +
+                             frame.view.look_distance;
+        for (std::size_t i = 0; i < 3; ++i) {
+            double sum = std::abs(data.map().shift[i]);
+            for (const double entry : data.map().index_from_world[i])
+                sum += 4 * std::abs(entry) * reach;
+            indices = std::max({indices, sum, static_cast<double>(data.samples().size[i])});
+        }
+    }
+    /// What rounding may make of f: of places, some ulp of their terms times f's steepest slope;
+    /// of sums of samples, some ulp of these.
+    [[nodiscard]] double error() const { return 0x1p-44 * (indices + 16) * size; }
+    /// Whether places are known well enough.
+    [[nodiscard]] bool usable() const { return indices < 0x1p30 && std::isfinite(size); }
+};
+
+}  // namespace zeroset

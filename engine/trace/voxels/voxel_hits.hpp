@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/trace/along_rays/ray_lines.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/voxels/ray_cubic.hpp"
+#include "engine/volume/geometry.hpp"
+
+#include <glm/ext/vector_double3.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace zeroset {
+
+/// Hands on what is found of a volume's isosurface on the rays of a tile.
+class VoxelHits {
+public:
+    /// All outlive it.
+    VoxelHits(const TraceFrame& frame, const TileRays& rays, const RayLines& lines,
+              const IndexMap& map, TileHits& hits, Counters& counters)
+        : frame_(frame), rays_(rays), lines_(lines), map_(map), hits_(hits), counters_(counters) {}
+
+    /// A ray's root, certified if it is proved and inside the region. `slopes`: of the volume
+    /// there, along the axes of its grid.
+    void tell(std::uint32_t pixel, const FirstRoot& root, const std::array<double, 3>& slopes);
+    /// Leaves a rectangle of pixels undecided from the eye on.
+    void leave(int col, int row, int cols, int rows);
+
+private:
+    void tell_gradient(std::uint32_t pixel, const std::array<double, 3>& slopes);
+    void find_sign(const glm::dvec3& gradient);
+
+    const TraceFrame& frame_;
+    const TileRays& rays_;
+    const RayLines& lines_;
+    const IndexMap& map_;
+    TileHits& hits_;
+    Counters& counters_;
+    int sign_ = 0;  ///< of f's gradient against the volume's; 0: not known yet
+};
+
+}  // namespace zeroset

@@ -1,0 +1,210 @@
+#include "engine/trace/voxels/proved_voxels.hpp"
+
+#include "engine/render/render.hpp"
+#include "tests/support/random_numbers.hpp"
+#include "tests/support/rays.hpp"
+#include "tests/support/voxel_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+// Isosurfaces of volumes voxel by voxel against the same by beams, which know nothing of voxels:
+// samples of all types, views along all axes, from within, cut, behind others. The exact reference
+// is in tests/oracle/volume_oracle_test.cpp.
+
+namespace zeroset::test {
+namespace {
+
+/// Waves with some noise, -100 to 100.
+double waves(double i, double j, double k, RandomNumbers& random) {
+    return 60 * std::sin(0.41 * i + 0.13 * k) * std::cos(0.37 * j) +
+           30 * std::sin(0.29 * k + j / 9) + random.uniform(-6, 6);
+}
+
+constexpr GridSize size{41, 35, 29};
+
+template <class Sample>
+constexpr SampleType type_of() {
+    if (std::is_same_v<Sample, float>) return SampleType::Float;
+    if (std::is_same_v<Sample, std::int16_t>) return SampleType::Int16;
+    if (std::is_same_v<Sample, std::uint8_t>) return SampleType::UInt8;
+    return SampleType::Double;
+}
+
+/// The waves, moved up by `shift` so that they are of the samples' type.
+template <class Sample>
+std::shared_ptr<const Volume> wavy_volume(double shift, double noise_of_type = 1) {
+    RandomNumbers random(7);
+    const auto numbers = std::make_shared<std::vector<Sample>>();
+    for (std::uint64_t k = 0; k < size[2]; ++k) {
+        for (std::uint64_t j = 0; j < size[1]; ++j) {
+            for (std::uint64_t i = 0; i < size[0]; ++i) {
+                const double value = waves(static_cast<double>(i), static_cast<double>(j),
+                                           static_cast<double>(k), random);
+                numbers->push_back(static_cast<Sample>(noise_of_type * value + shift));
+            }
+        }
+    }
+    const double angle = 0.3;
+    const Geometry place{.world_from_index = {{{0.05 * std::cos(angle), -0.06 * std::sin(angle), 0},
+                                               {0.05 * std::sin(angle), 0.06 * std::cos(angle), 0},
+                                               {0, 0, 0.07}}},
+                         .origin = {-0.7, -1.2, -1.0}};
+    const auto data =
+        VolumeData::make({.type = type_of<Sample>(),
+                          .size = size,
+                          .data = std::shared_ptr<const void>(numbers, numbers->data())},
+                         place);
+    return Volume::make(data.value(), {}, "volume(\"test\")");
+}
+
+Framebuffer drawn(const Scene& scene, const Camera& camera, int side = 90) {
+    Framebuffer frame(side, side);
+    render_frame(scene, camera, settings_at("beams", 16), frame);
+    return frame;
+}
+
+/// The scene as one of a formula of which only beams know.
+Scene by_beams(Scene scene, const std::shared_ptr<const Volume>& volume, double level) {
+    scene.surfaces[0] = interpret(level_set(volume, level));
+    return scene;
+}
+
+/// Both draw the same; what one has proved the other does not contradict.
+void expect_alike(const Framebuffer& voxels, const Framebuffer& beams, const std::string& what) {
+    SCOPED_TRACE(what);
+    int certified = 0;
+    int undecided = 0;
+    double difference = 0;
+    for (std::size_t i = 0; i < voxels.depth.size(); ++i) {
+        const Certificate a = voxels.certificate[i];
+        const Certificate b = beams.certificate[i];
+        undecided += a == Certificate::Undecided ? 1 : 0;
+        if (a == Certificate::Undecided || b == Certificate::Undecided) continue;
+        ASSERT_EQ(a, b) << i;
+        if (a != Certificate::Certified) continue;
+        ++certified;
+        ASSERT_NEAR(voxels.depth[i], beams.depth[i], 4e-4F) << i;
+        for (unsigned shift = 0; shift < 24; shift += 8) {
+            difference += std::abs(static_cast<int>(voxels.color[i] >> shift & 255U) -
+                                   static_cast<int>(beams.color[i] >> shift & 255U));
+        }
+    }
+    EXPECT_GT(certified, 300);
+    EXPECT_LT(undecided, 40);
+    EXPECT_LT(difference / certified, 3.0) << "they are lit alike";
+}
+
+TEST(ProvedVoxels, AgreeWithBeamsFromAllSides) {
+    const auto volume = wavy_volume<float>(0);
+    const Scene scene = scene_of_level(volume, 10);
+    const Scene other = by_beams(scene, volume, 10);
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+        for (const glm::dvec3& eye : {glm::dvec3(4, 0.3, 0.2),
+                                      {-4, 0.4, -0.3},
+                                      {0.2, 4, 0.1},
+                                      {0.1, -4, 0.5},
+                                      {0.3, 0.2, 4},
+                                      {-0.2, 0.4, -4},
+                                      {3, 3, 2.7},
+                                      {-2, 2.5, -3}}) {
+            Camera camera{eye, {0, 0, 0}, {0, 0.1, 1}, 0.7, projection};
+            expect_alike(drawn(scene, camera), drawn(other, camera),
+                         std::to_string(eye.x) + "," + std::to_string(eye.y));
+        }
+    }
+}
+
+TEST(ProvedVoxels, AgreeFromWithinAndFromNear) {
+    const auto volume = wavy_volume<float>(0);
+    const Scene scene = scene_of_level(volume, -20);
+    const Scene other = by_beams(scene, volume, -20);
+    for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 0.05), {0.9, 0.1, 0.1}, {0, 0, 0.8}}) {
+        Camera camera{eye, eye + glm::dvec3(-1, 0.4, 0.3), {0, 0, 1}, 1.2};
+        expect_alike(drawn(scene, camera), drawn(other, camera), std::to_string(eye.x));
+    }
+}
+
+TEST(ProvedVoxels, AgreeOnSamplesOfAllTypes) {
+    const Camera camera{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
+    const auto compare = [&](const std::shared_ptr<const Volume>& volume, double level) {
+        const Scene scene = scene_of_level(volume, level);
+        expect_alike(drawn(scene, camera), drawn(by_beams(scene, volume, level), camera),
+                     std::to_string(level));
+    };
+    compare(wavy_volume<std::uint8_t>(120), 130.5);
+    compare(wavy_volume<std::int16_t>(-3000), -3004.25);
+    compare(wavy_volume<double>(0), 5);
+    compare(wavy_volume<float>(0, 1e-30), 5e-30);
+}
+
+TEST(ProvedVoxels, AgreeWhereRegionsAreCut) {
+    const auto volume = wavy_volume<float>(0);
+    Scene scene = scene_of_level(volume, 10);
+    scene.clip.lo.x += 0.3;
+    scene.region.ball = Ball{.centre = {0.1, 0, 0}, .radius = 0.9};
+    scene.region.sections = {make_section({1, -2, 0.5}, 0.3, false)};
+    const Camera camera{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
+    expect_alike(drawn(scene, camera), drawn(by_beams(scene, volume, 10), camera), "cut");
+}
+
+TEST(ProvedVoxels, AgreeWherePixelsAreLargerThanVoxels) {
+    const auto volume = wavy_volume<float>(0);
+    const Scene scene = scene_of_level(volume, 40);
+    const Camera camera{{60, -50, 40}, {0, 0, 0}, {0, 0, 1}, 0.03};
+    const Framebuffer coarse = drawn(scene, camera, 40);
+    int hits = 0;
+    const Framebuffer beams = drawn(by_beams(scene, volume, 40), camera, 40);
+    for (std::size_t i = 0; i < coarse.depth.size(); ++i) {
+        if (coarse.certificate[i] == Certificate::Undecided ||
+            beams.certificate[i] == Certificate::Undecided)
+            continue;
+        EXPECT_EQ(coarse.certificate[i], beams.certificate[i]);
+        hits += coarse.certificate[i] == Certificate::Certified ? 1 : 0;
+    }
+    EXPECT_GT(hits, 200);
+}
+
+TEST(ProvedVoxels, AreUndecidedWhereTheVolumeIsTheLevel) {
+    const auto volume = volume_from({9, 9, 9}, {}, [](double i, double, double) {
+        return i < 4 ? -1.0 : i > 5 ? 1.0 : 0.0;
+    });
+    const Scene scene = scene_of_level(volume, 0);
+    Camera camera{{-20, 4.3, 4.2}, {4, 4.3, 4.2}, {0, 0, 1}, 0.2};
+    camera.projection = Projection::Orthographic;
+    const Framebuffer frame = drawn(scene, camera, 31);
+    const std::size_t middle = frame.index(15, 15);
+    EXPECT_EQ(frame.certificate[middle], Certificate::Undecided);
+    EXPECT_NEAR(frame.depth[middle], 24.0F, 0.01F) << "it is drawn where the zeros begin";
+}
+
+TEST(ProvedVoxels, PassLevelsThatNoSampleReaches) {
+    const auto volume = wavy_volume<float>(0);
+    const Scene scene = scene_of_level(volume, 1000);
+    const Framebuffer frame = drawn(scene, default_camera(scene.clip), 64);
+    EXPECT_TRUE(std::ranges::all_of(frame.certificate, [](Certificate certificate) {
+        return certificate == Certificate::Miss;
+    }));
+}
+
+TEST(ProvedVoxels, FindNothingBehindAnotherSurface) {
+    const auto volume = wavy_volume<float>(0);
+    Scene scene = scene_of_level(volume, 10);
+    scene.surfaces.push_back(kernel_with_level(level_set(volume, 30)));
+    Scene other = scene;
+    other.surfaces = {interpret(level_set(volume, 10)), interpret(level_set(volume, 30))};
+    const Camera camera{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
+    expect_alike(drawn(scene, camera), drawn(other, camera), "two");
+}
+
+}  // namespace
+}  // namespace zeroset::test
