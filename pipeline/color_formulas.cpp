@@ -2,6 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "engine/rewrite/value_side.hpp"
@@ -9,6 +10,7 @@
 #include "pipeline/contour_step.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -97,6 +99,11 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
         formulas.values.assign(rows.program->surfaces.size(), code_of(*expression));
         return formulas;
     }
+    if (std::ranges::any_of(rows.program->surfaces,
+                            [](const Expr& surface) { return is_patch(surface); }))
+        return wrong_input(
+            tr("curvature and gradient are known of equations only: colour parametric surfaces by "
+               "height, normal or an expression"));
     for (const Expr& surface : rows.program->surfaces)
         formulas.values.push_back(code_of(shape_of(choice.by, surface)));
     return formulas;

@@ -1,10 +1,12 @@
 #include "pipeline/drawing_scene.hpp"
 
 #include "document/framing.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/color_formulas.hpp"
 #include "pipeline/fit_view.hpp"
+#include "pipeline/patch_surface.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/prepare.hpp"
 
@@ -83,6 +85,10 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                                aspect_of(choice.page), choice.fits_box, limit);
     }
     const PictureRequest request = request_for(document, *prepared, choice.page);
+    auto refused = patch_refusal(
+        request, tr("a line drawing shows equations, not yet parametric surfaces, curves and "
+                    "points: hide their rows, or save a picture"));
+    if (refused) return std::unexpected(std::move(*refused));
     result.scene = scene_of(request);
     result.camera = request.camera;
     for (const std::size_t i : shown_indices(request))

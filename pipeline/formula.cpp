@@ -10,10 +10,12 @@
 #include "engine/rewrite/unrestricted.hpp"
 #include "pipeline/csg_code.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/patch_surface.hpp"
 #include "pipeline/sample_region.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -23,30 +25,57 @@ using Clock = std::chrono::steady_clock;
 // LLVM takes 0.4 to 1 ms and 25 kB for each node.
 constexpr std::size_t most_nodes = 8'000;
 
+/// The surfaces that are drawn as f = 0.
+std::vector<Expr> implicit_surfaces(const Formula& formula) {
+    std::vector<Expr> surfaces;
+    for (const Expr& surface : formula.drawn) {
+        if (!is_patch(surface)) surfaces.push_back(surface);
+    }
+    return surfaces;
+}
+
+/// The kernels of all surfaces, from those of `implicit_surfaces`. Those of parametric surfaces
+/// stay, if there are any, with what is known of them.
+std::vector<Kernel> with_patches(const Formula& formula, std::vector<Kernel> implicit) {
+    std::vector<Kernel> kernels;
+    auto next = implicit.begin();
+    for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
+        if (!is_patch(formula.drawn[i])) {
+            kernels.push_back(std::move(*next++));
+        } else if (i < formula.kernels.size()) {
+            kernels.push_back(formula.kernels[i]);
+        } else {
+            kernels.push_back(patch_code(*patch_of(formula.drawn[i]), formula.region));
+        }
+    }
+    return kernels;
+}
+
 CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Preparation how) {
     std::size_t nodes = 0;
     for (const Expr& surface : surfaces) {
         if (!has_many_choices(surface)) nodes += surface.nodes().size();
     }
     if (nodes > most_nodes) return CodeState::Interpreted;
-    if (how == Preparation::Compiled) return CodeState::Machine;
+    if (how == Preparation::Compiled || surfaces.empty()) return CodeState::Machine;
     if (how == Preparation::Interpreted) return CodeState::InterpretedFirst;
     return is_compiled(surfaces, use) ? CodeState::Machine : CodeState::InterpretedFirst;
 }
 
 std::expected<std::vector<Kernel>, InputError> machine_code(const Formula& formula, CodeUse use,
                                                             Precision precision) {
-    auto kernels = machine_code(formula.drawn, formula.region, use, precision);
+    auto kernels = machine_code(implicit_surfaces(formula), formula.region, use, precision);
     if (!kernels)
         return wrong_input(
             filled(tr("the formula cannot be compiled: {0}"), {kernels.error().message}));
-    return std::move(*kernels);
+    return with_patches(formula, std::move(*kernels));
 }
 
 /// Adds to each kernel what its code does not tell: the witnesses of its function's zeros, the
 /// field that it is.
 void add_facts(Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
+        if (is_patch(formula.drawn[i])) continue;
         Kernel& kernel = formula.kernels[i];
         if (const auto is = level_of_field(formula.drawn[i])) {
             *kernel.memory->of<FieldLevel>() = {.field = is->field,
@@ -63,18 +92,21 @@ void add_facts(Formula& formula) {
 
 /// Tells each kernel of the parts of its function.
 void add_csg_parts(Formula& formula) {
-    for (std::size_t i = 0; i < formula.drawn.size(); ++i)
+    for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
+        if (is_patch(formula.drawn[i])) continue;
         set_csg_parts(formula.kernels[i], formula.drawn[i], formula.code == CodeState::Machine);
+    }
 }
 
 /// Returns the formula with the interpreter's code, which always evaluates in float and in double.
 Formula interpreted(Formula formula) {
-    formula.kernels.clear();
-    for (const Expr& surface : formula.drawn) {
-        Kernel& kernel = formula.kernels.emplace_back(interpret(surface));
+    std::vector<Kernel> kernels;
+    for (const Expr& surface : implicit_surfaces(formula)) {
+        Kernel& kernel = kernels.emplace_back(interpret(surface));
         // With few choices, finding out which can be left out takes longer than evaluating them.
         if (!has_many_choices(surface)) kernel.specializer = nullptr;
     }
+    formula.kernels = with_patches(formula, std::move(kernels));
     add_facts(formula);
     add_csg_parts(formula);
     return formula;
@@ -102,13 +134,19 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
     Formula formula;
     static_cast<RowProgram&>(formula) = std::move(rows);
     formula.region = region;
-    for (const Expr& surface : formula.program->surfaces) {
+    for (const Expr& shown : formula.program->surfaces) {
+        const Expr surface = drawn_formula(shown, region);
+        if (is_patch(surface)) {
+            formula.drawn.push_back(surface);
+            formula.unrestricted.emplace_back();
+            continue;
+        }
         const Expr& drawn = formula.drawn.emplace_back(traceable(surface, sample_region(region)));
         const auto whole = unrestricted(drawn);
         auto& value = formula.unrestricted.emplace_back();
         if (whole) value = interpret(*whole).in_float.value;
     }
-    formula.code = code_for(formula.drawn, use, how);
+    formula.code = code_for(implicit_surfaces(formula), use, how);
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));
     } else {
@@ -129,6 +167,7 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
     if (!kernels) return std::unexpected(kernels.error());
     Formula result = formula;
     for (std::size_t i = 0; i < kernels->size(); ++i) {
+        if (is_patch(formula.drawn[i])) continue;
         (*kernels)[i].witnesses = formula.kernels[i].witnesses;
         (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
         (*kernels)[i].domain = formula.kernels[i].domain;

@@ -23,7 +23,8 @@ enum class CodeState : std::uint8_t {
 
 /// The rows of a document with the code that draws them.
 struct Formula : RowProgram {
-    std::vector<Expr> drawn{};      ///< the program's surfaces, each in its tightest form
+    /// The program's surfaces, each in its tightest form; of a parametric one as it is there.
+    std::vector<Expr> drawn{};
     Box region;                     ///< the region in which `drawn` is tightest
     std::vector<Kernel> kernels{};  ///< one for each of `drawn`
     /// Solid::unrestricted for each of `drawn`.

@@ -6,6 +6,7 @@
 #include "engine/mesh/wall.hpp"
 #include "engine/real/rounding.hpp"
 #include "pipeline/mesh_colors.hpp"
+#include "pipeline/patch_surface.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -186,6 +187,10 @@ std::string nothing_found(const DocumentMeshes& meshes) {
 
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
                                            const MeshSettings& settings) {
+    auto refused = patch_refusal(
+        request, tr("a mesh is made of equations, not yet of parametric surfaces, curves and "
+                    "points: hide their rows"));
+    if (refused) return std::unexpected(std::move(*refused));
     auto solids = surface_solids(request);
     if (!solids) return std::unexpected(solids.error());
     DocumentMesher mesher(request, settings);

@@ -1,6 +1,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/text.hpp"
+#include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/traceable.hpp"
 #include "jit/compile.hpp"
@@ -132,8 +133,9 @@ void print_notes(const Reading& reading) {
 
 void print_surface(const Explained& surface, const Reading& reading,
                    const Explanation& explanation) {
-    const std::string read = equation_text(*surface.expr);
-    const std::string drawn = equation_text(surface.drawn);
+    const bool is_point = is_patch(*surface.expr);
+    const std::string read = is_point ? reading.text : equation_text(*surface.expr);
+    const std::string drawn = is_point ? read : equation_text(surface.drawn);
     std::cout << "read as   " << read << "\n";
     print_notes(reading);
     if (drawn != read) std::cout << "drawn as  " << drawn << "\n";

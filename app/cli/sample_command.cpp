@@ -3,6 +3,7 @@
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
 #include "engine/volume/files/write_nrrd.hpp"
+#include "pipeline/patch_surface.hpp"
 #include "pipeline/sample_distance.hpp"
 #include "pipeline/sample_grid.hpp"
 
@@ -104,6 +105,10 @@ OrInputError<SamplePlan> plan_of(const SampleCommand& command) {
     const Program& program = *input->rows->program;
     const auto surface = read_surface(command.surface, program.surfaces.size());
     if (!surface) return std::unexpected(surface.error());
+    if (is_patch(program.surfaces[*surface]))
+        return wrong_input(
+            "samples are those of an f: type an equation in x, y and z instead of a "
+            "parametric surface");
     const auto size = read_grid_size(command.size, input->document.clip);
     if (!size) return std::unexpected(size.error());
     SamplePlan plan{.grid = {.box = input->document.clip, .size = *size},

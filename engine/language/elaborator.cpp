@@ -97,10 +97,10 @@ std::optional<ParseError> Elaborator::error_for_parametric() {
     }
     const auto all = [](const auto& flags) { return std::ranges::all_of(flags, std::identity{}); };
     if (!all(given) || !all(used)) return std::nullopt;
-    return ParseError{
-        .offset = tree_.statements.front().offset,
-        .reason = tr("x, y and z given by u and v are a parametric surface, which is not read"),
-        .hint = tr("type one equation in x, y and z")};
+    return ParseError{.offset = tree_.statements.front().offset,
+                      .reason = tr("x, y and z given by u and v in rows of their own are not read"),
+                      .hint = filled(tr("type them as a point in one row: {0}"),
+                                     {"(u cos v, u sin v, v), 0 < u < 1, 0 < v < 2 pi"})};
 }
 
 bool Elaborator::build_statements() {
@@ -140,6 +140,8 @@ bool Elaborator::note_unreadable(const Definition& definition) {
 bool Elaborator::build_surface(std::size_t index) {
     statement_ = index;
     is_solid_ = false;
+    if (may_be_patch(tree_.statements[index])) return build_patch(index);
+    if (is_meeting(tree_[tree_.statements[index].relation])) return build_meeting(index);
     const Number root = equation(tree_.statements[index]);
     if (!root) return false;
     if (defines_nothing_else(index, *root)) {
@@ -219,7 +221,8 @@ std::nullopt_t Elaborator::refuse_row(const Value& value, std::size_t offset) {
                 tr("type an equation in x, y and z"));
 }
 
-Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
+/// The statement's restrictions as one condition; nothing, and perhaps no error, where it has none.
+Elaborator::Number Elaborator::restriction_of(const StatementSyntax& statement) {
     Number all;
     for (const SyntaxId id : statement.restrictions) {
         const Syntax& syntax = tree_[id];
@@ -234,11 +237,16 @@ Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& state
         all = all ? make_call(builder_, Op::And, *all, *one) : *one;
         if (!done(*all, syntax.offset)) return std::nullopt;
     }
-    if (!all) return f;
-    if (refuses_undefined_ && never_holds(*all)) {
+    if (all && refuses_undefined_ && never_holds(*all)) {
         return fail(tree_[statement.restrictions.front()].offset, tr("this never holds"));
     }
-    return make_call(builder_, Op::Where, f, *all);
+    return all;
+}
+
+Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
+    const Number all = restriction_of(statement);
+    if (error_) return std::nullopt;
+    return all ? make_call(builder_, Op::Where, f, *all) : f;
 }
 
 bool Elaborator::never_holds(NodeId condition) const {
@@ -291,7 +299,7 @@ bool Elaborator::build_definition(Definition& definition) {
         .kind = definition.is_function ? StatementKind::Function : StatementKind::Value,
         .offset = tree_.statements[definition.statement].offset,
         .text = *text};
-    return true;
+    return draws_nothing(definition) || add_named_point(definition, *text);
 }
 
 std::expected<Program, ParseError> Elaborator::result() {
@@ -309,9 +317,10 @@ std::expected<Program, ParseError> Elaborator::result() {
                         {std::to_string(ProgramLimits::nodes)}));
             return std::unexpected(*error_);
         }
-        readings_[surface.statement] = {.kind = StatementKind::Surface,
-                                        .offset = tree_.statements[surface.statement].offset,
-                                        .text = equation_text(expr, longest)};
+        readings_[surface.statement] = {
+            .kind = StatementKind::Surface,
+            .offset = tree_.statements[surface.statement].offset,
+            .text = surface.patch.empty() ? equation_text(expr, longest) : surface.patch};
         program.surfaces.push_back(std::move(expr));
         program.solids.push_back(surface.solid);
     }

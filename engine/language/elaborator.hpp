@@ -56,7 +56,14 @@ private:
     struct Surface {
         std::size_t statement;
         NodeId root;
-        bool solid;  ///< the root is below 0 where a condition holds
+        bool solid;              ///< the root is below 0 where a condition holds
+        std::string patch = {};  ///< the text of a row that is given by a point; else empty
+    };
+    /// A variable and the range that a row gives it.
+    struct Ranged {
+        std::string name;
+        SyntaxId lo, hi;
+        std::size_t offset;
     };
 
     // elaborator.cpp: statements
@@ -68,6 +75,7 @@ private:
     Number equation(const StatementSyntax& statement);
     [[nodiscard]] static std::optional<std::array<NodeId, 3>> point_of(const Value& value);
     std::nullopt_t refuse_row(const Value& value, std::size_t offset);
+    Number restriction_of(const StatementSyntax& statement);
     Number restricted(NodeId f, const StatementSyntax& statement);
     bool build_definition(Definition& definition);
     bool note_unreadable(const Definition& definition);
@@ -89,6 +97,25 @@ private:
     Number solid(const Value& condition, const StatementSyntax& statement);
     Number boundary(NodeId condition, std::size_t offset);
     Number boundary_of(NodeId id, std::size_t offset);
+
+    // elaborator_patches.cpp: parametric surfaces, curves and points
+    bool add_ranges(SyntaxId id, std::vector<Ranged>& ranges) const;
+    [[nodiscard]] bool may_be_patch(const StatementSyntax& statement);
+    bool check_ranges(const StatementSyntax& statement, std::vector<Ranged>& ranges);
+    std::optional<std::vector<Binding>> bind_ranges(const std::vector<Ranged>& ranges);
+    std::optional<std::vector<Binding>> bind_names(const std::vector<Ranged>& ranges);
+    std::optional<std::array<NodeId, 3>> point_over(const StatementSyntax& statement,
+                                                    const std::vector<Binding>& bindings);
+    std::string open_variable(std::size_t statement, const std::vector<Ranged>& ranges);
+    std::string patch_text(const std::array<NodeId, 3>& point, const std::vector<Ranged>& ranges,
+                           const std::vector<Binding>& bindings);
+    bool build_patch(std::size_t index);
+    [[nodiscard]] static bool draws_nothing(const Definition& definition);
+    bool add_named_point(const Definition& definition, const std::string& text);
+    [[nodiscard]] bool is_meeting(const Syntax& relation) const;
+    bool build_meeting(std::size_t index);
+    bool refuse_row_of(const StatementSyntax& statement);
+    bool add_patch(std::size_t index, NodeId root, std::string text);
 
     // elaborator_graphs.cpp: functions that stand alone
     bool build_graphs();

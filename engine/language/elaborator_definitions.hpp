@@ -89,6 +89,8 @@ public:
     [[nodiscard]] std::span<const NameUse> uses(std::size_t statement) const;
     /// The definition that a use refers to; nullptr: none.
     [[nodiscard]] Definition* meant(const NameUse& use, std::size_t statement);
+    /// Whether an expression is seen to be a vector or a list.
+    [[nodiscard]] bool is_bundle(SyntaxId root);
 
 private:
     /// Number of enclosing arguments and indices, by name.
@@ -107,7 +109,6 @@ private:
     void choose_built_in();
     void find_places();
     void choose_levels();
-    [[nodiscard]] bool is_bundle(SyntaxId root);
     void enter();
     void note_definitions(Notes& notes) const;
     void note_repetitions(const Lists& lists, Notes& notes) const;

@@ -1,6 +1,8 @@
 #include "engine/light/shadow.hpp"
 
+#include "engine/kernel/patch_code.hpp"
 #include "engine/light/light_places.hpp"
+#include "engine/light/patch_shadows.hpp"
 #include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/trace/frame_union.hpp"
@@ -215,6 +217,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                         .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
                         .bias = std::max(0x1p-12 * extent, 6 * cell),
                         .way = way};
+    if (is_patch(light.kernel)) return find_patch_shadows(search, found, counters);
     const std::vector<LitMember> members = members_of(light);
     if (!members.empty()) {
         search.open = outside_hits(search, members);

@@ -1,9 +1,11 @@
 #include "engine/measure/extent.hpp"
 
 #include "engine/kernel/kernel.hpp"
+#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/trace/patch/patch_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,19 @@ constexpr std::size_t cells_at_once = 64;
 /// Cells smaller than their coordinates times this are enclosed in double.
 constexpr double finest_in_float = 0x1p-16;
 
+/// Marks the cells that a parametric surface may be in. In upward rounding.
+void mark_patch(const Kernel& surface, const Uniforms& uniforms, const std::vector<Box>& cells,
+                std::vector<bool>& may) {
+    const std::vector<Box> boxes = patch_tree(surface, uniforms)->boxes();
+    const auto meet = [](const Box& a, const Box& b) {
+        return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
+    };
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        may[i] = may[i] ||
+                 std::ranges::any_of(boxes, [&](const Box& box) { return meet(cells[i], box); });
+    }
+}
+
 /// Tells of each cell whether one of the surfaces may be in it. In upward rounding, which must not
 /// be left to the caller's optimizer.
 template <class Real>
@@ -38,6 +53,10 @@ template <class Real>
     }
     std::vector<bool> may(cells.size(), false);
     for (const Kernel& surface : scene.surfaces) {
+        if (is_patch(surface)) {
+            mark_patch(surface, scene.uniforms, cells, may);
+            continue;
+        }
         surface.range(ranges.batch(cells.size(), scene.uniforms.boxes<Real>()));
         for (std::size_t i = 0; i < cells.size(); ++i)
             may[i] = may[i] || !ranges.excludes_zero(i);

@@ -1,8 +1,11 @@
 #include "engine/measure/probe.hpp"
 
+#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/point_batch.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/trace/patch/patch_rays.hpp"
+#include "engine/trace/patch/patch_tree.hpp"
 #include "engine/view/pixel_ray.hpp"
 
 #include <algorithm>
@@ -125,6 +128,27 @@ Column widths_at(const PixelRay& ray, double t) {
     return widths;
 }
 
+/// Finds the place of a parametric surface that is near a distance on the ray.
+void probe_patch(const ProbedPicture& picture, const PixelRay& ray, double depth, double tolerance,
+                 PointFacts& facts) {
+    const UpwardRounding upward;
+    const auto tree = patch_tree(picture.formulas[facts.surface], picture.uniforms);
+    const double finest = 0x1p-38 * (std::abs(depth) + glm::length(ray.at(depth)));
+    const PatchHit hit = find_patch_hit(*tree,
+                                        {.origin = ray.at(0.0),
+                                         .direction = ray.direction,
+                                         .from = depth - tolerance,
+                                         .to = depth + tolerance},
+                                        finest);
+    facts.f = 0.0;
+    facts.proved = hit.is_hit() && hit.is_proved && !(hit.unsettled < hit.s);
+    facts.distance = hit.is_hit() ? hit.s : depth;
+    facts.point = ray.at(facts.distance);
+    facts.within = facts.proved ? hit.s_radius : tolerance;
+    const double length = glm::length(hit.normal);
+    if (length > 0.0 && std::isfinite(length)) facts.normal = hit.normal / length;
+}
+
 }  // namespace
 
 std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row) {
@@ -145,6 +169,10 @@ std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row) 
     PointFacts facts;
     facts.surface = surface;
     facts.certificate = frame.certificate[pixel];
+    if (is_patch(picture.formulas[surface])) {
+        probe_patch(picture, ray, depth, tolerance, facts);
+        return facts;
+    }
     facts.distance = polished(formula, ray, depth, tolerance);
     facts.point = ray.at(facts.distance);
     const auto proved = formula.proved_width(facts.distance, widths_at(ray, facts.distance));

@@ -20,7 +20,7 @@ struct PointFacts {
     /// of f if `proved`, else an estimate.
     double within = 0.0;
     bool proved = false;
-    double f = 0.0;          ///< at the point, in double
+    double f = 0.0;          ///< at the point, in double; 0 on a parametric surface
     glm::dvec3 normal{0.0};  ///< f's gradient at length 1; 0 where there is none
     std::size_t surface = 0;
     Certificate certificate = Certificate::Miss;

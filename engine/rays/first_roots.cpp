@@ -1,6 +1,8 @@
 #include "engine/rays/first_roots.hpp"
 
+#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/point_batch.hpp"
+#include "engine/rays/patch_rays.hpp"
 #include "engine/rays/root_search.hpp"
 #include "engine/rays/union_rays.hpp"
 #include "engine/trace/single_rays.hpp"
@@ -209,6 +211,7 @@ struct MemberTask {
 /// Searches a surface as far as rays need it: whole, or the parts of a union that they meet.
 void find_on_surface(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
                      std::span<RayHit> hits, Counters& counters) {
+    if (is_patch(surface.kernel)) return find_on_patch(surface, number, rays, hits, counters);
     if (const auto* const finder = dynamic_cast<const SingleRootFinder*>(surface.prepared))
         return find_by_tracer(surface, *finder, number, rays, hits, counters);
     const UnionRays parts(surface, number, rays);
@@ -277,11 +280,16 @@ void find_blocked(std::span<const TraceFrame> surfaces, std::span<const SceneRay
     std::vector<UnionRays::Meeting> meetings;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto number = static_cast<std::uint8_t>(i);
+        const bool patch = is_patch(surfaces[i].kernel);
         const UnionRays parts(surfaces[i], number, inside);
         for (std::size_t k = 0; k < rays.size(); ++k) {
             const SceneRay& ray = inside[k];
             if (blocked[k] != 0 || !(ray.from < ray.to)) continue;
             if (surfaces[i].stopped()) return;
+            if (patch) {
+                blocked[k] = is_blocked_by_patch(surfaces[i], number, ray, counters) ? 1 : 0;
+                continue;
+            }
             blocked[k] = is_blocked(surfaces[i], number, parts, ray, meetings, counters) ? 1 : 0;
         }
     }

@@ -17,6 +17,8 @@
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/open_view.hpp"
+#include "engine/trace/patch/patch_tracer.hpp"
+#include "engine/trace/patch/patch_tree.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "engine/trace/turns.hpp"
@@ -74,9 +76,12 @@ std::unique_ptr<OpenView> open_view_of(const TraceFrame& surface, std::size_t i)
     return std::make_unique<OpenView>(surface, *spaces[i]);
 }
 
-/// How the scene is antialiased. Beams know neither of caps nor of jumps: there 16 rays do it.
+/// How the scene is antialiased. Beams know neither of caps, nor of jumps, nor of parametric
+/// surfaces: there 16 rays do it.
 Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
-    const bool by_rays = scene.jumps || has_caps(scene);
+    const bool by_rays =
+        scene.jumps || has_caps(scene) ||
+        std::ranges::any_of(scene.surfaces, [](const Kernel& kernel) { return is_patch(kernel); });
     return settings.antialias == Antialias::Beams && by_rays ? Antialias::Rays16
                                                              : settings.antialias;
 }
@@ -142,6 +147,14 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
         if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (TraceFrame& surface : surfaces_) {
+        if (is_patch(surface.kernel)) {
+            prepared_.push_back(patch_tree(surface.kernel, scene.uniforms));
+            surface.prepared = prepared_.back().get();
+            kernels_.push_back(nullptr);
+            unions_.push_back(nullptr);
+            open_views_.push_back(nullptr);
+            continue;
+        }
         if (tracer_.prepare != nullptr) {
             prepared_.push_back(
                 tracer_.prepare(surface.with(surface.kernel, limit), settings.threads));
@@ -176,6 +189,8 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit
     TileHits& hits = workspace.hits[i];
     hits.clear();
     if (limit.over()) return hits.leave_undecided(tile);
+    if (is_patch(surfaces_[i].kernel))
+        return trace_tile_patch(frame_of(i, tile, limit), tile, hits, counters);
     if (trace_union(i, tile, limit, workspace, counters)) return;
     TraceFrame frame = frame_of(i, tile, limit);
     frame.open = open_views_[i].get();

@@ -9,6 +9,7 @@
 //
 // Lines that start with #, and empty lines between cases, are ignored.
 
+#include "engine/expr/patch_graph.hpp"
 #include "engine/language/parse.hpp"
 
 #include <gtest/gtest.h>
@@ -121,9 +122,11 @@ void expect_round_trip(const Program& program) {
     std::size_t surface = 0;
     for (const Reading& reading : program.readings) {
         if (reading.kind != StatementKind::Surface) continue;
-        EXPECT_EQ(graph_of(reading.text), graph_of(program.surfaces[surface].canonical()))
-            << reading.text;
-        EXPECT_EQ(graph_of(reading.text), program.surfaces[surface++].key()) << reading.text;
+        const Expr& drawn = program.surfaces[surface++];
+        EXPECT_EQ(graph_of(reading.text), drawn.key()) << reading.text;
+        // A point over the shares of its ranges cannot be typed.
+        if (is_patch(drawn)) continue;
+        EXPECT_EQ(graph_of(reading.text), graph_of(drawn.canonical())) << reading.text;
     }
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+// What a row shows that is given by a point, not by an equation, as a graph: a node over the three
+// coordinates whose value nothing is known of, so that whoever takes it for an f proves nothing and
+// finds no root. Its text is that of the point.
+
+namespace zeroset {
+
+enum class PatchKind : std::uint8_t {
+    Surface,  ///< a point for each x and y in [0, 1]
+    Curve,    ///< a point for each x in [0, 1]
+    Point,
+    Meeting,  ///< the points at which two functions are 0 and a condition holds
+};
+
+/// A parametric surface, a curve or a point: its coordinates as functions of x and y. Of a meeting
+/// the two functions of x, y and z, and the condition.
+struct PatchGraphs {
+    std::array<Expr, 3> point;
+    PatchKind kind = PatchKind::Surface;
+};
+
+NodeId make_patch(ExprBuilder& builder, PatchKind kind, const std::array<NodeId, 3>& point);
+
+/// What the root of a graph that `make_patch` made shows; nothing for other graphs.
+std::optional<PatchGraphs> patch_of(const Expr& surface);
+bool is_patch(const Expr& surface);
+
+}  // namespace zeroset

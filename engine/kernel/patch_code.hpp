@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/kernel/kernel.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace zeroset {
+
+/// The code of a parametric surface, kept in Kernel::memory: where x and y are in the unit square,
+/// the point is (point[0], point[1], point[2]). The kernels have code in double
+/// (Kernel::has_double); z is 0.
+struct PatchCode {
+    std::vector<Kernel> point;  ///< empty: the kernel is that of an f
+};
+
+/// The kernel of a surface that is drawn by its patch. Its functions know nothing of any place, so
+/// that whoever asks them for an f finds no root and proves nothing.
+Kernel patch_kernel(std::array<Kernel, 3> point);
+
+/// The code of a kernel made by patch_kernel; nullptr for other kernels.
+std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel);
+bool is_patch(const Kernel& kernel);
+
+}  // namespace zeroset

@@ -1,0 +1,273 @@
+// Rows that are given by a point: parametric surfaces, curves and points.
+
+#include "engine/base/translation.hpp"
+#include "engine/expr/patch_graph.hpp"
+#include "engine/expr/simplify.hpp"
+#include "engine/language/elaborator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// The first number of the parameters that stand for the variables of a row while it is looked at.
+constexpr int first_variable = variable_w + 1 + static_cast<int>(ProgramLimits::parameters);
+
+constexpr const char* example = "(u cos v, u sin v, v), 0 < u < 1, 0 < v < 2 pi";
+
+bool is_ascending(std::string_view marks) {
+    return marks.find_first_not_of("<l") == std::string_view::npos;
+}
+
+bool is_descending(std::string_view marks) {
+    return marks.find_first_not_of(">g") == std::string_view::npos;
+}
+
+}  // namespace
+
+/// Adds the ranges a < u < b that a condition gives; false if it says something else.
+bool Elaborator::add_ranges(SyntaxId id, std::vector<Ranged>& ranges) const {
+    const Syntax& syntax = tree_[id];
+    if (syntax.kind == SyntaxKind::And) {
+        return std::ranges::all_of(syntax.operands,
+                                   [&](SyntaxId part) { return add_ranges(part, ranges); });
+    }
+    if (syntax.kind != SyntaxKind::Compare || syntax.operands.size() != 3) return false;
+    const Syntax& middle = tree_[syntax.operands[1]];
+    const bool is_axis = middle.text == "x" || middle.text == "y" || middle.text == "z";
+    if (middle.kind != SyntaxKind::Name || is_axis) return false;
+    const bool ascends = is_ascending(syntax.marks);
+    if (!ascends && !is_descending(syntax.marks)) return false;
+    ranges.push_back({.name = middle.text,
+                      .lo = syntax.operands[ascends ? 0 : 2],
+                      .hi = syntax.operands[ascends ? 2 : 0],
+                      .offset = syntax.offset});
+    return true;
+}
+
+/// Whether a row may be given by a point: what it relates is no condition, and it is a vector that
+/// is written out, or is restricted by ranges of its variables alone.
+bool Elaborator::may_be_patch(const StatementSyntax& statement) {
+    const SyntaxKind kind = tree_[statement.relation].kind;
+    if (kind == SyntaxKind::Vector) return true;
+    if (is_condition(kind) || statement.restrictions.empty()) return false;
+    if (!table_.is_bundle(statement.relation)) return false;
+    std::vector<Ranged> ranges;
+    return std::ranges::all_of(statement.restrictions,
+                               [&](SyntaxId id) { return add_ranges(id, ranges); });
+}
+
+/// The values of a row's variables: x and y of the graph run over [0, 1] for them.
+std::optional<std::vector<Elaborator::Binding>> Elaborator::bind_ranges(
+    const std::vector<Ranged>& ranges) {
+    std::vector<Binding> bindings;
+    bindings.reserve(ranges.size());
+    for (const Ranged& range : ranges) {
+        const Binding* const scope = bindings.empty() ? nullptr : &bindings.back();
+        const Number lo = number(range.lo, scope);
+        const Number hi = lo ? number(range.hi, scope) : std::nullopt;
+        if (!hi) return std::nullopt;
+        const NodeId width = make_subtract(builder_, *hi, *lo);
+        const NodeId share = builder_.variable(static_cast<int>(bindings.size()));
+        const NodeId value = make_add(builder_, *lo, make_multiply(builder_, width, share));
+        if (!done(value, range.offset)) return std::nullopt;
+        const auto& constant = facts_[width].constant;
+        if (constant && constant->hi <= 0.0) {
+            fail(range.offset, filled(tr("the range of {0} is empty"), {range.name}),
+                 filled(tr("type the lower end first: {0}"), {"0 < " + range.name + " < 1"}));
+            return std::nullopt;
+        }
+        bindings.push_back({.name = range.name, .value = Value{.id = value}, .outer = scope});
+    }
+    return bindings;
+}
+
+/// The variables themselves, as parameters of their own.
+std::optional<std::vector<Elaborator::Binding>> Elaborator::bind_names(
+    const std::vector<Ranged>& ranges) {
+    std::vector<Binding> bindings;
+    bindings.reserve(ranges.size());
+    for (const Ranged& range : ranges) {
+        const Binding* const scope = bindings.empty() ? nullptr : &bindings.back();
+        const NodeId variable =
+            builder_.variable(first_variable + static_cast<int>(bindings.size()));
+        if (!done(variable, range.offset)) return std::nullopt;
+        bindings.push_back({.name = range.name, .value = Value{.id = variable}, .outer = scope});
+    }
+    return bindings;
+}
+
+/// The point that a row is; nothing, and perhaps no error, where it is no vector of 3.
+std::optional<std::array<NodeId, 3>> Elaborator::point_over(const StatementSyntax& statement,
+                                                            const std::vector<Binding>& bindings) {
+    const Built value = build(statement.relation, bindings.empty() ? nullptr : &bindings.back());
+    return value ? point_of(*value) : std::nullopt;
+}
+
+/// The first of the usual names of variables that a row uses without saying what it is; empty:
+/// there is none.
+std::string Elaborator::open_variable(std::size_t statement, const std::vector<Ranged>& ranges) {
+    for (const NameUse& use : table_.uses(statement)) {
+        const std::string& name = tree_[use.at].text;
+        const bool is_usual = name == "u" || name == "v" || name == "t";
+        const bool is_ranged = std::ranges::find(ranges, name, &Ranged::name) != ranges.end();
+        if (is_usual && !is_ranged && table_.meant(use, statement) == nullptr) return name;
+    }
+    return {};
+}
+
+/// How the row is read: the vector and the ranges, with every operator written out.
+std::string Elaborator::patch_text(const std::array<NodeId, 3>& point,
+                                   const std::vector<Ranged>& ranges,
+                                   const std::vector<Binding>& bindings) {
+    std::vector<std::string> names = parameters_;
+    names.resize(ProgramLimits::parameters);
+    for (const Ranged& range : ranges)
+        names.push_back(range.name);
+    const std::size_t longest = longest_definition();
+    std::string text = "(";
+    for (std::size_t i = 0; i < point.size(); ++i)
+        text += (i > 0 ? ", " : "") + builder_.text(point.at(i), names, longest);
+    text += ")";
+    for (const Ranged& range : ranges) {
+        const Binding* const scope = bindings.empty() ? nullptr : &bindings.back();
+        const Number lo = number(range.lo, scope);
+        const Number hi = lo ? number(range.hi, scope) : std::nullopt;
+        if (!hi) break;
+        text += ", " + builder_.text(*lo, names, longest) + " < " + range.name + " < " +
+                builder_.text(*hi, names, longest);
+    }
+    return text;
+}
+
+bool Elaborator::check_ranges(const StatementSyntax& statement, std::vector<Ranged>& ranges) {
+    for (const SyntaxId id : statement.restrictions) {
+        if (add_ranges(id, ranges)) continue;
+        fail(tree_[id].offset, tr("only ranges of its variables stand behind a point"),
+             filled(tr("type {0}, and cut it by the clip box or a section"), {example}));
+        return false;
+    }
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const bool again =
+            std::any_of(ranges.begin(), ranges.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](const Ranged& other) { return other.name == ranges[i].name; });
+        if (again) {
+            fail(ranges[i].offset, filled(tr("{0} has two ranges"), {ranges[i].name}));
+            return false;
+        }
+    }
+    if (ranges.size() > 2) {
+        fail(ranges[2].offset, tr("a surface has two variables, and a curve one"),
+             filled(tr("type {0}"), {example}));
+        return false;
+    }
+    return true;
+}
+
+/// Builds a row that is given by a point.
+bool Elaborator::build_patch(std::size_t index) {
+    const StatementSyntax& statement = tree_.statements[index];
+    statement_ = index;
+    std::vector<Ranged> ranges;
+    if (!check_ranges(statement, ranges)) return false;
+    const auto names = bind_names(ranges);
+    if (!names) return false;
+    const auto typed = point_over(statement, *names);
+    if (!typed) return error_ ? false : refuse_row_of(statement);
+    if (std::ranges::any_of(*typed, [&](NodeId id) { return uses_space(id); })) {
+        fail(statement.offset,
+             tr("a point is given by numbers and variables with a range, not by "
+                "x, y and z"),
+             filled(tr("type {0}"), {example}));
+        return false;
+    }
+    const std::string open = ranges.size() < 2 ? open_variable(index, ranges) : std::string();
+    if (!open.empty()) {
+        fail(statement.offset, filled(tr("{0} has no range"), {open}),
+             filled(tr("type {0}"), {example}));
+        return false;
+    }
+    const auto shares = bind_ranges(ranges);
+    const auto point = shares ? point_over(statement, *shares) : std::nullopt;
+    if (!point) return false;
+    constexpr std::array kinds{PatchKind::Point, PatchKind::Curve, PatchKind::Surface};
+    return add_patch(index, make_patch(builder_, kinds.at(ranges.size()), *point),
+                     patch_text(*typed, ranges, *names));
+}
+
+/// Whether a definition is no point that is drawn: those have a capital letter as their name, so
+/// that other vectors, which rows are made of, are not seen.
+bool Elaborator::draws_nothing(const Definition& definition) {
+    const bool is_capital = definition.name.front() >= 'A' && definition.name.front() <= 'Z';
+    return definition.is_function || !is_capital || !definition.value ||
+           !point_of(*definition.value);
+}
+
+/// Draws a definition such as P = (1, 2, a), unless its point is one of x, y and z.
+bool Elaborator::add_named_point(const Definition& definition, const std::string& text) {
+    const auto point = point_of(*definition.value);
+    if (std::ranges::any_of(*point, [&](NodeId id) { return uses_space(id); })) return true;
+    return add_patch(definition.statement, make_patch(builder_, PatchKind::Point, *point), text);
+}
+
+/// Whether a relation is two equations joined by `and`: the curve where their surfaces meet.
+bool Elaborator::is_meeting(const Syntax& relation) const {
+    return relation.kind == SyntaxKind::And && relation.operands.size() == 2 &&
+           std::ranges::all_of(relation.operands, [&](SyntaxId id) {
+               return tree_[id].kind == SyntaxKind::Compare && tree_[id].marks == "=";
+           });
+}
+
+/// Builds a row of two equations.
+bool Elaborator::build_meeting(std::size_t index) {
+    const StatementSyntax& statement = tree_.statements[index];
+    std::array<NodeId, 2> functions{};
+    std::string text;
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        const Syntax& equation = tree_[tree_[statement.relation].operands[i]];
+        const Number left = number(equation.operands[0], nullptr);
+        const Number right = left ? number(equation.operands[1], nullptr) : std::nullopt;
+        if (!right) return false;
+        functions.at(i) = make_subtract(builder_, *left, *right);
+        if (!done(functions.at(i), equation.offset)) return false;
+        if (!uses_space(functions.at(i))) {
+            error_ = no_place_error(index);
+            return false;
+        }
+        text += (i > 0 ? " and " : "") +
+                builder_.text(functions.at(i), parameters_, longest_definition()) + " = 0";
+    }
+    const Number condition = restriction_of(statement);
+    if (error_) return false;
+    const NodeId where = condition.value_or(builder_.constant(1.0));
+    if (condition) text += ", " + builder_.text(where, parameters_, longest_definition());
+    return add_patch(index,
+                     make_patch(builder_, PatchKind::Meeting, {functions[0], functions[1], where}),
+                     std::move(text));
+}
+
+/// The error for a row with ranges that is no vector of 3.
+bool Elaborator::refuse_row_of(const StatementSyntax& statement) {
+    fail(statement.offset, tr("a row with ranges of variables is a point of three numbers"),
+         filled(tr("type {0}"), {example}));
+    return false;
+}
+
+bool Elaborator::add_patch(std::size_t index, NodeId root, std::string text) {
+    const std::size_t offset = tree_.statements[index].offset;
+    if (!done(root, offset)) return false;
+    if (surfaces_.size() == ProgramLimits::surfaces) {
+        fail(offset, filled(tr("there are more than {0} surfaces"),
+                            {std::to_string(ProgramLimits::surfaces)}));
+        return false;
+    }
+    surfaces_.push_back(
+        {.statement = index, .root = root, .solid = false, .patch = std::move(text)});
+    return true;
+}
+
+}  // namespace zeroset

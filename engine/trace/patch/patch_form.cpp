@@ -1,0 +1,195 @@
+#include "engine/trace/patch/patch_form.hpp"
+
+#include "engine/kernel/form_cells.hpp"
+#include "engine/kernel/point_batch.hpp"
+#include "engine/kernel/range_boxes.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t at_once = PatchForms::at_once;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+using Cells = FormCells<double, at_once>;
+
+/// The distance of the eye whose cells boxes are: a cell of a frustum is
+///   s forward + (distance + s) u right,
+/// a box but for 1 / distance of it, less than a quarter of an ulp.
+constexpr double distance = 0x1p56;
+
+/// One variable runs along the view, the other one across.
+struct Axis {
+    double middle, radius;
+};
+
+/// Wider than what is lost by rounding and by the frustum.
+double grown(const Axis& axis) {
+    return axis.radius * (1.0 + 0x1p-50) + 0x1p-52 * std::abs(axis.middle);
+}
+
+/// Asks one coordinate, with its slope along variable `along` (0 or 1).
+void ask(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes& boxes, int along,
+         Cells& cells) {
+    FrustumOf<double> frustum{};
+    const int across = 1 - along;
+    frustum.right[across] = 1.0;
+    frustum.forward[along] = 1.0;
+    frustum.distance = distance;
+    double across_radius = 0.0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < at_once; ++i) {
+        const UvBox& box = boxes[i];
+        const Axis u{.middle = box.u, .radius = box.u_radius};
+        const Axis v{.middle = box.v, .radius = box.v_radius};
+        const Axis& depth = along == 0 ? u : v;
+        const Axis& aside = along == 0 ? v : u;
+        cells.u[i] = aside.middle / distance;
+        cells.v[i] = 0.0;
+        cells.s[i] = depth.middle;
+        cells.s_radius[i] = grown(depth);
+        across_radius = std::max(across_radius, grown(aside));
+        most = std::max(most, std::abs(aside.middle) + across_radius);
+    }
+    frustum.u_radius = across_radius / distance;
+    frustum.v_radius = 0.0;
+    frustum.size[across] = most * (1.0 + 0x1p-20);
+    frustum.direction_size[along] = 1.0 + 0x1p-20;
+    frustum.direction_size[across] = most / distance * (1.0 + 0x1p-20);
+    kernel.form(cells.batch(at_once, frustum, uniforms.boxes<double>()));
+}
+
+/// A range as middle and radius.
+struct Range {
+    double middle, radius;
+};
+
+/// The derivative by a variable in [-1, 1] that stands for one of so large a radius; `other`: a
+/// bound of the derivative by the other variable.
+Range slope_of(const Cells& cells, std::size_t i, double radius, double other) {
+    const double lo = -cells.slope_neg_lo[i];
+    const double hi = cells.slope_hi[i];
+    if (!std::isfinite(lo) || !std::isfinite(hi)) return {.middle = 0.0, .radius = unbounded};
+    const double middle = 0.5 * lo + 0.5 * hi;
+    const double half = std::max(hi - middle, middle - lo) + 0x1p-50 * (std::abs(middle) + other);
+    return {.middle = middle * radius, .radius = half * radius * (1.0 + 0x1p-50)};
+}
+
+double slope_bound(const Cells& cells, std::size_t i) {
+    return std::max(std::abs(cells.slope_neg_lo[i]), std::abs(cells.slope_hi[i]));
+}
+
+/// Asks between which numbers a coordinate is where its form knows nothing.
+void ask_ranges(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes& boxes,
+                int k, PatchForms::Forms& forms) {
+    const auto knows = [k](const PatchForm& form) { return form.e[k] < unbounded; };
+    for (PatchForm& form : forms) {
+        form.lo[k] = -unbounded;
+        form.hi[k] = unbounded;
+    }
+    if (std::ranges::all_of(forms, knows)) return;
+    RangeBoxes<double, at_once> ranges;
+    for (std::size_t i = 0; i < at_once; ++i) {
+        const UvBox& box = boxes[i];
+        const double u_radius = grown({.middle = box.u, .radius = box.u_radius});
+        const double v_radius = grown({.middle = box.v, .radius = box.v_radius});
+        ranges.ends[0][i] = u_radius - box.u;
+        ranges.ends[1][i] = v_radius - box.v;
+        ranges.ends[2][i] = 0.0;
+        ranges.ends[3][i] = box.u + u_radius;
+        ranges.ends[4][i] = box.v + v_radius;
+        ranges.ends[5][i] = 0.0;
+    }
+    kernel.range(ranges.batch(at_once, uniforms.boxes<double>()));
+    for (std::size_t i = 0; i < at_once; ++i) {
+        if (knows(forms[i])) continue;
+        const double lo = -ranges.f_neg_lo[i];
+        const double hi = ranges.f_hi[i];
+        if (std::isnan(lo) || std::isnan(hi)) continue;
+        forms[i].lo[k] = lo;
+        forms[i].hi[k] = hi;
+        // Nowhere defined: both ends are beyond all numbers.
+        if (lo == unbounded && hi == -unbounded) forms[i].nowhere = true;
+    }
+}
+
+}  // namespace
+
+std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip) {
+    if (form.nowhere) return std::nullopt;
+    PatchForm within = form;
+    for (int k = 0; k < 3; ++k) {
+        const double spare = 0x1p-40 * (std::abs(clip.lo[k]) + std::abs(clip.hi[k]));
+        const double clip_lo = clip.lo[k] - spare;
+        const double clip_hi = clip.hi[k] + spare;
+        if (form.e[k] < unbounded) {
+            const double spread = std::abs(form.ku[k]) + std::abs(form.kv[k]) + form.e[k];
+            if (form.c[k] - spread > clip_hi || form.c[k] + spread < clip_lo) return std::nullopt;
+            continue;
+        }
+        const bool is_between = form.lo[k] <= form.hi[k];
+        if (!is_between && form.hi[k] < clip_lo && form.lo[k] > clip_hi) return std::nullopt;
+        const double lo = is_between ? std::max(form.lo[k], clip_lo) : clip_lo;
+        const double hi = is_between ? std::min(form.hi[k], clip_hi) : clip_hi;
+        if (lo > hi) return std::nullopt;
+        within.c[k] = 0.5 * lo + 0.5 * hi;
+        within.ku[k] = within.kv[k] = 0.0;
+        within.e[k] = 0.5 * (hi - lo) * (1.0 + 0x1p-20) + spare;
+    }
+    return within;
+}
+
+void PatchForms::evaluate(const Boxes& boxes, Forms& forms) const {
+    thread_local Cells along_u;
+    thread_local Cells along_v;
+    for (int k = 0; k < 3; ++k) {
+        const Kernel& kernel = code_->point[static_cast<std::size_t>(k)];
+        ask(kernel, uniforms_, boxes, 0, along_u);
+        ask(kernel, uniforms_, boxes, 1, along_v);
+        for (std::size_t i = 0; i < at_once; ++i) {
+            PatchForm& form = forms[i];
+            if (k == 0) {
+                form.continuous = true;
+                form.nowhere = false;
+            }
+            form.c[k] = along_u.c[i];
+            form.ku[k] = along_u.k[2][i];
+            form.kv[k] = along_u.k[0][i];
+            form.e[k] = along_u.e[i];
+            form.value_error[k] = 0x1p-50 * along_u.r[i];
+            const Range u = slope_of(along_u, i, boxes[i].u_radius, slope_bound(along_v, i));
+            const Range v = slope_of(along_v, i, boxes[i].v_radius, slope_bound(along_u, i));
+            form.du[k] = u.middle;
+            form.du_radius[k] = u.radius;
+            form.dv[k] = v.middle;
+            form.dv_radius[k] = v.radius;
+            form.continuous = form.continuous && along_u.continuous[i] != 0;
+            form.nowhere = form.nowhere || along_u.nowhere[i] != 0;
+        }
+        ask_ranges(kernel, uniforms_, boxes, k, forms);
+    }
+}
+
+void PatchForms::evaluate(std::span<const glm::dvec2> places, std::span<PatchPoint> points) const {
+    assert(places.size() == points.size());
+    if (places.empty()) return;
+    thread_local PointBatch<double> batch;
+    batch.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        batch.set(i, places[i].x, places[i].y, 0.0);
+    batch.pad();
+    for (int k = 0; k < 3; ++k) {
+        const Kernel& kernel = code_->point[static_cast<std::size_t>(k)];
+        kernel.value(batch.batch(uniforms_.points<double>()));
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            points[i].s[k] = batch.f(i);
+            points[i].su[k] = batch.gradient(0, i);
+            points[i].sv[k] = batch.gradient(1, i);
+        }
+    }
+}
+
+}  // namespace zeroset

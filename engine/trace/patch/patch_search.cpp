@@ -1,0 +1,207 @@
+#include "engine/trace/patch/patch_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+/// Boxes that a ray may ask for, by sixteen; where that is not enough, it is undecided.
+constexpr int most_divisions = 600;
+/// Boxes are not divided further below this: there are few doubles in them.
+constexpr double least_radius = 0x1p-46;
+/// Nor below this where S is not continuous: there is nothing to be certified.
+constexpr double least_of_jumps = 0x1p-30;
+/// How much of a box its form stands for.
+constexpr double inner = 1.0 / form_growth;
+
+/// The part of [-inner, inner] in which zeros may be, as middle and radius.
+struct Part {
+    double middle, radius;
+};
+
+Part part_of(double middle, double radius) {
+    const double lo = std::max(-inner, middle - radius);
+    const double hi = std::min(inner, middle + radius);
+    return {.middle = 0.5 * lo + 0.5 * hi, .radius = std::max(0.5 * hi - 0.5 * lo, 0x1p-52)};
+}
+
+}  // namespace
+
+InSquare in_square(const UvBox& box) {
+    const auto inside = [](double middle, double radius) {
+        return middle - radius >= 0.0 && middle + radius <= 1.0;
+    };
+    const auto outside = [](double middle, double radius) {
+        return middle + radius < 0.0 || middle - radius > 1.0;
+    };
+    if (outside(box.u, box.u_radius) || outside(box.v, box.v_radius)) return InSquare::Outside;
+    return inside(box.u, box.u_radius) && inside(box.v, box.v_radius) ? InSquare::Inside
+                                                                      : InSquare::Unknown;
+}
+
+UvBox place_in(const UvBox& box, double p, double q, double radius) {
+    const double u_radius = form_growth * box.u_radius;
+    const double v_radius = form_growth * box.v_radius;
+    return {.u = box.u + p * u_radius,
+            .v = box.v + q * v_radius,
+            .u_radius = radius * u_radius + 0x1p-52,
+            .v_radius = radius * v_radius + 0x1p-52};
+}
+
+void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole,
+                       PatchNode* node) {
+    const auto within = form_within(whole, quest.clip);
+    if (!within) return;
+    const PatchForm& form = *within;
+    const double middle = glm::dot(quest.axes.forward, form.c - quest.axes.base);
+    const double radius = glm::dot(glm::abs(quest.axes.forward), form.spread());
+    const double spare = quest.axes.error + 0x1p-46 * (std::abs(middle) + radius);
+    const double near = radius < std::numeric_limits<double>::infinity()
+                            ? std::max(middle - radius - spare, quest.from)
+                            : quest.from;
+    if (near >= std::min(best_.s, quest.to) || middle + radius + spare < quest.from) return;
+    open_.push_back({.box = box, .form = form, .node = node, .near = near});
+}
+
+void PatchSearch::take(const PatchQuest& quest, const Item& item, const ZeroTest& test,
+                       const PatchPoint& point) {
+    const InSquare where = in_square(place_in(item.box, test.p, test.q, test.radius));
+    if (where == InSquare::Outside) return;
+    if (test.s < quest.from || test.s > quest.to || !(test.s < best_.s)) return;
+    best_.s = test.s;
+    best_.s_radius = test.s_radius;
+    best_.is_proved = where == InSquare::Inside;
+    const UvBox place = place_in(item.box, test.p, test.q, 0.0);
+    best_.place = {place.u, place.v};
+    best_.normal = glm::cross(point.su, point.sv);
+}
+
+PatchSearch::Outcome PatchSearch::certify(const PatchQuest& quest, const Item& item,
+                                          const PatchSight& sight, const LinearZeros& zeros) {
+    constexpr double most_norm = 0.5;
+    constexpr int most_steps = 6;
+    if (!item.form.continuous || !zeros.known) return Outcome::Open;
+    const Contraction contraction = contraction_of(sight, {.middle = quest.ray});
+    if (!(contraction.norm < most_norm)) return Outcome::Open;
+    double p = std::clamp(zeros.p, -1.0, 1.0);
+    double q = std::clamp(zeros.q, -1.0, 1.0);
+    for (int step = 0; step < most_steps; ++step) {
+        const UvBox place = place_in(item.box, p, q, 0.0);
+        const std::array<glm::dvec2, 1> places{glm::dvec2(place.u, place.v)};
+        std::array<PatchPoint, 1> points;
+        tree_.forms().evaluate(places, points);
+        ++counters_.value;
+        const ZeroTest test = zero_test(sight, quest.axes, quest.ray, contraction,
+                                        quest.axes.place(points[0].s), p, q, inner);
+        if (test.found == ZeroTest::Found::None) return Outcome::Done;
+        const bool is_last = step + 1 == most_steps;
+        if (test.found == ZeroTest::Found::One && 2.0 * test.s_radius <= quest.tolerance) {
+            const InSquare where = in_square(place_in(item.box, test.p, test.q, test.radius));
+            if (where != InSquare::Unknown || is_last) {
+                take(quest, item, test, points[0]);
+                return Outcome::Done;
+            }
+        }
+        const double by_p = form_growth * item.box.u_radius;
+        const double by_q = form_growth * item.box.v_radius;
+        const BoxPlace next =
+            newton_place(test, quest.axes, quest.ray, quest.axes.place(points[0].s),
+                         by_p * quest.axes.turned(points[0].su),
+                         by_q * quest.axes.turned(points[0].sv), {.p = p, .q = q});
+        p = next.p;
+        q = next.q;
+    }
+    return Outcome::Open;
+}
+
+void PatchSearch::give_up(const PatchQuest& quest, const Item& item) {
+    if (!item.form.continuous) {
+        best_.unsettled = std::min(best_.unsettled, item.near);
+        return;
+    }
+    const double s = glm::dot(quest.axes.forward, item.form.c - quest.axes.base);
+    const double radius = glm::dot(glm::abs(quest.axes.forward), item.form.spread());
+    const double at = std::clamp(s, item.near, std::max(item.near, quest.to));
+    if (!(at < best_.s) || !std::isfinite(at)) return;
+    best_.s = at;
+    best_.s_radius = radius;
+    best_.is_proved = false;
+    best_.place = {item.box.u, item.box.v};
+    best_.normal = glm::cross(item.form.du, item.form.dv);
+}
+
+void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchSight& sight,
+                         const LinearZeros& zeros) {
+    if (item.node != nullptr) {
+        const glm::dvec3 spread = sight.spread();
+        const bool keeps = std::max(spread.x, spread.y) > quest.pixel;
+        PatchNode::Children* const parts =
+            keeps ? tree_.parts(*item.node) : item.node->children.load(std::memory_order_acquire);
+        if (parts != nullptr) {
+            for (PatchNode& part : parts->nodes)
+                push(quest, part.box, part.form, &part);
+            return;
+        }
+    }
+    const Part p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, inner);
+    const Part q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, inner);
+    const UvBox whole = place_in(item.box, p.middle, q.middle, 0.0);
+    const Division division = division_of(p.radius * glm::length(sight.kp + sight.dp),
+                                          q.radius * glm::length(sight.kq + sight.dq));
+    const double u_radius = p.radius * form_growth * item.box.u_radius;
+    const double v_radius = q.radius * form_growth * item.box.v_radius;
+    // Wider by more than what rounding may take from them.
+    const double part_u = u_radius / static_cast<double>(division.cols) * (1.0 + 0x1p-20) + 0x1p-52;
+    const double part_v = v_radius / static_cast<double>(division.rows) * (1.0 + 0x1p-20) + 0x1p-52;
+    PatchForms::Boxes boxes{};
+    PatchForms::Boxes grown{};
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const auto along = [&](std::size_t at, std::size_t count) {
+            return (2.0 * static_cast<double>(at) + 1.0) / static_cast<double>(count) - 1.0;
+        };
+        boxes[i] = {.u = whole.u + along(i % division.cols, division.cols) * u_radius,
+                    .v = whole.v + along(i / division.cols, division.rows) * v_radius,
+                    .u_radius = part_u,
+                    .v_radius = part_v};
+        grown[i] = boxes[i].grown(form_growth);
+    }
+    PatchForms::Forms forms;
+    tree_.forms().evaluate(grown, forms);
+    counters_.form += boxes.size();
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        push(quest, boxes[i], forms[i], nullptr);
+}
+
+PatchHit PatchSearch::search(const PatchQuest& quest, PatchNode& node, const PatchHit& known) {
+    open_.clear();
+    best_ = known;
+    push(quest, node.box, node.form, &node);
+    int divisions = 0;
+    while (!open_.empty() && !limit_.over()) {
+        const auto first = std::ranges::min_element(open_, {}, &Item::near);
+        const Item item = *first;
+        *first = open_.back();
+        open_.pop_back();
+        if (item.near >= best_.s) break;
+        if (quest.any && best_.is_hit() && best_.is_proved) break;
+        const PatchSight sight = sight_of(item.form, quest.axes);
+        const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
+        if (!zeros.any || zeros.beyond(inner)) continue;
+        if (certify(quest, item, sight, zeros) == Outcome::Done) continue;
+        const glm::dvec3 spread = sight.spread();
+        const double least = item.form.continuous ? least_radius : least_of_jumps;
+        const bool is_small = 4.0 * std::max({spread.x, spread.y, spread.z}) <= quest.tolerance ||
+                              std::max(item.box.u_radius, item.box.v_radius) < least;
+        if (is_small || ++divisions > most_divisions) {
+            give_up(quest, item);
+            continue;
+        }
+        divide(quest, item, sight, zeros);
+    }
+    if (limit_.over()) best_.unsettled = std::min(best_.unsettled, quest.from);
+    return best_;
+}
+
+}  // namespace zeroset

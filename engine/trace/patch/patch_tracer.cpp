@@ -1,0 +1,117 @@
+#include "engine/trace/patch/patch_tracer.hpp"
+
+#include "engine/trace/patch/patch_tile.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
+
+std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
+
+/// Sets the rays of a tile of the image.
+void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
+    room.u.assign(tile_pixels, 0.0);
+    room.v.assign(tile_pixels, 0.0);
+    room.to.assign(tile_pixels, -unbounded);
+    for (int row = 0; row < tile.rows; ++row) {
+        for (int col = 0; col < tile.cols; ++col) {
+            const std::size_t pixel = index_of(col, row);
+            room.u[pixel] = rays.u(col);
+            room.v[pixel] = rays.v(row);
+            room.to[pixel] = rays.limit(pixel);
+        }
+    }
+}
+
+/// Whether the rays of a tile of the image may meet the patch, as far as its largest parts tell.
+bool may_meet(const TraceFrame& frame, const TileRays& rays, const Tile& tile) {
+    const PatchTree& tree = tree_of(frame);
+    const SightAxes axes = axes_of(rays);
+    const RayBounds bounds{.u_lo = rays.u(0.0),
+                           .u_hi = rays.u(tile.cols - 1),
+                           .v_lo = rays.v(tile.rows - 1),
+                           .v_hi = rays.v(0.0)};
+    const auto meets = [&](const PatchNode& node) {
+        const auto form = form_within(node.form, frame.scene.clip);
+        return form && !is_beside(sight_of(*form, axes), axes, bounds);
+    };
+    const PatchNode::Children* const parts = tree.parts(tree.root());
+    return parts == nullptr ? meets(tree.root()) : std::ranges::any_of(parts->nodes, meets);
+}
+
+/// The normal of a hit, or one that faces the eye where there is none.
+std::array<float, 3> normal_of(const PatchHit& hit, const ViewFrame& view, double u, double v) {
+    const double size = glm::dot(hit.normal, hit.normal);
+    const bool is_known = size > 0.0 && size < unbounded;
+    const glm::dvec3 normal =
+        is_known ? hit.normal / std::sqrt(size) : -(view.forward + u * view.right + v * view.up);
+    return float_gradient({normal.x, normal.y, normal.z});
+}
+
+void put_hit(const PatchHit& hit, TileHits::Pixel at, const TileRays& rays, double u, double v,
+             TileHits& hits) {
+    const std::size_t pixel = at.index();
+    const bool is_unsettled = hit.unsettled < hit.s;
+    if (is_unsettled) {
+        hits.mark_unsettled(at, rays.distance_before(hit.unsettled, u, v));
+        hits.certificate[pixel] = Certificate::Undecided;
+    }
+    if (!hit.is_hit()) return;
+    hits.any = true;
+    hits.depth[pixel] = static_cast<float>(rays.distance_at(hit.s, u, v));
+    hits.certificate[pixel] =
+        hit.is_proved && !is_unsettled ? Certificate::Certified : Certificate::Undecided;
+    const auto normal = normal_of(hit, rays.axes(), u, v);
+    for (std::size_t k = 0; k < 3; ++k)
+        hits.gradient[k][pixel] = normal[k];
+}
+
+}  // namespace
+
+void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
+                      Counters& counters) {
+    assert(tile.places == nullptr);
+    thread_local PatchTile::Room room;
+    const TileRays rays(frame, tile);
+    if (!may_meet(frame, rays, tile)) return;
+    place_rays(tile, rays, room);
+    PatchTile(frame, rays, tile.cols, tile.rows, PatchTile::Wish::FirstHits, counters, room).run();
+    if (frame.stopped()) return hits.leave_undecided(tile);
+    for (int row = 0; row < tile.rows; ++row) {
+        for (int col = 0; col < tile.cols; ++col) {
+            const std::size_t pixel = index_of(col, row);
+            if (room.is_set[pixel] == 0) continue;
+            put_hit(room.hit(pixel),
+                    {.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
+                    rays, room.u[pixel], room.v[pixel], hits);
+        }
+    }
+}
+
+void find_patch_blocks(const TraceFrame& frame, const TileRays& rays, std::span<const double> u,
+                       std::span<const double> v, std::span<const double> to,
+                       std::span<PatchBlock> blocks, Counters& counters) {
+    assert(u.size() == tile_pixels && v.size() == tile_pixels && to.size() == tile_pixels);
+    thread_local PatchTile::Room room;
+    room.u.assign(u.begin(), u.end());
+    room.v.assign(v.begin(), v.end());
+    room.to.assign(to.begin(), to.end());
+    PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::AnyHits, counters, room).run();
+    for (std::size_t i = 0; i < tile_pixels; ++i) {
+        const PatchHit& hit = room.hit(i);
+        const bool is_open = !hit.is_proved && (hit.is_hit() || hit.unsettled < to[i]);
+        blocks[i] = hit.is_hit() && hit.is_proved                        ? PatchBlock::Proved
+                    : is_open || (to[i] > -unbounded && frame.stopped()) ? PatchBlock::Unknown
+                                                                         : PatchBlock::None;
+    }
+}
+
+}  // namespace zeroset

@@ -1,0 +1,141 @@
+#include "engine/trace/patch/patch_tree.hpp"
+
+#include "engine/real/rounding.hpp"
+
+#include <cassert>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// The trees of a kernel: of the last uniforms.
+struct KeptTree {
+    std::mutex mutex;
+    Uniforms uniforms;
+    std::shared_ptr<const PatchTree> tree;
+};
+
+PatchForms::Boxes grown_boxes(const PatchForms::Boxes& boxes) {
+    PatchForms::Boxes grown = boxes;
+    for (UvBox& box : grown)
+        box = box.grown(form_growth);
+    return grown;
+}
+
+PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
+    PatchForms::Boxes parts{};
+    const double u_radius = box.u_radius / static_cast<double>(division.cols);
+    const double v_radius = box.v_radius / static_cast<double>(division.rows);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto col = static_cast<double>(i % division.cols);
+        const auto row = static_cast<double>(i / division.cols);
+        parts[i] = {.u = box.u - box.u_radius + (2.0 * col + 1.0) * u_radius,
+                    .v = box.v - box.v_radius + (2.0 * row + 1.0) * v_radius,
+                    .u_radius = u_radius,
+                    .v_radius = v_radius};
+    }
+    return parts;
+}
+
+/// A bound of the length of what is between -radius and radius of a middle; of what is known.
+double length_of(const glm::dvec3& middle, const glm::dvec3& radius) {
+    glm::dvec3 size = glm::abs(middle) + radius;
+    for (int k = 0; k < 3; ++k) {
+        if (!(size[k] < std::numeric_limits<double>::infinity())) size[k] = 0.0;
+    }
+    return glm::length(size);
+}
+
+}  // namespace
+
+Division division_of(double width, double height) {
+    if (width > 8.0 * height) return {.cols = 16, .rows = 1};
+    if (width > 2.0 * height) return {.cols = 8, .rows = 2};
+    if (height > 8.0 * width) return {.cols = 1, .rows = 16};
+    if (height > 2.0 * width) return {.cols = 2, .rows = 8};
+    return {.cols = 4, .rows = 4};
+}
+
+/// Deletes the parts of all parts without a call within a call for each of thousands.
+PatchNode::~PatchNode() { delete children.load(); }  // NOLINT(cppcoreguidelines-owning-memory)
+
+PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
+    : forms_(std::move(code), std::move(uniforms)) {
+    const UpwardRegisters upward;
+    root_.box = {.u = 0.5, .v = 0.5, .u_radius = 0.5, .v_radius = 0.5};
+    PatchForms::Boxes boxes;
+    boxes.fill(root_.box.grown(form_growth));
+    PatchForms::Forms forms;
+    forms_.evaluate(boxes, forms);
+    root_.form = forms.front();
+}
+
+PatchNode::Children* PatchTree::parts(PatchNode& node) const {
+    if (PatchNode::Children* const known = node.children.load(std::memory_order_acquire))
+        return known;
+    if (is_full()) return nullptr;
+    auto made = std::make_unique<PatchNode::Children>();
+    const PatchForm& form = node.form;
+    const Division division =
+        division_of(length_of(form.du, form.du_radius), length_of(form.dv, form.dv_radius));
+    const PatchForms::Boxes boxes = parts_of(node.box, division);
+    PatchForms::Forms forms;
+    forms_.evaluate(grown_boxes(boxes), forms);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        made->nodes[i].box = boxes[i];
+        made->nodes[i].form = forms[i];
+        made->nodes[i].level = node.level + 1;
+    }
+    // Where two threads make the same parts, those of the first one count.
+    PatchNode::Children* before = nullptr;
+    if (!node.children.compare_exchange_strong(before, made.get(), std::memory_order_acq_rel))
+        return before;
+    nodes_ += boxes.size();
+    return made.release();
+}
+
+std::vector<Box> PatchTree::boxes() const {
+    std::vector<Box> boxes;
+    const auto add = [&](const PatchForm& form) {
+        if (form.nowhere) return;
+        const glm::dvec3 spread = form.spread() * (1.0 + 0x1p-40) + 0x1p-50 * glm::abs(form.c);
+        boxes.push_back({.lo = form.c - spread, .hi = form.c + spread});
+    };
+    PatchNode::Children* const parts = this->parts(root_);
+    if (parts == nullptr) {
+        add(root_.form);
+        return boxes;
+    }
+    for (PatchNode& part : parts->nodes) {
+        PatchNode::Children* const smaller = this->parts(part);
+        if (smaller == nullptr) {
+            add(part.form);
+            continue;
+        }
+        for (const PatchNode& node : smaller->nodes)
+            add(node.form);
+    }
+    return boxes;
+}
+
+std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms& uniforms) {
+    assert(is_patch(kernel));
+    const std::shared_ptr<KeptTree> kept = kernel.memory->of<KeptTree>();
+    const std::scoped_lock lock(kept->mutex);
+    const bool is_same = kept->tree != nullptr && !kept->tree->is_full() &&
+                         kept->uniforms.neg_lo_hi_double == uniforms.neg_lo_hi_double;
+    if (!is_same) {
+        kept->uniforms = uniforms;
+        kept->tree = std::make_shared<const PatchTree>(patch_code_of(kernel), uniforms);
+    }
+    return kept->tree;
+}
+
+const PatchTree& tree_of(const TraceFrame& frame) {
+    assert(dynamic_cast<const PatchTree*>(frame.prepared) != nullptr);
+    return *static_cast<const PatchTree*>(frame.prepared);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "engine/trace/patch/patch_form.hpp"
+#include "engine/trace/trace_frame.hpp"
+#include "engine/view/box.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace zeroset {
+
+/// Forms are those of boxes that are so much wider than the part of the unit square that they stand
+/// for: a root at the border of two boxes is inside of both.
+inline constexpr double form_growth = 1.0 + 0x1p-4;
+
+/// How a box is divided: `cols` x `rows` parts, sixteen of them.
+struct Division {
+    std::size_t cols, rows;
+};
+
+/// The division whose parts are about as wide as they are high.
+Division division_of(double width, double height);
+
+/// A part of the unit square.
+struct PatchNode {
+    struct Children;
+
+    UvBox box;       ///< what it stands for
+    PatchForm form;  ///< over box.grown(form_growth)
+    int level = 0;
+    std::atomic<Children*> children = nullptr;
+
+    PatchNode() = default;
+    PatchNode(const PatchNode&) = delete;
+    PatchNode& operator=(const PatchNode&) = delete;
+    ~PatchNode();
+};
+
+struct PatchNode::Children {
+    std::array<PatchNode, PatchForms::at_once> nodes;
+};
+
+/// What is known of a patch for some values of the uniforms, whatever the view: a tree of boxes in
+/// (u, v), each of which is divided when somebody first asks for its parts. Any thread.
+class PatchTree : public PreparedSurface {
+public:
+    PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms);
+
+    [[nodiscard]] PatchNode& root() const { return root_; }
+    [[nodiscard]] const PatchForms& forms() const { return forms_; }
+    /// The sixteen parts of a node, in the world about as long as wide; nullptr where the tree has
+    /// no room for more.
+    PatchNode::Children* parts(PatchNode& node) const;
+    /// Boxes in the world that hold the patch together, those of parts of parts. In upward
+    /// rounding.
+    [[nodiscard]] std::vector<Box> boxes() const;
+    /// Whether the tree has grown so much that it should begin anew.
+    [[nodiscard]] bool is_full() const { return nodes_ >= most_nodes; }
+    [[nodiscard]] std::size_t size() const { return nodes_; }
+
+private:
+    static constexpr std::size_t most_nodes = std::size_t{1} << 19;
+
+    PatchForms forms_;
+    mutable PatchNode root_;
+    mutable std::atomic<std::size_t> nodes_ = 1;
+};
+
+/// The tree of a surface with PatchCode, kept from frame to frame while the uniforms stay.
+std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms& uniforms);
+
+/// The tree that a frame was given (TraceFrame::prepared).
+const PatchTree& tree_of(const TraceFrame& frame);
+
+}  // namespace zeroset

@@ -1,0 +1,202 @@
+#include "engine/interpret/interpret.hpp"
+#include "engine/kernel/patch_code.hpp"
+#include "engine/render/render.hpp"
+#include "tests/support/closed_forms.hpp"
+#include "tests/support/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+// Parametric surfaces against closed forms: no hit is missed, none is wrong.
+
+namespace zeroset::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A surface by the texts of its coordinates, where (x, y) runs over the unit square.
+Scene patch_scene(const std::array<std::string, 3>& texts, const Box& clip,
+                  const Region& region = {}) {
+    std::array<Kernel, 3> point;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const auto expr = parse(texts.at(i));
+        if (!expr) {
+            ADD_FAILURE() << texts.at(i) << ": " << expr.error().reason;
+            return {};
+        }
+        point.at(i) = interpret(*expr);
+        point.at(i).has_double = true;
+    }
+    Scene scene{{patch_kernel(std::move(point))}, clip, {}};
+    scene.region = region;
+    scene.uniforms.set(0, 0.0);
+    return scene;
+}
+
+/// Where a ray meets the surface: all distances.
+using Roots = std::function<std::vector<double>(const Ray& ray)>;
+
+struct PatchCase {
+    std::string name;
+    std::array<std::string, 3> texts;
+    Roots roots;
+    Camera camera;
+    Box clip = Box::cube(2);
+    Region region = {};
+};
+
+std::vector<double> unit_sphere_roots(const Ray& ray) { return sphere_roots(ray, 1.0); }
+
+/// The square -1 < x, y < 1 of the plane z = 0.3 x.
+std::vector<double> square_roots(const Ray& ray) {
+    const double t = plane_root(ray, {-0.3, 0.0, 1.0}, 0.0);
+    const glm::dvec3 at = ray.at(t);
+    if (std::abs(at.x) > 1.0 || std::abs(at.y) > 1.0) return {};
+    return {t};
+}
+
+std::vector<double> torus_roots(const Ray& ray) {
+    const double t = torus_root(ray, ray.t_in);
+    return {t};
+}
+
+/// f on the ray by its signs at many places and bisection.
+std::vector<double> sign_changes(const Ray& ray, const std::function<double(double)>& f) {
+    constexpr int places = 1500;
+    std::vector<double> roots;
+    const double step = (ray.t_out - ray.t_in) / places;
+    for (int i = 0; i < places; ++i) {
+        double lo = ray.t_in + i * step;
+        double hi = lo + step;
+        if (f(lo) * f(hi) > 0.0) continue;
+        for (int k = 0; k < 60; ++k) {
+            const double middle = 0.5 * lo + 0.5 * hi;
+            (f(lo) * f(middle) <= 0.0 ? hi : lo) = middle;
+        }
+        roots.push_back(0.5 * lo + 0.5 * hi);
+    }
+    return roots;
+}
+
+/// The Moebius strip of ring 1 and half width 0.5, by its cubic.
+std::vector<double> moebius_roots(const Ray& ray) {
+    const auto f = [&](double t) {
+        const auto [x, y, z] = std::array{ray.at(t).x, ray.at(t).y, ray.at(t).z};
+        return -y + x * x * y + y * y * y - 2 * x * z - 2 * x * x * z - 2 * y * y * z + y * z * z;
+    };
+    std::vector<double> roots;
+    for (const double t : sign_changes(ray, f)) {
+        const glm::dvec3 at = ray.at(t);
+        const double u = std::atan2(at.y, at.x);
+        const double aside = std::hypot(at.x, at.y) - 1.0;
+        const double v = aside * std::cos(0.5 * u) + at.z * std::sin(0.5 * u);
+        const double off = aside * std::sin(0.5 * u) - at.z * std::cos(0.5 * u);
+        if (std::abs(v) < 0.5 && std::abs(off) < 1e-6) roots.push_back(t);
+    }
+    return roots;
+}
+
+/// The helicoid (r cos z, r sin z), 0 < r < 1.5, |z| < pi / 2.
+std::vector<double> helicoid_roots(const Ray& ray) {
+    const auto f = [&](double t) {
+        const glm::dvec3 at = ray.at(t);
+        return at.x * std::sin(at.z) - at.y * std::cos(at.z);
+    };
+    std::vector<double> roots;
+    for (const double t : sign_changes(ray, f)) {
+        const glm::dvec3 at = ray.at(t);
+        const double r = at.x * std::cos(at.z) + at.y * std::sin(at.z);
+        if (r > 0.0 && r < 1.5 && std::abs(at.z) < 0.5 * pi) roots.push_back(t);
+    }
+    return roots;
+}
+
+std::vector<PatchCase> cases() {
+    const Box cube = Box::cube(2);
+    const Camera usual = default_camera(Box::cube(1.2));
+    const Camera inside{{0.1, -0.2, 0.15}, {1, 0.5, 0.25}, {0, 0, 1}, 1.5};
+    Camera down{{0.25, 0, 7}, {0.25, 0, 0}, {0, 1, 0}, 0.5};
+    down.projection = Projection::Orthographic;
+    const std::array<std::string, 3> sphere{"cos(pi*(x-1/2))*cos(2*pi*y)",
+                                            "cos(pi*(x-1/2))*sin(2*pi*y)", "sin(pi*(x-1/2))"};
+    const std::array<std::string, 3> torus{"(1+cos(2*pi*x)/2)*cos(2*pi*y)",
+                                           "(1+cos(2*pi*x)/2)*sin(2*pi*y)", "sin(2*pi*x)/2"};
+    const std::array<std::string, 3> square{"2*x-1", "2*y-1", "0.3*(2*x-1)"};
+    const std::array<std::string, 3> moebius{"(1+(y-1/2)*cos(pi*x))*cos(2*pi*x)",
+                                             "(1+(y-1/2)*cos(pi*x))*sin(2*pi*x)",
+                                             "(y-1/2)*sin(pi*x)"};
+    const std::array<std::string, 3> helicoid{"1.5*x*cos(pi*(y-1/2))", "1.5*x*sin(pi*(y-1/2))",
+                                              "pi*(y-1/2)"};
+    const Region ball{Ball{{0.2, -0.3, 0.4}, 0.9}, {}};
+    const Region half{{}, {make_section({1, 0, 0}, 0.3, false)}};
+    return {{"sphere", sphere, unit_sphere_roots, usual},
+            {"sphere from inside", sphere, unit_sphere_roots, inside},
+            {"parallel: sphere", sphere, unit_sphere_roots, down},
+            {"sphere cut by the box",
+             sphere,
+             unit_sphere_roots,
+             usual,
+             {{-0.7, -2, -0.8}, {2, 0.3, 2}}},
+            {"sphere in a ball", sphere, unit_sphere_roots, usual, cube, ball},
+            {"half a sphere", sphere, unit_sphere_roots, usual, cube, half},
+            {"square", square, square_roots, usual},
+            {"square from above", square, square_roots, down},
+            {"torus", torus, torus_roots, usual},
+            {"torus from above", torus, torus_roots, down},
+            {"Moebius strip", moebius, moebius_roots, usual},
+            {"helicoid", helicoid, helicoid_roots, usual},
+            {"helicoid from inside", helicoid, helicoid_roots, inside}};
+}
+
+class PatchTracer : public testing::TestWithParam<PatchCase> {};
+
+TEST_P(PatchTracer, FindsTheFirstHits) {
+    const PatchCase& c = GetParam();
+    const Scene scene = patch_scene(c.texts, c.clip, c.region);
+    Framebuffer frame(96, 82);
+    render_frame(scene, c.camera, settings_at("beams", 22), frame);
+    int hits = 0;
+    int undecided = 0;
+    for (int row = 0; row < frame.height; ++row) {
+        for (int col = 0; col < frame.width; ++col) {
+            const Ray ray(c.camera, c.clip, col, row, frame, c.region);
+            double expected = infinity;
+            if (ray.t_in < ray.t_out) {
+                for (const double t : c.roots(ray)) {
+                    if (t >= ray.t_in && t <= ray.t_out) expected = std::min(expected, t);
+                }
+            }
+            const std::size_t at = frame.index(col, row);
+            const double found = static_cast<double>(frame.depth[at]);
+            const Certificate certificate = frame.certificate[at];
+            if (certificate == Certificate::Undecided) {
+                ++undecided;
+                continue;
+            }
+            const std::string where = std::to_string(col) + ", " + std::to_string(row);
+            EXPECT_EQ(std::isfinite(expected), std::isfinite(found)) << where;
+            if (!std::isfinite(expected) || !std::isfinite(found)) continue;
+            EXPECT_NEAR(found, expected, 4e-6 * (1.0 + std::abs(expected))) << where;
+            ++hits;
+        }
+    }
+    EXPECT_GT(hits, 300);
+    EXPECT_LE(undecided, 2);
+}
+
+std::string name_of_case(const testing::TestParamInfo<PatchCase>& info) {
+    std::string name = info.param.name;
+    std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(ClosedForms, PatchTracer, testing::ValuesIn(cases()), name_of_case);
+
+}  // namespace
+}  // namespace zeroset::test
