@@ -1,6 +1,7 @@
 #include "pipeline/tracer_refusal.hpp"
 
 #include "engine/base/translation.hpp"
+#include "engine/kernel/patch_code.hpp"
 #include "engine/render/tracers.hpp"
 
 namespace zeroset {
@@ -8,10 +9,17 @@ namespace zeroset {
 std::optional<std::string> tracer_refusal(std::string_view tracer, std::string_view name,
                                           const PictureRequest& request) {
     const Tracer* const found = find_tracer(tracer);
-    if (found == nullptr || found->refuses == nullptr || !request.formula) return std::nullopt;
+    if (found == nullptr || !request.formula) return std::nullopt;
+    const bool is_usual = found == tracers().data();
     for (const std::size_t surface : shown_indices(request)) {
-        if (const char* const reason = found->refuses(request.formula->kernels[surface]))
-            return std::string(name) + ": " + tr(reason);
+        const Kernel& kernel = request.formula->kernels[surface];
+        if (!is_usual && is_patch(kernel)) {
+            return std::string(name) + ": " +
+                   tr("draws equations alone; for parametric surfaces, curves and points choose "
+                      "beams");
+        }
+        const char* const reason = found->refuses == nullptr ? nullptr : found->refuses(kernel);
+        if (reason != nullptr) return std::string(name) + ": " + tr(reason);
     }
     return std::nullopt;
 }

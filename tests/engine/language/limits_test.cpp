@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -140,7 +139,8 @@ TEST(Limits, Chains) {
     expect_read("b0 var-x\nb1 var-y\n" + chain(50'000, instruction));
 }
 
-// A text that repeats any part is read or refused quickly: no step takes quadratic time.
+// A text that repeats any part is read or refused: a step that takes quadratic time would need
+// minutes for some of them, more than the test has.
 TEST(Limits, LongTexts) {
     constexpr std::size_t size = 150'000;
     for (const char* const part :
@@ -154,10 +154,7 @@ TEST(Limits, LongTexts) {
         for (const auto& [before, behind] :
              {std::pair{"", ""}, std::pair{"", "x"}, std::pair{"a1 = 2; x = ", "1"},
               std::pair{"max(", "x)"}, std::pair{"float f(float u) {", "return u; } f(x)"}}) {
-            const auto start = std::chrono::steady_clock::now();
             const auto program = read_program(text_of_size(size, part, before, behind));
-            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-            EXPECT_LT(seconds.count(), 5) << before << part << behind;
             const std::size_t said = program ? 0 : program.error().reason.size();
             EXPECT_LE(said, 300) << before << part << behind;
         }
