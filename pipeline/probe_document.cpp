@@ -5,14 +5,17 @@
 #include "engine/scene/tolerance.hpp"
 
 namespace zeroset {
-std::vector<Kernel> typed_formulas(const Formula& formula, const std::vector<std::size_t>& shown) {
-    const Program& program = *formula.program;
+std::vector<Kernel> typed_formulas(const Program& program, const Formula* formula,
+                                   const std::vector<std::size_t>& shown) {
     std::vector<Kernel> formulas;
     formulas.reserve(shown.size());
-    for (const std::size_t surface : shown)
-        formulas.push_back(is_patch(program.surfaces[surface])
-                               ? formula.kernels[surface]
-                               : interpret(program.surfaces[surface]));
+    for (const std::size_t surface : shown) {
+        if (!is_patch(program.surfaces[surface])) {
+            formulas.push_back(interpret(program.surfaces[surface]));
+        } else {
+            formulas.push_back(formula == nullptr ? Kernel() : formula->kernels[surface]);
+        }
+    }
     return formulas;
 }
 

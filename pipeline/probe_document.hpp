@@ -14,8 +14,10 @@
 
 namespace zeroset {
 
-/// The formulas, as they were typed, of the program's surfaces in `shown`, for probe().
-std::vector<Kernel> typed_formulas(const Formula& formula, const std::vector<std::size_t>& shown);
+/// The formulas, as they were typed, of the program's surfaces in `shown`, for probe(); `formula`:
+/// the code that drew them, nullptr if there was no time for any.
+std::vector<Kernel> typed_formulas(const Program& program, const Formula* formula,
+                                   const std::vector<std::size_t>& shown);
 
 /// Largest distance of the depths of a frame traced in this precision from the surface, world
 /// units; a guess if the criterion bounds nothing.

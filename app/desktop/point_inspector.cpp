@@ -95,7 +95,7 @@ std::optional<ui::PointedFacts> PointInspector::facts_at(const ui::ShownPicture&
 const std::vector<Kernel>& PointInspector::typed(const PictureRequest& request) {
     std::vector<std::size_t> shown = shown_indices(request);
     if (typed_of_ != request.formula || typed_shown_ != shown) {
-        typed_ = typed_formulas(*request.formula, shown);
+        typed_ = typed_formulas(*request.formula->program, request.formula.get(), shown);
         typed_of_ = request.formula;
         typed_shown_ = std::move(shown);
     }

@@ -7,15 +7,15 @@
 namespace zeroset {
 namespace {
 
-std::optional<double> compared(double a, std::string_view sign, double b) {
-    if (sign == "<") return a < b ? 1.0 : 0.0;
-    if (sign == ">") return a > b ? 1.0 : 0.0;
-    if (sign == "<=") return a <= b ? 1.0 : 0.0;
-    if (sign == ">=") return a >= b ? 1.0 : 0.0;
-    if (sign == "=" || sign == "==") return a == b ? 1.0 : 0.0;
-    if (sign == "!=") return a != b ? 1.0 : 0.0;
-    if (sign == "&" || sign == "&&") return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
-    if (sign == "|" || sign == "||") return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
+std::optional<bool> compared(double a, std::string_view sign, double b) {
+    if (sign == "<") return a < b;
+    if (sign == ">") return a > b;
+    if (sign == "<=") return a <= b;
+    if (sign == ">=") return a >= b;
+    if (sign == "=" || sign == "==") return a == b;
+    if (sign == "!=") return a != b;
+    if (sign == "&" || sign == "&&") return a != 0.0 && b != 0.0;
+    if (sign == "|" || sign == "||") return a != 0.0 || b != 0.0;
     return std::nullopt;
 }
 
@@ -25,7 +25,8 @@ std::optional<double> joined(double a, std::string_view sign, double b) {
     if (sign == "*") return a * b;
     if (sign == "/") return a / b;
     if (sign == "%") return std::fmod(a, b);
-    return compared(a, sign, b);
+    const auto holds = compared(a, sign, b);
+    return holds ? std::optional(*holds ? 1.0 : 0.0) : std::nullopt;
 }
 
 }  // namespace

@@ -42,6 +42,8 @@ private:
     };
 
     [[nodiscard]] Choice choose(std::size_t square);
+    /// The next step where the front of a surface ends before any other begins.
+    [[nodiscard]] Step choose_at(std::size_t square, std::size_t surface);
     void sort_work();
     /// Goes on with the open squares until each is closed or divided.
     void finish_level();
@@ -72,27 +74,31 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     if (front.state == State::Going) return {.step = Step::Evaluate, .surface = first};
     // Surfaces that may begin before this front ends are searched first.
     const CoverSquare& at = field_.square(square);
-    const bool is_rest = at.rest.has_value();
     for (std::size_t i = 0; i < fronts.size(); ++i) {
         if (i == first || fronts[i].state == State::Gone || fronts[i].free_to() >= front.to)
             continue;
         if (fronts[i].state == State::Going) return {.step = Step::Evaluate, .surface = i};
-        if (is_rest || (!at.is_ray() && at.level < last_level))
+        if (at.rest || (!at.is_ray() && at.level < last_level))
             return {.step = Step::Divide, .surface = i};
     }
-    if (!at.is_ray() && at.level < at.least_level) return {.step = Step::Divide, .surface = first};
-    if (front.state == State::Edged && is_rest) return {.step = Step::Divide, .surface = first};
-    if (front.state == State::Edged) return {.step = Step::Edge, .surface = first};
-    const bool uneven = front.is_uneven();
-    if (uneven && is_rest) return {.step = Step::Divide, .surface = first};
-    if (uneven && !at.is_ray() && at.level < last_color_level)
-        return {.step = Step::Crease, .surface = first};
+    return {.step = choose_at(square, first), .surface = first};
+}
+
+auto CoverSearch::choose_at(std::size_t square, std::size_t surface) -> Step {
+    const CoverSquare& at = field_.square(square);
+    const Front& front = field_.fronts(square)[surface];
+    if (!at.is_ray() && at.level < at.least_level) return Step::Divide;
+    if (front.state == State::Edged) return at.rest ? Step::Divide : Step::Edge;
+    if (front.is_uneven()) {
+        if (at.rest) return Step::Divide;
+        if (!at.is_ray() && at.level < last_color_level) return Step::Crease;
+    }
     if (field_.is_hit_between(square, front.at, front.to)) {
         field_.leave_plain(square);
     } else {
-        work_[first].drafts.add(at, front);
+        work_[surface].drafts.add(at, front);
     }
-    return {.step = Step::Close, .surface = first};
+    return Step::Close;
 }
 
 void CoverSearch::sort_work() {

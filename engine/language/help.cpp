@@ -28,7 +28,7 @@ constexpr Line statements[] = {
      marked("a parametric surface: a point over two variables of any names")},
     {"(cos t, sin t, t/3), 0 < t < 20", marked("a curve: a point over one variable")},
     {"x^2 + y^2 + z^2 = 4 and z = x y", marked("a curve: where two surfaces meet")},
-    {"(1, 2, a)   P = (1, 2, a)", marked("a point; a name begins with a capital letter")},
+    {"P = (1, 2, a)", marked("a point; a name begins with a capital letter")},
     {"P + t (Q - P), 0 < t < 1", marked("the segment between two points")},
     {"a = 2", marked("a constant, for all statements; a := 2 is never anything else")},
     {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},

@@ -75,7 +75,7 @@ class ExplainTest(ProgramTest):
 
     def test_what_is_not_read_is_named_in_one_line(self):
         for text, words in [("mat3 m = mat3(x, y, z);", "matrices"), ("x + noise3d(x, y, z)", "noise"),
-                            ("x = cos(u); y = sin(v); z = u", "parametric"),
+                            ("x = cos(u); y = sin(v); z = u", "as a point in one row"),
                             ("f(u) = f(u - 1); f(x)", "defined by itself"),
                             ("for (i = 0; i < 3; i++) x", "program"),
                             ("f_crackle(x, y, z)", "noise")]:
