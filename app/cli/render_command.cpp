@@ -173,7 +173,8 @@ void print_probes(const RenderedPicture& picture) {
     const Scene& scene = picture.scene;
     const PictureRequest& request = picture.request;
     const std::vector<std::size_t> shown = shown_indices(request);
-    const std::vector<Kernel> typed = typed_formulas(*plan.rows.program, request.formula.get(), shown);
+    const std::vector<Kernel> typed =
+        typed_formulas(*plan.rows.program, request.formula.get(), shown);
     const std::vector<std::string>& readings = plan.rows.surface_texts;
     const StopCriterion& stop = plan.settings.stop;
     const Precision precision = frame_precision(scene, ViewFrame(request.camera), stop);
