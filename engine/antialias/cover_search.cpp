@@ -153,12 +153,14 @@ void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>&
 }  // namespace
 
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<MixedPixel> pixels, std::vector<CoverSample>& out, Counters& counters) {
+                std::vector<MixedPixel>& pixels, std::vector<CoverSample>& out,
+                Counters& counters) {
     if (pixels.empty()) return;
     Tile all = tile;
     all.limits = nullptr;
     const TileRays rays(surfaces.front(), all);
     CoverSearch(surfaces, rays, counters).search(pixels, out);
+    std::erase_if(pixels, [](const MixedPixel& pixel) { return pixel.is_plain; });
 }
 
 }  // namespace zeroset

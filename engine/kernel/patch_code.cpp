@@ -88,8 +88,7 @@ Kernel patch_kernel(std::array<Kernel, 3> point) {
 }
 
 std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel) {
-    const std::shared_ptr<const PatchCode> code = kernel.memory->of<PatchCode>();
-    return code->point.empty() ? nullptr : code;
+    return kernel.memory->find<PatchCode>();
 }
 
 bool is_patch(const Kernel& kernel) { return patch_code_of(kernel) != nullptr; }

@@ -238,7 +238,6 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         frames.push_back(frame_of(i, tile, limit));
     find_cover(frames, tile, workspace.mixed, workspace.samples, counters);
-    std::erase_if(workspace.mixed, [](const MixedPixel& pixel) { return pixel.is_plain; });
     const auto light =
         workspace.cover_light.light(light_, surfaces_, limit, tile, workspace.samples, counters);
     if (limit.over()) return;

@@ -14,6 +14,7 @@ namespace {
 constexpr double from_first = 0.5 * (tile_size - 1);
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double flat = 1e-270;  // rays less steep than this stay where they are
 
 /// Where rays of slopes d0 to d1, from `eye`, are between the planes lo and hi: distances along
 /// the view axis.
@@ -148,7 +149,6 @@ DepthRange TileRays::below(const Height& height) const {
     const double a1 = height.a + height.a_radius;
     const double b0 = height.b - height.b_radius;
     const double b1 = height.b + height.b_radius;
-    constexpr double flat = 1e-270;  // rays less steep than this stay where they are
     DepthRange range{
         .enter_lo = -unbounded, .enter_hi = unbounded, .exit_lo = -unbounded, .exit_hi = unbounded};
     if (b0 >= 0) {
@@ -241,7 +241,6 @@ auto TileRays::stretch_inside(double u, double v) const -> Stretch {
         return {.from = 0.5 * range.enter_lo + 0.5 * range.enter_hi,
                 .to = 0.5 * range.exit_lo + 0.5 * range.exit_hi};
     }
-    constexpr double flat = 1e-270;  // rays less steep than this stay where they are
     Stretch inside{.from = std::max(0.0, nearest_), .to = farthest_};
     for (int i = 0; i < 3; ++i) {
         const double d = view_.forward[i] + u * view_.right[i] + v * view_.up[i];

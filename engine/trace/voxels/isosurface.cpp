@@ -10,7 +10,8 @@ namespace zeroset {
 namespace {
 
 const Volume* volume_of(const Kernel& surface) {
-    return dynamic_cast<const Volume*>(surface.memory->of<FieldLevel>()->field.get());
+    const auto level = surface.memory->find<FieldLevel>();
+    return level == nullptr ? nullptr : dynamic_cast<const Volume*>(level->field.get());
 }
 
 }  // namespace

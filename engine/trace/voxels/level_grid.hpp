@@ -160,7 +160,7 @@ void LevelGrid<Sample>::visit_bricks(int level, const CellRectangle& cells, std:
             at[axes.j] = j;
             const auto& brick = pyramid_.brick(level, at[0], at[1], at[2]);
             const bool may_hold =
-                static_cast<float>(brick.lo)<above_&& static_cast<float>(brick.hi)> below_;
+                (static_cast<float>(brick.lo) < above_) && (static_cast<float>(brick.hi) > below_);
             if (may_hold && !take(i, j)) return;
         }
     }

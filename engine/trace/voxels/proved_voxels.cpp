@@ -136,9 +136,9 @@ private:
         std::uint64_t looks = 0;
         walk_block(grid_, block, [&](const CellRectangle& cells, const LayerRange& layers) {
             ++looks;
+            static_assert(1 << LevelGrid<Sample>::lowest_shift == CellMask::most_layers);
             const bool fits = cells.i_last - cells.i_first < CellMask::most_cells - 1 &&
-                              cells.j_last - cells.j_first < CellMask::most_cells - 1 &&
-                              layers.high - layers.low < CellMask::most_layers;
+                              cells.j_last - cells.j_first < CellMask::most_cells - 1;
             if (fits) grid_.find(cells, layers, block.axes(), mask_);
             if (fits && !mask_.any) return true;
             if (!made) make_rays(col, row, cols, rows, block);
@@ -361,7 +361,7 @@ bool trace_tile_proved_voxels(const TraceFrame& frame, const Tile& tile, TileHit
                               Counters& counters) {
     const bool plain = frame.precision == Precision::Float && !frame.whole_pixels &&
                        tile.places == nullptr && frame.union_members.empty();
-    if (!plain || no_isosurface(frame.kernel) != nullptr) return false;
+    if (!plain) return false;
     const auto surface = isosurface(frame.kernel, frame.scene);
     if (!surface || surface->volume->data().range().holes) return false;
     const GridBounds bounds(*surface, frame);
