@@ -280,16 +280,15 @@ void find_blocked(std::span<const TraceFrame> surfaces, std::span<const SceneRay
     std::vector<UnionRays::Meeting> meetings;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto number = static_cast<std::uint8_t>(i);
-        const bool patch = is_patch(surfaces[i].kernel);
+        if (is_patch(surfaces[i].kernel)) {
+            block_by_patch(surfaces[i], number, inside, blocked, counters);
+            continue;
+        }
         const UnionRays parts(surfaces[i], number, inside);
         for (std::size_t k = 0; k < rays.size(); ++k) {
             const SceneRay& ray = inside[k];
             if (blocked[k] != 0 || !(ray.from < ray.to)) continue;
             if (surfaces[i].stopped()) return;
-            if (patch) {
-                blocked[k] = is_blocked_by_patch(surfaces[i], number, ray, counters) ? 1 : 0;
-                continue;
-            }
             blocked[k] = is_blocked(surfaces[i], number, parts, ray, meetings, counters) ? 1 : 0;
         }
     }

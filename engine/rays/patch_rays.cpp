@@ -37,9 +37,15 @@ void find_on_patch(const TraceFrame& surface, std::uint8_t number, std::span<con
     }
 }
 
-bool is_blocked_by_patch(const TraceFrame& surface, std::uint8_t number, const SceneRay& ray,
-                         Counters& counters) {
-    return find_patch_hit(surface, wanted(surface, number, ray, ray.to), true, counters).is_hit();
+void block_by_patch(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
+                    std::span<std::uint8_t> blocked, Counters& counters) {
+    for (std::size_t i = 0; i < rays.size() && !surface.stopped(); ++i) {
+        const SceneRay& ray = rays[i];
+        if (blocked[i] != 0 || !(ray.from < ray.to)) continue;
+        const PatchHit found =
+            find_patch_hit(surface, wanted(surface, number, ray, ray.to), true, counters);
+        blocked[i] = found.is_hit() || found.unsettled < ray.to ? 1 : 0;
+    }
 }
 
 }  // namespace zeroset

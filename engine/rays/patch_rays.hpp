@@ -13,8 +13,9 @@ namespace zeroset {
 void find_on_patch(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
                    std::span<RayHit> hits, Counters& counters);
 
-/// Whether a place of a parametric surface lies on the ray, or may.
-bool is_blocked_by_patch(const TraceFrame& surface, std::uint8_t number, const SceneRay& ray,
-                         Counters& counters);
+/// Marks those of the rays that are not blocked yet on which a place of a parametric surface lies,
+/// or may; all rays are clipped. In upward rounding.
+void block_by_patch(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
+                    std::span<std::uint8_t> blocked, Counters& counters);
 
 }  // namespace zeroset

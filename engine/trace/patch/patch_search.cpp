@@ -73,8 +73,6 @@ void PatchSearch::take(const PatchQuest& quest, const Item& item, const ZeroTest
     best_.s = test.s;
     best_.s_radius = test.s_radius;
     best_.is_proved = where == InSquare::Inside;
-    const UvBox place = place_in(item.box, test.p, test.q, 0.0);
-    best_.place = {place.u, place.v};
     best_.normal = glm::cross(point.su, point.sv);
 }
 
@@ -128,7 +126,6 @@ void PatchSearch::give_up(const PatchQuest& quest, const Item& item) {
     best_.s = at;
     best_.s_radius = radius;
     best_.is_proved = false;
-    best_.place = {item.box.u, item.box.v};
     best_.normal = glm::cross(item.form.du, item.form.dv);
 }
 

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include <functional>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -28,7 +28,6 @@ struct PatchHit {
     double s = std::numeric_limits<double>::infinity();  ///< +inf: there is none
     double s_radius = 0.0;
     bool is_proved = false;  ///< a place of the patch is there, and none before `unsettled`
-    glm::dvec2 place{0.0};   ///< (u, v)
     glm::dvec3 normal{0.0};  ///< dS/du x dS/dv, of whatever size
     /// Before this depth nothing was left that could be neither rejected nor drawn.
     double unsettled = std::numeric_limits<double>::infinity();
@@ -43,11 +42,12 @@ InSquare in_square(const UvBox& box);
 /// The (u, v) that p and q of a node's form stand for, and how far they may be from them.
 UvBox place_in(const UvBox& box, double p, double q, double radius);
 
-/// Searches single rays, box by box from front to back. Keeps its room from ray to ray.
+/// Searches single rays, box by box from front to back. A thread's keep their room from one to the
+/// next: one at a time searches.
 class PatchSearch {
 public:
     PatchSearch(const PatchTree& tree, const TimeLimit& limit, Counters& counters)
-        : tree_(tree), limit_(limit), counters_(counters) {}
+        : tree_(tree), limit_(limit), counters_(counters), open_(room()) {}
 
     /// Searches the part of the patch below a node, for what is nearer than `known`, if that is a
     /// hit. When stopped it says so by `unsettled`.
@@ -62,6 +62,11 @@ private:
     };
     enum class Outcome : std::uint8_t { Done, Open };
 
+    static std::vector<Item>& room() {
+        thread_local std::vector<Item> kept;
+        return kept;
+    }
+
     void push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole, PatchNode* node);
     Outcome certify(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                     const LinearZeros& zeros);
@@ -74,7 +79,7 @@ private:
     const PatchTree& tree_;
     const TimeLimit& limit_;
     Counters& counters_;
-    std::vector<Item> open_;
+    std::vector<Item>& open_;
     PatchHit best_;
 };
 

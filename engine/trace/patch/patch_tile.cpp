@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -96,7 +95,7 @@ void PatchTile::find_bounds() {
             limit_ = std::max(limit_, room_.to[pixel]);
             const auto at =
                 static_cast<std::size_t>(row / block * (tile_size / block) + col / block);
-            widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
+            if (wish_ == Wish::AnyHits) widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
             widen(bounds_, room_.u[pixel], room_.v[pixel]);
         }
     }
@@ -318,11 +317,9 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.to[candidate.pixel]) ||
         test.s < rays_.first_depth())
         return true;
-    const UvBox place = place_in(box, test.p, test.q, 0.0);
     room_.set(candidate.pixel, {.s = test.s,
                                 .s_radius = test.s_radius,
                                 .is_proved = where == InSquare::Inside,
-                                .place = {place.u, place.v},
                                 .normal = glm::cross(point.su, point.sv),
                                 .unsettled = best.unsettled});
     if (wish_ == Wish::AnyHits && where == InSquare::Inside) {

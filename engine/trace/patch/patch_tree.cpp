@@ -58,7 +58,6 @@ Division division_of(double width, double height) {
     return {.cols = 4, .rows = 4};
 }
 
-/// Deletes the parts of all parts without a call within a call for each of thousands.
 PatchNode::~PatchNode() { delete children.load(); }  // NOLINT(cppcoreguidelines-owning-memory)
 
 PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
