@@ -5,7 +5,6 @@
 #include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
-#include "engine/rewrite/value_side.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/contour_step.hpp"
 #include "pipeline/input_error.hpp"
@@ -90,8 +89,6 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
         formulas.contour_expression = choice.lines.expression;
         formulas.contours = code_of(*expression);
     }
-    for (const Expr& surface : rows.program->surfaces)
-        formulas.sections.push_back(interpret_points(value_side(surface)));
     if (!has_formula(choice.by)) return formulas;
     if (choice.by == ColorBy::Expression) {
         const auto expression = color_expression(choice, rows);

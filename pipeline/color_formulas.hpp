@@ -20,8 +20,7 @@ struct ColorFormulas {
     std::string expression;
     std::vector<PointFunction> values;  ///< one for each surface; empty unless has_formula(by)
     std::string contour_expression = {};
-    PointFunction contours = {};               ///< of Contours::Expression
-    std::vector<PointFunction> sections = {};  ///< of each surface what its sections show
+    PointFunction contours = {};  ///< of Contours::Expression
 };
 
 /// Makes the functions for the surfaces as they were typed, in machine code unless that would take

@@ -8,6 +8,7 @@
 #include "engine/rewrite/root_witnesses.hpp"
 #include "engine/rewrite/traceable.hpp"
 #include "engine/rewrite/unrestricted.hpp"
+#include "engine/rewrite/value_side.hpp"
 #include "pipeline/csg_code.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/patch_surface.hpp"
@@ -136,6 +137,8 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
     formula.region = region;
     for (const Expr& shown : formula.program->surfaces) {
         const Expr surface = drawn_formula(shown, region);
+        formula.section_values.push_back(is_patch(shown) ? PointFunction()
+                                                         : interpret_points(value_side(shown)));
         if (is_patch(surface)) {
             formula.drawn.push_back(surface);
             formula.unrestricted.emplace_back();

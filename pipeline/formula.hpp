@@ -29,6 +29,8 @@ struct Formula : RowProgram {
     std::vector<Kernel> kernels{};  ///< one for each of `drawn`
     /// Solid::unrestricted for each of `drawn`.
     std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted{};
+    /// What sections show of each surface, as it was typed; none for parametric ones.
+    std::vector<PointFunction> section_values{};
     CodeState code = CodeState::Machine;
     double compile_ms = 0.0;  ///< time from text to code
 

@@ -137,11 +137,8 @@ Scene scene_of(const PictureRequest& request) {
     Scene scene = scene_as_written(request);
     turn_fronts_out(scene);
     std::vector<PointFunction> values;
-    for (const std::size_t surface : shown_indices(request)) {
-        // The code of colours may still be another text's.
-        if (surface < request.colors->sections.size())
-            values.push_back(request.colors->sections[surface]);
-    }
+    for (const std::size_t surface : shown_indices(request))
+        values.push_back(request.formula->section_values[surface]);
     scene.section_values = section_values(request.section_values, std::move(values), scene);
     return scene;
 }

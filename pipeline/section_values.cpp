@@ -31,6 +31,7 @@ ValueRange usual_range(const SectionValues& shown, const Scene& scene) {
     const UpwardRounding upward;
     std::vector<double> all;
     for (const PointFunction& values : shown.values) {
+        if (!values) continue;
         values(points.batch(scene.uniforms.points<double>()));
         for (std::size_t i = 0; i < points.count(); ++i)
             all.push_back(points.f(i));

@@ -74,19 +74,20 @@ void show_section_values(const TraceFrame& frame, const Tile& tile, int fineness
                          Counters& counters) {
     if (!layer.hits->any_values) return;
     const Scene& scene = frame.scene;
-    const SectionValues shown = scene.section_values.value_or(SectionValues());
     ValuePoints points(frame, tile, layer);
     const std::vector<ValuePixel>& pixels = points.pixels();
     if (pixels.empty()) return;
-    counters.value += 2 * pixels.size();
-    const bool of_f = layer.surface >= shown.values.size();
-    const auto& numbers =
-        points.evaluate(of_f ? frame.kernel.in_double.value : shown.values[layer.surface], frame);
+    static const SectionValues usual;
+    const SectionValues& shown = scene.section_values ? *scene.section_values : usual;
+    const PointFunction& f = frame.kernel.in_double.value;
+    const bool of_f = layer.surface >= shown.values.size() || !shown.values[layer.surface];
+    const auto& numbers = points.evaluate(of_f ? f : shown.values[layer.surface], frame);
     std::vector<Reflectance> colors;
     colors.reserve(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i)
         colors.push_back(color_at(shown.map, shown.range.place(numbers.f(i))));
-    const auto& levels = points.evaluate(frame.kernel.in_double.value, frame);
+    const auto& levels = of_f ? numbers : points.evaluate(f, frame);
+    counters.value += (of_f ? 1 : 2) * pixels.size();
     const float(&line)[3] = scene.colors_of_surface(layer.surface).front;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const glm::dvec3 gradient(levels.gradient(0, i), levels.gradient(1, i),
