@@ -106,6 +106,7 @@ private:
     std::optional<std::vector<Binding>> bind_names(const std::vector<Ranged>& ranges);
     std::optional<std::array<NodeId, 3>> point_over(const StatementSyntax& statement,
                                                     const std::vector<Binding>& bindings);
+    bool check_order(const std::vector<Ranged>& ranges, const std::vector<Binding>& names);
     std::string open_variable(std::size_t statement, const std::vector<Ranged>& ranges);
     std::string patch_text(const std::array<NodeId, 3>& point, const std::vector<Ranged>& ranges,
                            const std::vector<Binding>& bindings);
@@ -114,7 +115,6 @@ private:
     bool add_named_point(const Definition& definition, const std::string& text);
     [[nodiscard]] bool is_meeting(const Syntax& relation) const;
     bool build_meeting(std::size_t index);
-    bool refuse_row_of(const StatementSyntax& statement);
     bool add_patch(std::size_t index, NodeId root, std::string text);
 
     // elaborator_graphs.cpp: functions that stand alone

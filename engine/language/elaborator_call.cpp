@@ -313,7 +313,8 @@ Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* 
     const Built value = function_value(*definition, *arguments);
     if (value && definition->called_with.empty()) {
         for (const Value& argument : *arguments)
-            definition->called_with.push_back(argument.size());
+            definition->called_with.push_back(argument.is_list() ? argument.part(0).size()
+                                                                 : argument.size());
     }
     return value;
 }

@@ -168,6 +168,27 @@ bool Elaborator::check_ranges(const StatementSyntax& statement, std::vector<Rang
     return true;
 }
 
+/// Whether each range goes by variables of ranges before it alone; `names`: as from bind_names.
+bool Elaborator::check_order(const std::vector<Ranged>& ranges, const std::vector<Binding>& names) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        for (const SyntaxId end : {ranges[i].lo, ranges[i].hi}) {
+            const Number value = number(end, &names.back());
+            if (!value) return false;
+            for (std::size_t later = i; later < ranges.size(); ++later) {
+                const int variable = first_variable + static_cast<int>(later);
+                if (!builder_.finish(*value).uses_variable(variable)) continue;
+                fail(ranges[i].offset,
+                     filled(tr("the range of {0} goes by {1}"),
+                            {ranges[i].name, ranges[later].name}),
+                     later == i ? filled(tr("type {0}"), {example})
+                                : filled(tr("type the range of {0} first"), {ranges[later].name}));
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 /// Builds a row that is given by a point.
 bool Elaborator::build_patch(std::size_t index) {
     const StatementSyntax& statement = tree_.statements[index];
@@ -177,7 +198,11 @@ bool Elaborator::build_patch(std::size_t index) {
     const auto names = bind_names(ranges);
     if (!names) return false;
     const auto typed = point_over(statement, *names);
-    if (!typed) return error_ ? false : refuse_row_of(statement);
+    if (!typed && !error_) {
+        fail(statement.offset, tr("a row with ranges of variables is a point of three numbers"),
+             filled(tr("type {0}"), {example}));
+    }
+    if (!typed) return false;
     if (std::ranges::any_of(*typed, [&](NodeId id) { return uses_space(id); })) {
         fail(statement.offset,
              tr("a point is given by numbers and variables with a range, not by "
@@ -185,6 +210,7 @@ bool Elaborator::build_patch(std::size_t index) {
              filled(tr("type {0}"), {example}));
         return false;
     }
+    if (!check_order(ranges, *names)) return false;
     const std::string open = ranges.size() < 2 ? open_variable(index, ranges) : std::string();
     if (!open.empty()) {
         fail(statement.offset, filled(tr("{0} has no range"), {open}),
@@ -248,13 +274,6 @@ bool Elaborator::build_meeting(std::size_t index) {
     return add_patch(index,
                      make_patch(builder_, PatchKind::Meeting, {functions[0], functions[1], where}),
                      std::move(text));
-}
-
-/// The error for a row with ranges that is no vector of 3.
-bool Elaborator::refuse_row_of(const StatementSyntax& statement) {
-    fail(statement.offset, tr("a row with ranges of variables is a point of three numbers"),
-         filled(tr("type {0}"), {example}));
-    return false;
 }
 
 bool Elaborator::add_patch(std::size_t index, NodeId root, std::string text) {

@@ -53,8 +53,6 @@ struct Function {
     /// Whether the function is a row of shapes.def, which gives way to what the text defines and is
     /// a word before a bracket only.
     [[nodiscard]] bool is_word() const { return !kinds.empty(); }
-    /// Whether the first argument may be left out.
-    [[nodiscard]] bool may_omit_point() const { return kinds.starts_with('p'); }
     /// Whether the function is written in the language: a row of library.def or shapes.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
     /// Whether a call may have this many arguments; one may have to be a list or vector.
