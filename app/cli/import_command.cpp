@@ -6,7 +6,6 @@
 #include "document/import/import.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
-#include "pipeline/finish_picture.hpp"
 #include "pipeline/prepare.hpp"
 
 #include <nlohmann/json.hpp>
@@ -61,7 +60,9 @@ public:
             if (const int failed = bring(file); failed != exit_ok) return failed;
         }
         if (command_.json) {
-            const auto written = write_text(*command_.json, report_json().dump(2) + "\n");
+            const auto written = write_text(
+                *command_.json,
+                report_json().dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
             if (!written) return report_run_time(written.error().message);
         }
         if (command_.json != "-") print_summary();
@@ -163,20 +164,12 @@ private:
     static int write_picture(const std::shared_ptr<const RenderedPicture>& made,
                              const RenderCommand& as_typed, Brought& brought) {
         RenderFiles files(as_typed);
-        const FrameSubject subject{.document = made->plan.document,
-                                   .camera = made->request.camera,
-                                   .coloring = made->scene.coloring,
-                                   .uniforms = made->scene.uniforms,
-                                   .legend = true};
-        const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
-        const auto painted = finish_picture(frame, subject);
-        if (!painted) return report_run_time(painted.error());
-        const auto added = files.add(*made, {.frame = *frame, .painted = **painted, .row = 0});
-        if (!added) return report_run_time(added.error().message);
+        const auto added = add_whole(as_typed, made, files);
+        if (!added) return report_run_time(added.error());
         const auto written = files.finish();
         if (!written) return report_run_time(written.error().message);
         brought.empty = std::ranges::all_of(
-            frame->surface, [](std::uint8_t surface) { return surface == no_surface; });
+            made->frame.surface, [](std::uint8_t surface) { return surface == no_surface; });
         return exit_ok;
     }
 

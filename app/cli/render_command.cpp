@@ -8,7 +8,6 @@
 #include "engine/export/file.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/scene/tolerance.hpp"
-#include "pipeline/finish_picture.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/probe_document.hpp"
 
@@ -189,25 +188,6 @@ void print_probes(const RenderedPicture& picture) {
         const std::size_t surface = facts ? shown[facts->surface] : 0;
         std::cout << json_line(pixel.x, pixel.y, facts, surface + 1, readings[surface]);
     }
-}
-
-/// Hands a picture that is in memory as a whole to its files.
-std::expected<void, std::string> add_whole(const RenderCommand& command,
-                                           const std::shared_ptr<const RenderedPicture>& made,
-                                           RenderFiles& files) {
-    const FrameSubject subject{.document = made->plan.document,
-                               .camera = made->request.camera,
-                               .coloring = made->scene.coloring,
-                               .uniforms = made->scene.uniforms,
-                               .section_values = made->scene.section_values,
-                               .legend = made->plan.legend};
-    const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
-    std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;
-    if (command.output) painted = finish_picture(frame, subject);
-    if (!painted) return std::unexpected(painted.error());
-    const auto added = files.add(*made, {.frame = *frame, .painted = **painted, .row = 0});
-    if (!added) return std::unexpected(added.error().message);
-    return {};
 }
 
 /// Writes the requested files; returns an error if one cannot be written.

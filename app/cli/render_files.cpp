@@ -4,6 +4,7 @@
 #include "engine/base/clock.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
 #include "engine/image/cost_picture.hpp"
+#include "pipeline/finish_picture.hpp"
 #include "pipeline/plans/export_formats.hpp"
 
 #include <algorithm>
@@ -148,6 +149,24 @@ std::expected<void, FileError> RenderFiles::finish() {
     if (written && cost_ != nullptr) written = cost_->finish();
     writing_ms_ += ms_since(start);
     return written;
+}
+
+std::expected<void, std::string> add_whole(const RenderCommand& command,
+                                           const std::shared_ptr<const RenderedPicture>& made,
+                                           RenderFiles& files) {
+    const FrameSubject subject{.document = made->plan.document,
+                               .camera = made->request.camera,
+                               .coloring = made->scene.coloring,
+                               .uniforms = made->scene.uniforms,
+                               .section_values = made->scene.section_values,
+                               .legend = made->plan.legend};
+    const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
+    std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;
+    if (command.output) painted = finish_picture(frame, subject);
+    if (!painted) return std::unexpected(painted.error());
+    const auto added = files.add(*made, {.frame = *frame, .painted = **painted, .row = 0});
+    if (!added) return std::unexpected(added.error().message);
+    return {};
 }
 
 }  // namespace zeroset

@@ -48,4 +48,9 @@ private:
     std::vector<std::size_t> surfaces_;
 };
 
+/// Hands a picture that is in memory as a whole to its files.
+std::expected<void, std::string> add_whole(const RenderCommand& command,
+                                           const std::shared_ptr<const RenderedPicture>& made,
+                                           RenderFiles& files);
+
 }  // namespace zeroset

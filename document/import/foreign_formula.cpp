@@ -126,7 +126,8 @@ private:
 
     ReadTerm powers_of(Term base) {
         ReadTerm result(std::move(base));
-        while (result && tokens_.at_sign("^")) {
+        for (int powers = 1; result && tokens_.at_sign("^"); ++powers) {
+            if (powers > most_depth) return error(tr("the formula is nested too deeply"));
             tokens_.next();
             result = power_of(std::move(*result));
         }

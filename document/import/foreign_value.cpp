@@ -7,26 +7,14 @@
 namespace zeroset {
 namespace {
 
-std::optional<bool> compared(double a, std::string_view sign, double b) {
-    if (sign == "<") return a < b;
-    if (sign == ">") return a > b;
-    if (sign == "<=") return a <= b;
-    if (sign == ">=") return a >= b;
-    if (sign == "=" || sign == "==") return a == b;
-    if (sign == "!=") return a != b;
-    if (sign == "&" || sign == "&&") return a != 0.0 && b != 0.0;
-    if (sign == "|" || sign == "||") return a != 0.0 || b != 0.0;
-    return std::nullopt;
-}
-
 std::optional<double> joined(double a, std::string_view sign, double b) {
     if (sign == "+") return a + b;
     if (sign == "-") return a - b;
     if (sign == "*") return a * b;
     if (sign == "/") return a / b;
     if (sign == "%") return std::fmod(a, b);
-    const auto holds = compared(a, sign, b);
-    return holds ? std::optional(*holds ? 1.0 : 0.0) : std::nullopt;
+    const auto relation = holds(a, sign, b);
+    return relation ? std::optional(*relation ? 1.0 : 0.0) : std::nullopt;
 }
 
 }  // namespace

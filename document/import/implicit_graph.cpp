@@ -13,6 +13,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t most_definitions = 100'000;
+constexpr std::size_t most_nodes = 1'000'000;
 constexpr int deepest_call = 16;
 constexpr int most_calls = 10'000;
 
@@ -138,7 +139,8 @@ std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pug
 }
 
 std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Values& values) {
-    if (count_ > most_definitions) return std::unexpected(tr("its functions have too many nodes"));
+    if (++nodes_ > most_nodes || count_ > most_definitions)
+        return std::unexpected(tr("its functions have too many nodes"));
     const std::string_view kind = local_name(node);
     const std::string name = node.attribute("identifier").value();
     if (kind == "constresourceid") {

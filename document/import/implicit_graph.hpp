@@ -53,6 +53,7 @@ private:
     std::map<std::string, pugi::xml_node, std::less<>> functions_;
     std::string definitions_;
     std::size_t count_ = 0;
+    std::size_t nodes_ = 0;  ///< that were evaluated
     int depth_ = 0;
     int calls_ = 0;
 };

@@ -109,7 +109,10 @@ void check_rows(ImportedDocument& imported) {
     const std::vector<Statement> as_written = rows;
     std::vector<ImportNote> refused;
     auto program = read_rows(imported.document);
-    while (!program && refuse_row(imported, program.error(), as_written, refused))
+    // A text of which that many rows are refused is no file of formulas.
+    constexpr std::size_t most_refused = 200;
+    while (!program && refused.size() < most_refused &&
+           refuse_row(imported, program.error(), as_written, refused))
         program = read_rows(imported.document);
     if (program && draws_something(imported, *program)) {
         for (ImportNote& note : refused)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -189,7 +190,8 @@ private:
                 part.text = "round";
                 note(field, index, tr("int() rounds to the nearest integer, as it does there"));
             }
-            if (part.kind == TermKind::Chain &&
+            // Each operand is one deeper than the one before it then.
+            if (part.kind == TermKind::Chain && std::ssize(part.operands) <= most_depth &&
                 std::ranges::find(part.signs, "%") != part.signs.end())
                 part = without_remainders(std::move(part));
             if (part.kind != TermKind::Name && !is_call) return;

@@ -167,6 +167,8 @@ ReadImport read_mathmod(std::string_view text) {
         const auto lines = std::ranges::count(strict->substr(0, at), '\n') + 1;
         return import_error(static_cast<std::size_t>(lines),
                             tr("it is no JSON, as MathMod writes it"));
+    } catch (const Json::out_of_range&) {
+        return import_error(0, tr("a number in it is too large"));
     }
     Collection collection;
     collection.add_all(json);

@@ -1,4 +1,5 @@
 #include "document/import/pov_formulas.hpp"
+#include "document/import/pov_modifiers.hpp"
 #include "document/import/pov_script.hpp"
 #include "document/import/readers.hpp"
 #include "engine/base/translation.hpp"
@@ -22,11 +23,6 @@ struct Container {
     double radius = 1.0;
 };
 
-struct PovLook {
-    std::optional<std::uint32_t> color;
-    std::optional<double> opacity;
-};
-
 /// An isosurface in its own coordinates, and where it stands.
 struct PovSurface {
     std::string function;
@@ -40,11 +36,6 @@ struct PovSurface {
 
 constexpr int deepest = 60;
 constexpr std::size_t most_surfaces = 90;
-
-glm::dvec3 vector_of(const PovValue& value) {
-    if (value.size() == 1) return glm::dvec3(value[0]);
-    return {value[0], value[1], value.size() > 2 ? value[2] : 0.0};
-}
 
 /// (x, y, z) of POV-Ray here, and back.
 glm::dvec3 swapped(const glm::dvec3& v) { return {v.x, v.z, v.y}; }
@@ -82,6 +73,13 @@ public:
 private:
     using Surfaces = std::vector<PovSurface>;
 
+    /// Adds surfaces, but none beyond one more than are drawn.
+    static void append(Surfaces& to, const Surfaces& more) {
+        for (const PovSurface& surface : more) {
+            if (to.size() <= most_surfaces) to.push_back(surface);
+        }
+    }
+
     /// Reads an item of the scene or of a union, and adds its surfaces.
     void item(Surfaces& surfaces) {
         const ScriptToken word = script_.next();
@@ -90,8 +88,7 @@ private:
         if (word.text == "background") return background();
         if (!script_.at_sign("{")) return;
         if (auto found = object(word.text, word.line)) {
-            for (PovSurface& surface : *found)
-                surfaces.push_back(std::move(surface));
+            append(surfaces, *found);
         } else {
             script_.skip_block();
             if (word.text != "global_settings")
@@ -114,11 +111,11 @@ private:
         Placement placement;
         script_.take_sign("{");
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            if (modifier(placement, look)) continue;
+            if (modifiers_.read(placement, look)) continue;
             const std::string name(script_.peek().text);
             const auto known = objects_.find(name);
             if (known != objects_.end() && script_.take_name(name)) {
-                parts.insert(parts.end(), known->second.begin(), known->second.end());
+                append(parts, known->second);
             } else {
                 item(parts);
             }
@@ -143,7 +140,7 @@ private:
         script_.take_sign("{");
         bool complete = false;
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            if (modifier(surface.placement, surface.look)) continue;
+            if (modifiers_.read(surface.placement, surface.look)) continue;
             const ScriptToken word = script_.next();
             if (word.text == "function") {
                 const auto own = formulas_.read("");
@@ -152,7 +149,7 @@ private:
             } else if (word.text == "contained_by") {
                 container(surface.container);
             } else if (word.text == "threshold") {
-                if (const auto value = number(word)) surface.threshold = *value;
+                if (const auto value = modifiers_.number(word)) surface.threshold = *value;
             } else if (word.text == "open") {
                 surface.open = true;
             } else if (script_.at_sign("{")) {
@@ -167,35 +164,21 @@ private:
         return {surface};
     }
 
-    std::optional<double> number(const ScriptToken& word) {
-        const auto value = script_.value();
-        if (value) return (*value)[0];
-        result_.note(word.line, word.text, tr("its value is not known; it is left out"));
-        return std::nullopt;
-    }
-
-    std::optional<glm::dvec3> vector(const ScriptToken& word) {
-        const auto value = script_.value();
-        if (value) return vector_of(*value);
-        result_.note(word.line, word.text, tr("its value is not known; it is left out"));
-        return std::nullopt;
-    }
-
     void container(Container& container) {
         script_.take_sign("{");
         const ScriptToken word = script_.next();
         script_.take_sign("{");
-        const auto first = vector(word);
+        const auto first = modifiers_.vector(word);
         script_.take_sign(",");
         if (word.text == "sphere") {
-            const auto radius = number(word);
+            const auto radius = modifiers_.number(word);
             if (first && radius && *radius > 0.0) {
                 container.ball = true;
                 container.centre = *first;
                 container.radius = *radius;
             }
         } else {
-            const auto second = vector(word);
+            const auto second = modifiers_.vector(word);
             if (first && second) {
                 container.lo = glm::min(*first, *second);
                 container.hi = glm::max(*first, *second);
@@ -203,139 +186,6 @@ private:
         }
         script_.take_sign("}");
         script_.take_sign("}");
-    }
-
-    /// Reads a transformation or a texture, if one is next.
-    bool modifier(Placement& placement, PovLook& look) {
-        const ScriptToken word = script_.peek();
-        if (word.kind != ScriptKind::Name) return false;
-        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material",
-                                                               "color"};
-        if (std::ranges::find(looks, word.text) != looks.end()) {
-            script_.next();
-            read_look(word, look);
-            return true;
-        }
-        const auto step = transformation();
-        if (step) placement = placement.then(*step);
-        return step.has_value();
-    }
-
-    std::optional<Placement> transformation() {
-        const ScriptToken word = script_.peek();
-        if (word.text == "transform") return transform();
-        const bool known = word.text == "scale" || word.text == "rotate" ||
-                           word.text == "translate" || word.text == "matrix";
-        if (word.kind != ScriptKind::Name || !known) return std::nullopt;
-        script_.next();
-        if (word.text == "matrix") return matrix(word);
-        const auto value = vector(word);
-        if (!value) return Placement{};
-        if (word.text == "translate") return Placement::moving(*value);
-        if (word.text == "scale") {
-            glm::dvec3 factors = *value;
-            for (int i = 0; i < 3; ++i)
-                if (factors[i] == 0.0) factors[i] = 1.0;
-            return Placement::scaling(factors);
-        }
-        Placement turned;
-        for (int axis = 0; axis < 3; ++axis) {
-            if ((*value)[axis] == 0.0) continue;
-            turned =
-                turned.then(Placement::turning(axis, (*value)[axis] * std::numbers::pi / 180.0));
-        }
-        return turned;
-    }
-
-    Placement matrix(const ScriptToken& word) {
-        Placement result;
-        std::array<double, 12> m{};
-        script_.take_sign("<");
-        for (double& entry : m) {
-            const auto value = script_.value();
-            script_.take_sign(",");
-            if (!value) {
-                result_.note(word.line, word.text, tr("its value is not known; it is left out"));
-                return {};
-            }
-            entry = (*value)[0];
-        }
-        script_.take_sign(">");
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j)
-                result.linear[i][j] = m[static_cast<std::size_t>(3 * i + j)];
-            result.shift[i] = m[static_cast<std::size_t>(9 + i)];
-        }
-        return result;
-    }
-
-    std::optional<Placement> transform() {
-        const ScriptToken word = script_.next();
-        const bool braces = script_.take_sign("{");
-        Placement result;
-        if (!braces) {
-            const auto known = transforms_.find(script_.next().text);
-            return known == transforms_.end() ? result : known->second;
-        }
-        while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            const auto known = transforms_.find(script_.peek().text);
-            if (known != transforms_.end()) {
-                script_.next();
-                result = result.then(known->second);
-            } else if (depth_ < deepest) {
-                ++depth_;
-                const auto step = transformation();
-                --depth_;
-                if (step)
-                    result = result.then(*step);
-                else
-                    result_.note(word.line, script_.next().text, tr("not taken over"));
-            } else {
-                script_.next();
-            }
-        }
-        return result;
-    }
-
-    /// Finds the colour in a texture: the first one told.
-    void read_look(const ScriptToken& word, PovLook& look) {
-        if (word.text == "color") return take_color(script_.value(), look);
-        if (!script_.take_sign("{")) return;
-        int open = 1;
-        while (open > 0 && script_.peek().kind != ScriptKind::End) {
-            const ScriptToken token = script_.peek();
-            if (script_.take_sign("{")) {
-                ++open;
-                continue;
-            }
-            if (script_.take_sign("}")) {
-                --open;
-                continue;
-            }
-            static constexpr std::array<std::string_view, 7> colors{
-                "rgb", "rgbt", "rgbf", "color", "colour", "srgb", "rgbft"};
-            const auto known = looks_.find(token.text);
-            if (token.kind == ScriptKind::Name && known != looks_.end()) {
-                if (!look.color) look = known->second;
-                script_.next();
-            } else if (std::ranges::find(colors, token.text) != colors.end()) {
-                take_color(script_.value(), look);
-            } else {
-                const auto value = script_.value_of(token.text);
-                script_.next();
-                if (token.kind == ScriptKind::Name && value && value->size() >= 3 && open >= 1 &&
-                    token.text.size() > 1)
-                    take_color(value, look);
-            }
-        }
-    }
-
-    static void take_color(const std::optional<PovValue>& color, PovLook& look) {
-        if (!color || color->size() < 3 || look.color) return;
-        look.color = shown_color((*color)[0], (*color)[1], (*color)[2]);
-        const double through =
-            (color->size() > 3 ? (*color)[3] : 0.0) + (color->size() > 4 ? (*color)[4] : 0.0);
-        if (through > 0.0) look.opacity = std::clamp(1.0 - through, 0.0, 1.0);
     }
 
     bool declare(const std::string& name) {
@@ -350,19 +200,7 @@ private:
             formulas_.define(name, *same);
             return true;
         }
-        if (word.text == "transform") {
-            transforms_.insert_or_assign(name, *transform());
-            return true;
-        }
-        static constexpr std::array<std::string_view, 4> looks{"texture", "pigment", "material",
-                                                               "finish"};
-        if (std::ranges::find(looks, word.text) != looks.end()) {
-            script_.next();
-            PovLook look;
-            read_look(word, look);
-            looks_.insert_or_assign(name, look);
-            return true;
-        }
+        if (modifiers_.declare(name)) return true;
         if (script_.raw().at_sign("{", 1)) {
             script_.next();
             if (auto parts = object(word.text, word.line))
@@ -377,7 +215,7 @@ private:
     void background() {
         if (!script_.take_sign("{")) return;
         PovLook look;
-        take_color(script_.value(), look);
+        PovModifiers::take_color(script_.value(), look);
         script_.take_sign("}");
         if (look.color)
             result_.document.light.background =
@@ -393,21 +231,21 @@ private:
         bool parallel = false;
         Placement placement;
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            if (const auto step = transformation()) {
+            if (const auto step = modifiers_.transformation()) {
                 placement = placement.then(*step);
                 continue;
             }
             const ScriptToken word = script_.next();
             const auto take = [&](std::string_view name, glm::dvec3& into) {
                 if (word.text != name) return;
-                if (const auto value = vector(word)) into = *value;
+                if (const auto value = modifiers_.vector(word)) into = *value;
             };
             take("location", eye);
             take("look_at", target);
             take("sky", sky);
             take("right", right);
             take("up", up);
-            if (word.text == "angle") angle = number(word).value_or(angle);
+            if (word.text == "angle") angle = modifiers_.number(word).value_or(angle);
             if (word.text == "orthographic") parallel = true;
             if (script_.at_sign("{")) script_.skip_block();
         }
@@ -518,11 +356,10 @@ private:
 
     ImportedDocument result_{.name = {}};
     PovScript script_;
+    PovModifiers modifiers_{script_, result_};
     PovFormulas formulas_;
     Surfaces shown_;
     std::map<std::string, Surfaces, std::less<>> objects_;
-    std::map<std::string, Placement, std::less<>> transforms_;
-    std::map<std::string, PovLook, std::less<>> looks_;
     std::optional<Camera> camera_;
     std::size_t read_ = 0;
     int depth_ = 0;

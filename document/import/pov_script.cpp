@@ -1,5 +1,6 @@
 #include "document/import/pov_script.hpp"
 
+#include "document/import/real_functions.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
@@ -11,6 +12,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t most_steps = 200'000;
+constexpr std::size_t most_repeated = 10'000'000;  // tokens
 constexpr int deepest = 100;
 constexpr std::array<std::string_view, 7> openers{"if",  "ifdef",  "ifndef", "while",
                                                   "for", "switch", "macro"};
@@ -21,18 +23,6 @@ constexpr std::array<std::string_view, 5> known_files{"functions.inc", "colors.i
 template <std::size_t n>
 bool is_one_of(const std::array<std::string_view, n>& words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
-}
-
-/// Whether two numbers are as a sign says.
-bool holds(double a, std::string_view sign, double b) {
-    if (sign == "<") return a < b;
-    if (sign == ">") return a > b;
-    if (sign == "<=") return a <= b;
-    if (sign == ">=") return a >= b;
-    if (sign == "!=") return a != b;
-    if (sign == "&") return a != 0.0 && b != 0.0;
-    if (sign == "|") return a != 0.0 || b != 0.0;
-    return a == b;
 }
 
 }  // namespace
@@ -46,9 +36,7 @@ void PovScript::note(std::size_t line, std::string_view entry, std::string reaso
 const ScriptToken& PovScript::peek() {
     while (tokens_.at_sign("#") && directive_depth_ < deepest) {
         if (++steps_ > most_steps) {
-            note(tokens_.line(), "#", tr("the script runs too long; the rest is left out"));
-            while (!tokens_.at_end())
-                tokens_.next();
+            stop_long();
             break;
         }
         ++directive_depth_;
@@ -56,6 +44,22 @@ const ScriptToken& PovScript::peek() {
         --directive_depth_;
     }
     return tokens_.peek();
+}
+
+void PovScript::stop_long() {
+    note(tokens_.line(), "#", tr("the script runs too long; the rest is left out"));
+    stop();
+}
+
+void PovScript::go_back(const Block& block) {
+    repeated_ += tokens_.position() - block.begin;
+    if (repeated_ > most_repeated) return stop_long();
+    tokens_.go_to(block.begin);
+    if (block.kind == Block::Kind::While) {
+        begin_while(block.begin);
+    } else {
+        blocks_.push_back(block);
+    }
 }
 
 void PovScript::stop() {
@@ -232,16 +236,14 @@ void PovScript::end_block() {
     const Block block = blocks_.back();
     blocks_.pop_back();
     if (block.kind == Block::Kind::While) {
-        tokens_.go_to(block.begin);
-        begin_while(block.begin);
+        go_back(block);
     } else if (block.kind == Block::Kind::For) {
         PovValue& variable = values_[block.variable];
         const double now = (variable.empty() ? block.last : variable[0]) + block.step;
         variable = {now};
         // A step that is lost in rounding would never end; steps_ ends it, too.
         if (block.step > 0.0 ? now > block.last + 1e-9 : now < block.last - 1e-9) return;
-        tokens_.go_to(block.begin);
-        blocks_.push_back(block);
+        go_back(block);
     }
 }
 
@@ -267,11 +269,14 @@ std::optional<PovValue> PovScript::compared() {
     while (result && peek().kind == ScriptKind::Sign && is_one_of(signs, peek().text)) {
         const std::string_view sign = next().text;
         const bool joins = sign == "&" || sign == "|";
+        // All behind & and | is one deeper: sum() ends it.
+        depth_ += joins ? 1 : 0;
         const auto other = joins ? compared() : sum();
+        depth_ -= joins ? 1 : 0;
         if (!other) return std::nullopt;
         const double a = (*result)[0];
         const double b = (*other)[0];
-        result = PovValue{holds(a, sign, b) ? 1.0 : 0.0};
+        result = PovValue{holds(a, sign, b).value_or(false) ? 1.0 : 0.0};
     }
     return result;
 }

@@ -53,9 +53,12 @@ private:
         std::string variable = {};
         double last = 0.0, step = 0.0;
     };
-    struct Budget;
 
     void note(std::size_t line, std::string_view entry, std::string reason) const;
+    /// Leaves out the rest, and says so.
+    void stop_long();
+    /// Goes on with the next time of a loop.
+    void go_back(const Block& block);
     void directive();
     void declare();
     void include();
@@ -84,6 +87,7 @@ private:
     int depth_ = 0;
     int directive_depth_ = 0;
     std::size_t steps_ = 0;
+    std::size_t repeated_ = 0;  ///< tokens of loops, each time that they are read again
 };
 
 }  // namespace zeroset

@@ -27,13 +27,6 @@ double joined(double a, char sign, double b) {
     }
 }
 
-glm::dvec3 vector_of(const PovValue& value) {
-    const auto at = [&](std::size_t i) {
-        return value.size() == 1 ? value[0] : i < value.size() ? value[i] : 0.0;
-    };
-    return {at(0), at(1), at(2)};
-}
-
 PovValue value_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::optional<PovValue> vector_function(std::string_view name, std::span<const PovValue> given) {
@@ -54,6 +47,13 @@ std::optional<PovValue> vector_function(std::string_view name, std::span<const P
 }
 
 }  // namespace
+
+glm::dvec3 vector_of(const PovValue& value) {
+    const auto at = [&](std::size_t i) {
+        return value.size() == 1 ? value[0] : i < value.size() ? value[i] : 0.0;
+    };
+    return {at(0), at(1), at(2)};
+}
 
 PovValue joined(const PovValue& a, char sign, const PovValue& b) {
     PovValue result(std::max(a.size(), b.size()));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,6 +14,9 @@ using PovValue = std::vector<double>;
 
 /// The values under + - * /, part by part; a number counts as a vector of equal parts.
 PovValue joined(const PovValue& a, char sign, const PovValue& b);
+
+/// A vector of three parts; a number counts as one of equal parts, what is missing as 0.
+glm::dvec3 vector_of(const PovValue& value);
 
 /// The value of a function of POV-Ray's language (not of its function { } blocks); nothing for
 /// others.

@@ -74,4 +74,16 @@ std::optional<double> real_function(std::string_view name, std::span<const doubl
     return std::nullopt;
 }
 
+std::optional<bool> holds(double a, std::string_view sign, double b) {
+    if (sign == "<") return a < b;
+    if (sign == ">") return a > b;
+    if (sign == "<=") return a <= b;
+    if (sign == ">=") return a >= b;
+    if (sign == "=" || sign == "==") return a == b;
+    if (sign == "!=") return a != b;
+    if (sign == "&" || sign == "&&") return a != 0.0 && b != 0.0;
+    if (sign == "|" || sign == "||") return a != 0.0 || b != 0.0;
+    return std::nullopt;
+}
+
 }  // namespace zeroset

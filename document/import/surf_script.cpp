@@ -258,7 +258,8 @@ private:
     }
 
     [[nodiscard]] double setting(const std::string& name, double otherwise) const {
-        return constant(name).value_or(otherwise);
+        const auto value = constant(name);
+        return value && std::abs(*value) <= largest_number ? *value : otherwise;
     }
 
     [[nodiscard]] std::uint32_t color(const std::string& stem, std::uint32_t usual) const {

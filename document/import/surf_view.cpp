@@ -86,7 +86,8 @@ bool SurfViewNames::knows(std::string_view name) const {
 SurfView SurfViewNames::of(const Setting& setting) const {
     SurfView view;
     for (const auto& [name, usual] : {std::pair("first", 0), {"second", 1}, {"third", 2}})
-        view.to_view = view.to_view.then(action(static_cast<int>(setting(name, usual)), setting));
+        view.to_view = view.to_view.then(
+            action(static_cast<int>(std::clamp(setting(name, usual), -1.0, 3.0)), setting));
     const auto back = view.to_view.inverse();
     if (!back || !back->scale()) view.substituted = back.value_or(Placement{});
     view.radius = std::max(1e-6, std::abs(setting("radius", 10.0)));

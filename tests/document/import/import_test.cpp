@@ -275,10 +275,42 @@ TEST(Imports, DeepFormulasAreRefused) {
     }
     const auto surf = read_import("a.pic", "surface = " + deep + "; draw_surface;");
     EXPECT_FALSE(surf);
+    const auto repeated = [](const std::string& part) {
+        std::string text;
+        for (int i = 0; i < 100'000; ++i)
+            text += part;
+        return text;
+    };
+    EXPECT_FALSE(read_import("a.pic", "surface = x" + repeated("^1") + "; draw_surface;"));
+    const auto joined = read_import("a.pov", "#if (1" + repeated("&1") + ") #end");
+    EXPECT_FALSE(joined && joined->documents[0].refusal.empty());
+    const auto remainders =
+        read_import("a.js", R"({"Iso3D": {"Fxyz": ["x)" + repeated("%3") + R"("]}})");
+    EXPECT_FALSE(remainders && remainders->documents[0].refusal.empty());
     std::string unions;
     for (int i = 0; i < 50'000; ++i)
         unions += "union { ";
     EXPECT_FALSE(read_import("a.pov", unions));
+}
+
+TEST(Imports, NumbersAreNotTooLarge) {
+    EXPECT_FALSE(read_import("a.js", R"({"Iso3D": {"Fxyz": ["x"], "Xmin": [1e999]}})"));
+    const auto surf = read_import(
+        "a.pic", "radius = 1/0; first = 1e20; clip = 0/0; surface = x^2 + y^2 - 1; draw_surface;");
+    ASSERT_TRUE(surf);
+    EXPECT_TRUE(std::isfinite(surf->documents[0].document.clip.size()));
+}
+
+TEST(Imports, ScenesOfPovRayEnd) {
+    std::string text =
+        "#declare A = isosurface { function { x } contained_by { sphere { 0, 1 } } }"
+        " #declare B = union {";
+    for (int i = 0; i < 10'000; ++i)
+        text += " object { A }";
+    text += " } #while (1)" + text.substr(text.find(" object")) + " #end";
+    const auto imported = read_import("a.pov", text);
+    ASSERT_TRUE(imported);
+    EXPECT_LE(imported->documents[0].document.statements.size(), 1'000U);
 }
 
 TEST(Imports, NotesSayWhere) {
