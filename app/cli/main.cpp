@@ -265,11 +265,12 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);
     app.set_version_flag("--version", "zeroset " ZEROSET_VERSION, "print the version and end");
     WindowText window;
-    add_value(
-        app, "EQUATION", window.equation,
-        "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
-        "gallery, FILE.zeroset.json, a PNG that holds a session, zeroset:... as shared, or - for "
-        "standard input");
+    add_value(app, "EQUATION", window.equation,
+              "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
+              "gallery, FILE.zeroset.json, a PNG that holds a session, another program's FILE (see "
+              "zeroset "
+              "import --help), a FOLDER/ of files to choose from, zeroset:... as shared, or - for "
+              "standard input");
     app.add_flag(
         "--present", window.present,
         "show EQUATION, a FILE mostly, to a class: the picture on the full screen with the "

@@ -1,17 +1,41 @@
 #include "app/cli/window_command.hpp"
 
+#include "document/json/collection.hpp"
+#include "engine/volume/files/volume_file.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <expected>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace zeroset {
+namespace {
+
+/// Whether EQUATION is a folder, or a file with several documents. A folder's name without a / may
+/// be a formula.
+bool is_to_choose_from(const std::string& equation) {
+    std::error_code error;
+    if (is_volume_file(equation)) return false;
+    const bool is_folder = std::filesystem::is_directory(equation, error);
+    const bool is_path = equation.contains('/') || equation == "." || equation == "..";
+    return (!is_folder || is_path) && is_collection(equation);
+}
+
+}  // namespace
 
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
                                                   const TraceText& trace, TextErrors errors) {
     const std::string first = "@" + gallery().front().name;
-    auto input = read_document(equation.empty() ? first : equation, view);
+    std::optional<Collection> collection;
+    if (is_to_choose_from(equation)) {
+        auto found = collection_of(equation);
+        if (!found) return wrong_input(found.error());
+        collection = std::move(*found);
+    }
+    auto input = read_document(equation.empty() || collection ? first : equation, view);
     if (!input) return std::unexpected(input.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());
@@ -28,6 +52,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
         options.document.light.background.reset();
     options.path = input->path;
     options.note = input->note;
+    options.collection = std::move(collection);
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
     if (const auto wrong = take_look(trace, options.document)) return std::unexpected(*wrong);
     options.is_new =

@@ -101,7 +101,7 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.edited.layout.presents = options.read_only;
     state.edited.layout.clip_open =
         state.edited.layout.clip_open || !state.edited.document.region.is_whole();
-    if (options.takes_keyboard) {
+    if (options.takes_keyboard && !options.collection) {
         state.wishes.focus = ui::RowFocus{.row = state.edited.document.statements.front().id,
                                           .caret = ui::RowFocus::Caret::All};
     }
@@ -133,7 +133,11 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       session_(state_, {.path = options.path,
                         .note = options.note,
                         .keeps_files = options.keeps_files,
-                        .read_only = options.read_only}),
+                        .read_only = options.read_only,
+                        .browse =
+                            [this](Collection collection) {
+                                cards_.browse(std::move(collection), state_);
+                            }}),
       desktop_language_(options.desktop_language),
       settings_(options.settings),
       fits_box_(options.fits_box),
@@ -151,6 +155,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
             }),
       comparison_([this] { window_.wake(); }),
       exports_([this] { window_.wake(); }) {
+    if (options.collection) cards_.browse(*options.collection, state_);
     if (options.on_desktop) portal_.emplace([this] { window_.wake(); }, window_.portal_name());
 }
 
@@ -377,7 +382,11 @@ void Desktop::follow_edits() {
 void Desktop::show_gallery_item() {
     const auto picked = std::exchange(state_.wishes.gallery_item, std::nullopt);
     if (!picked) return;
-    session_.show(taken_over(gallery()[*picked], state_.edited.document));
+    if (*picked < gallery().size()) {
+        session_.show(taken_over(gallery()[*picked], state_.edited.document));
+    } else {
+        state_.wishes.open_path = state_.shown.gallery[*picked].path;
+    }
     window_.wake();
 }
 

@@ -16,6 +16,7 @@
 #include "app/gallery/look_cards.hpp"
 #include "app/gallery/view_cards.hpp"
 #include "document/document.hpp"
+#include "document/json/collection.hpp"
 #include "engine/base/language.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_request.hpp"
@@ -42,9 +43,10 @@ namespace zeroset {
 /// Everything the window starts with.
 struct DesktopOptions {
     Document document;
-    std::string path;        ///< of the document's file; empty: it has none
-    std::string note;        ///< a message about the document, or empty
-    TraceSettings settings;  ///< all settings but those that the document has
+    std::string path;                      ///< of the document's file; empty: it has none
+    std::string note;                      ///< a message about the document, or empty
+    std::optional<Collection> collection;  ///< to choose from first
+    TraceSettings settings;                ///< all settings but those that the document has
     ui::Theme theme = ui::Theme::Dark;
     bool follows_desktop = false;  ///< the theme follows the desktop's
     bool tour = false;             ///< begins with the tour of the window

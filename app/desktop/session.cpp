@@ -86,6 +86,7 @@ std::optional<fs::path> folder_for(const SessionOptions& options) {
 Session::Session(ui::UiState& state, const SessionOptions& options)
     : state_(state),
       read_only_(options.read_only),
+      browse_(options.browse),
       history_(state.edited.document),
       saved_(state.edited.document),
       path_(options.path),
@@ -143,8 +144,10 @@ void Session::show(Document document) {
 }
 
 void Session::open(const std::vector<std::string>& paths) {
-    if (!paths.empty() && asked_ == Subject::Nothing && !read_only_)
-        attempt({.intent = Intent::OpenPath, .path = paths.front()});
+    if (paths.empty() || asked_ != Subject::Nothing || read_only_) return;
+    if (browse_ && !is_volume_file(paths.front()) && is_collection(paths.front()))
+        return browse(paths.front());
+    attempt({.intent = Intent::OpenPath, .path = paths.front()});
 }
 
 void Session::abandon() {
@@ -197,6 +200,7 @@ void Session::follow_command() {
     switch (*command) {
         case ui::Command::New: return attempt({.intent = Intent::New, .path = {}});
         case ui::Command::Open: return attempt({.intent = Intent::ChooseFile, .path = {}});
+        case ui::Command::OpenFolder: return perform({.intent = Intent::ChooseFolder, .path = {}});
         case ui::Command::Save: return save();
         case ui::Command::SaveAs: return save_as();
         case ui::Command::Export: return choose_export();
@@ -263,17 +267,27 @@ void Session::perform(const Action& action) {
         case Intent::New:
             use_volume_folder({});
             return begin(ui::new_document(state_.edited.layout), {});
-        case Intent::ChooseFile: {
-            const std::string endings = import_endings();
-            state_.pages.dialogs.file = ui::FileChoice{};
-            for (const std::string_view ending : split(endings, ' '))
-                state_.pages.dialogs.file->other_endings.emplace_back(ending);
-            state_.pages.dialogs.file->folder = first_folder(path_);
-            return;
-        }
+        case Intent::ChooseFile: return choose_file_to_open(Purpose::Open);
+        case Intent::ChooseFolder: return choose_file_to_open(Purpose::OpenFolder);
         case Intent::OpenPath: return load(action.path);
         case Intent::Quit: closed_ = true;
     }
+}
+
+void Session::choose_file_to_open(Purpose purpose) {
+    ui::FileChoice& choice = state_.pages.dialogs.file.emplace();
+    choice.purpose = purpose;
+    if (purpose == Purpose::OpenFolder) choice.title = "Open a folder as a gallery";
+    const std::string endings = import_endings() + " " + known_endings() + " .png";
+    for (const std::string_view ending : split(endings, ' '))
+        choice.other_endings.emplace_back(ending);
+    choice.folder = first_folder(path_);
+}
+
+void Session::browse(const std::string& path) {
+    auto collection = collection_of(path);
+    if (!collection) return say_failure(collection.error());
+    browse_(std::move(*collection));
 }
 
 void Session::begin(Document document, const std::string& path) {
@@ -291,12 +305,14 @@ void Session::begin(Document document, const std::string& path) {
 
 void Session::load(const std::string& path) {
     if (is_volume_file(path)) return load_volume(path);
+    if (browse_ && is_collection(path)) return browse(path);
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
     use_volume_folder({.folder = std::filesystem::path(path).parent_path(), .closed = true});
     begin(std::move(loaded->document), loaded->is_source ? "" : path);
     if (!loaded->is_source) recent_.add(path);
-    if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
+    const bool is_list = loaded->note.contains('\n');
+    if (!loaded->note.empty()) say(bare_name(path) + (is_list ? ":\n\n" : ": ") + loaded->note);
 }
 
 void Session::load_volume(const std::string& path) {
@@ -372,6 +388,7 @@ void Session::follow_file_choice() {
     }
     switch (choice.purpose) {
         case Purpose::Open: return load(choice.path);
+        case Purpose::OpenFolder: return browse(choice.path);
         case Purpose::Save: return write(choice.path);
         case Purpose::Export:
             export_folder_ = first_folder(choice.path);

@@ -6,6 +6,7 @@
 #include "app/desktop/volume_permission.hpp"
 #include "document/document.hpp"
 #include "document/history.hpp"
+#include "document/json/collection.hpp"
 #include "ui/model/ui_state.hpp"
 
 #include <filesystem>
@@ -21,6 +22,9 @@ struct SessionOptions {
     std::string note;         ///< the first message about the document, or empty
     bool keeps_files = true;  ///< keeps a list of recent files, and the document against a crash
     bool read_only = false;   ///< the document is not to be saved, nor another one opened
+    /// Shows the documents of a folder, or of a file with several, to choose from. Without it the
+    /// first one of a file is opened, and no folder.
+    std::function<void(Collection)> browse = {};
 };
 
 /// The document of a window over time: undo, its file, questions before work is lost. Fulfils the
@@ -40,7 +44,7 @@ public:
     void played();
     /// Replaces the document as a step that can be undone; the new document has no file.
     void show(Document document);
-    /// Opens files that were dropped on the window.
+    /// Opens the first of the files or folders that were dropped on the window.
     void open(const std::vector<std::string>& paths);
     /// Shows a message that must be read, unless a question is open.
     void tell(const std::string& text);
@@ -57,7 +61,7 @@ public:
 
 private:
     /// Action to take once no work would be lost by it.
-    enum class Intent { New, ChooseFile, OpenPath, Quit };
+    enum class Intent { New, ChooseFile, ChooseFolder, OpenPath, Quit };
     struct Action {
         Intent intent;
         std::string path;
@@ -73,8 +77,12 @@ private:
     void perform(const Action& action);
     void begin(Document document, const std::string& path);
     void load(const std::string& path);
+    /// Shows the documents of the path to choose from, or says why there are none.
+    void browse(const std::string& path);
     /// Begins a document that shows the volume.
     void load_volume(const std::string& path);
+    /// Opens the dialog in which a file or a folder is chosen.
+    void choose_file_to_open(ui::FileChoice::Purpose purpose);
     void save();
     /// Opens the dialog that asks for the name of a new file.
     void choose_file_for(ui::FileChoice choice, const std::string& usual_name);
@@ -105,6 +113,7 @@ private:
 
     ui::UiState& state_;
     bool read_only_;
+    std::function<void(Collection)> browse_;
     History history_;
     Document saved_;    ///< the document as in its file, or as it began
     std::string path_;  ///< of the document's file; empty: none

@@ -1,5 +1,6 @@
 #include "app/gallery/thumbnail_job.hpp"
 
+#include "document/json/document_json.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/render/render.hpp"
 #include "pipeline/gallery.hpp"
@@ -34,7 +35,7 @@ void lower_priority() {
     (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), low_priority);
 }
 
-std::string text_of(const std::vector<double>& numbers) {
+std::string text_of_numbers(const std::vector<double>& numbers) {
     std::string text;
     for (const double number : numbers) {
         std::array<char, 32> digits{};
@@ -42,6 +43,20 @@ std::string text_of(const std::vector<double>& numbers) {
         text += digits.data();
     }
     return text;
+}
+
+/// Draws a document and keeps its picture.
+std::optional<RgbaImage> drawn(const ReadDocument& read, glm::ivec2 size_px, const std::string& key,
+                               const ThumbnailCache& cache, const std::atomic<bool>& cancel) {
+    const RgbaImage empty = halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
+    if (!read.rows) return empty;
+    const auto prepared = prepare(read.document, *read.rows, Preparation::Quickest);
+    if (cancel) return std::nullopt;
+    if (!prepared) return empty;
+    const auto image =
+        thumbnail_of(render_request(request_of(*prepared, read.document, 2 * size_px)), cancel);
+    if (image) cache.keep(key, *image);
+    return image;
 }
 
 }  // namespace
@@ -57,7 +72,7 @@ std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
     }
     numbers.push_back(shown.light.reflections);
     return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" +
-           std::string(name_of(shown.light.look)) + text_of(numbers);
+           std::string(name_of(shown.light.look)) + text_of_numbers(numbers);
 }
 
 TraceSettings thumbnail_settings() {
@@ -81,15 +96,21 @@ DrawThumbnail gallery_thumbnails(ThumbnailCache cache) {
                                       const std::atomic<bool>& cancel) -> std::optional<RgbaImage> {
         const std::string key = thumbnail_key(item, size_px);
         if (auto kept = cache.find(key)) return kept;
-        const ReadDocument read = read_document(gallery()[item]);
-        const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
-        if (cancel) return std::nullopt;
-        if (!prepared) return halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
-        const auto image =
-            thumbnail_of(render_request(request_of(*prepared, read.document, 2 * size_px)), cancel);
-        if (image) cache.keep(key, *image);
-        return image;
+        return drawn(read_document(gallery()[item]), size_px, key, cache, cancel);
     };
+}
+
+std::optional<RgbaImage> document_thumbnail(const Document& document, glm::ivec2 size_px,
+                                            const ThumbnailCache& cache,
+                                            const std::atomic<bool>& cancel) {
+    const bool has_volumes = std::ranges::any_of(
+        document.statements,
+        [](const Statement& statement) { return statement.text.contains("volume"); });
+    if (has_volumes) return halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
+    const std::string key = "zeroset " ZEROSET_VERSION "\n" + std::to_string(size_px.x) + " " +
+                            std::to_string(size_px.y) + "\n" + text_of(document);
+    if (auto kept = cache.find(key)) return kept;
+    return drawn(read_document(document), size_px, key, cache, cancel);
 }
 
 ThumbnailJob::ThumbnailJob(DrawThumbnail draw, Priority priority, std::function<void()> on_picture)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/gallery/thumbnail_cache.hpp"
+#include "document/document.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "engine/render/render_request.hpp"
 
@@ -20,7 +21,7 @@ namespace zeroset {
 
 /// A finished picture of an item; transparent where no surface is hit.
 struct Thumbnail {
-    std::size_t item = 0;  ///< of the gallery: index in gallery()
+    std::size_t item = 0;  ///< index in what is drawn: gallery(), for example
     RgbaImage image;
 };
 
@@ -30,6 +31,11 @@ using DrawThumbnail = std::function<std::optional<RgbaImage>(std::size_t item, g
 
 /// Draws items of the gallery; pictures drawn before come from the cache.
 DrawThumbnail gallery_thumbnails(ThumbnailCache cache);
+/// A document's picture, without those of volumes, which are large files; nothing if it was
+/// cancelled meanwhile.
+std::optional<RgbaImage> document_thumbnail(const Document& document, glm::ivec2 size_px,
+                                            const ThumbnailCache& cache,
+                                            const std::atomic<bool>& cancel);
 
 /// A picture of the request in half its width and height.
 std::optional<RgbaImage> thumbnail_of(const RenderRequest& request,

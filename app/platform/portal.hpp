@@ -15,9 +15,10 @@ enum class ColorWish : std::uint8_t { None, Dark, Light };
 /// A request for the desktop's file dialog.
 struct FileRequest {
     bool saves = false;
-    std::string folder;  ///< folder shown first; absolute
-    std::string name;    ///< proposed name of a file to be saved
-    std::string ending;  ///< ending of the files that are offered
+    bool opens_folder = false;  ///< and not a file
+    std::string folder;         ///< folder shown first; absolute
+    std::string name;           ///< proposed name of a file to be saved
+    std::string ending;         ///< ending of the files that are offered
     /// Endings of other files that are offered, too.
     std::vector<std::string> other_endings;
     std::string parent;  ///< Window::portal_name of the window that the dialog is modal to

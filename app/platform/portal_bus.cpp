@@ -65,7 +65,6 @@ void append_text(sd_bus_message* message, const char* key, const std::string& te
     sd_bus_message_append(message, "{sv}", key, "s", text.c_str());
 }
 
-/// Appends {key: <path as bytes that end with 0>}.
 /// Appends the filters: one for documents, and one for all that is offered.
 void append_filters(sd_bus_message* made, const FileRequest& request) {
     sd_bus_message_open_container(made, 'e', "sv");
@@ -88,6 +87,7 @@ void append_filters(sd_bus_message* made, const FileRequest& request) {
         sd_bus_message_close_container(made);
 }
 
+/// Appends {key: <path as bytes that end with 0>}.
 void append_path(sd_bus_message* message, const char* key, const std::string& path) {
     sd_bus_message_open_container(message, 'e', "sv");
     sd_bus_message_append(message, "s", key);
@@ -183,12 +183,18 @@ bool PortalBus::send(const FileRequest& request) {
     }
     const Message message(made);
     sd_bus_message_append(made, "ss", request.parent.c_str(),
-                          request.saves ? tr("Save as") : tr("Open a document"));
+                          request.saves          ? tr("Save as")
+                          : request.opens_folder ? tr("Open a folder as a gallery")
+                                                 : tr("Open a document"));
     sd_bus_message_open_container(made, 'a', "{sv}");
     append_text(made, "handle_token", token);
     append_path(made, "current_folder", request.folder);
     if (request.saves) append_text(made, "current_name", request.name);
-    append_filters(made, request);
+    if (request.opens_folder) {
+        sd_bus_message_append(made, "{sv}", "directory", "b", 1);
+    } else {
+        append_filters(made, request);
+    }
     sd_bus_message_close_container(made);
     slot = nullptr;
     if (sd_bus_call_async(bus_.get(), &slot, made, on_asked, this, 0) < 0) return false;

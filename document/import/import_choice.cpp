@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <ranges>
 #include <system_error>
 
 namespace zeroset {
@@ -51,6 +52,7 @@ std::expected<ImportedDocument, std::string> load_imported(const ImportPlace& pl
     }
     ImportedDocument document = std::move(imported->documents[*index]);
     std::ranges::move(imported->notes, std::back_inserter(document.notes));
+    std::ranges::stable_sort(document.notes, {}, &ImportNote::line);
     if (count > 1 && place.choice.empty()) {
         document.note(0, "",
                       filled(tr("the first of {0}; the others are opened as {1}#2 and so on, or "
@@ -72,15 +74,18 @@ std::string note_text(std::string_view file, const ImportNote& note) {
     return text + note.reason;
 }
 
-std::string notes_in_short(const std::vector<ImportNote>& notes) {
-    if (notes.empty()) return {};
-    const ImportNote& first = notes.front();
-    const std::string place =
-        first.line == 0 ? std::string() : filled(tr("line {0}: "), {std::to_string(first.line)});
-    std::string text = place + (first.entry.empty() ? "" : first.entry + ": ") + first.reason;
-    if (notes.size() == 1) return text;
-    return filled(tr("{0} (and {1} more that zeroset import lists)"),
-                  {text, std::to_string(notes.size() - 1)});
+std::string notes_listed(const std::vector<ImportNote>& notes) {
+    constexpr std::size_t most_listed = 12;
+    std::string text;
+    for (const ImportNote& note : notes | std::views::take(most_listed)) {
+        if (!text.empty()) text += '\n';
+        if (note.line > 0) text += filled(tr("line {0}: "), {std::to_string(note.line)});
+        if (!note.entry.empty()) text += note.entry + ": ";
+        text += note.reason;
+    }
+    if (notes.size() <= most_listed) return text;
+    const std::string more = std::to_string(notes.size() - most_listed);
+    return text + '\n' + filled(tr("and {0} more, which zeroset import lists"), {more});
 }
 
 }  // namespace zeroset

@@ -29,7 +29,8 @@ std::expected<ImportedDocument, std::string> load_imported(const ImportPlace& pl
 
 /// A note as "FILE:LINE: entry: reason".
 std::string note_text(std::string_view file, const ImportNote& note);
-/// All notes in one line: the first of them, and how many there are. Empty where there is none.
-std::string notes_in_short(const std::vector<ImportNote>& notes);
+/// The notes, a line each, and after the first dozen how many more there are; empty where there is
+/// none.
+std::string notes_listed(const std::vector<ImportNote>& notes);
 
 }  // namespace zeroset

@@ -190,10 +190,14 @@ private:
                 part.text = "round";
                 note(field, index, tr("int() rounds to the nearest integer, as it does there"));
             }
-            // Each operand is one deeper than the one before it then.
-            if (part.kind == TermKind::Chain && std::ssize(part.operands) <= most_depth &&
-                std::ranges::find(part.signs, "%") != part.signs.end())
-                part = without_remainders(std::move(part));
+            if (part.kind == TermKind::Chain &&
+                std::ranges::find(part.signs, "%") != part.signs.end()) {
+                // Each operand is one deeper than the one before it then.
+                if (std::ssize(part.operands) <= most_depth)
+                    part = without_remainders(std::move(part));
+                else
+                    note(field, index, tr("too many remainders: a % b is from 0 up to b here"));
+            }
             if (part.kind != TermKind::Name && !is_call) return;
             const auto own = renamed_.find(part.text);
             if (own != renamed_.end())

@@ -69,7 +69,7 @@ std::expected<LoadedDocument, std::string> imported_document(const fs::path& pat
     auto imported = load_imported(import_place(path.string()));
     if (!imported) return std::unexpected(imported.error());
     return LoadedDocument{.document = std::move(imported->document),
-                          .note = notes_in_short(imported->notes),
+                          .note = notes_listed(imported->notes),
                           .shown_on = std::nullopt,
                           .is_source = true};
 }

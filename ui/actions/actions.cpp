@@ -502,6 +502,10 @@ constexpr auto table = std::to_array<Action>({
      .about =
          "open a file, also one of SURFER, MathMod or POV-Ray; it can be dropped on the window",
      .run = give<Command::Open>},
+    {.section = document,
+     .name = "Open a folder...",
+     .about = "the sessions and the files of other programs in it, to choose from like the gallery",
+     .run = give<Command::OpenFolder>},
     {.section = document, .name = "Save", .keys = "Ctrl+S", .run = give<Command::Save>},
     {.section = document,
      .name = "Save as...",

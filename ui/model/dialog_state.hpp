@@ -20,7 +20,7 @@ struct Question {
 
 /// A choice of a file, in the window itself.
 struct FileChoice {
-    enum class Purpose : std::uint8_t { Open, Save, Export };
+    enum class Purpose : std::uint8_t { Open, OpenFolder, Save, Export };
     Purpose purpose = Purpose::Open;
     std::string title = "Open a document";
     /// Of the files that are offered, and of names without one.

@@ -22,13 +22,15 @@
 
 namespace zeroset::ui {
 
-/// A surface of the gallery.
+/// A surface of the gallery, or of a folder or file that is looked through like it.
 struct GalleryEntry {
     std::string title;
     std::string equation;
     std::string about;  ///< one sentence
     std::string group = {};
     std::string source = {};
+    std::string path =
+        {};  ///< of a document that is not the gallery's; its texts are not translated
 };
 
 /// How the rows were read.

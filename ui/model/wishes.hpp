@@ -25,6 +25,7 @@ struct RowFocus {
 enum class Command : std::uint8_t {
     New,
     Open,
+    OpenFolder,  ///< as a gallery
     Save,
     SaveAs,
     Export,  ///< asks for the name of the file for what the export page wishes

@@ -55,13 +55,15 @@ std::vector<Entry> entries_of(const FileChoice& choice) {
     return entries;
 }
 
+bool saves(const FileChoice& choice) {
+    return choice.purpose == Purpose::Save || choice.purpose == Purpose::Export;
+}
+
 void go_to(FileChoice& choice, const fs::path& folder) {
     choice.folder = folder.lexically_normal().string();
     choice.asks_replace = false;
-    if (choice.purpose == Purpose::Open) choice.name.clear();
+    if (!saves(choice)) choice.name.clear();
 }
-
-bool saves(const FileChoice& choice) { return choice.purpose != Purpose::Open; }
 
 /// Path of the typed name in the shown folder; a file to save gets an ending if it has none.
 fs::path typed_path(const FileChoice& choice) {
@@ -82,10 +84,11 @@ fs::path first_written(const fs::path& path) {
 
 /// Opens the typed folder or accepts the typed file; asks once before a file is replaced.
 void accept(FileChoice& choice) {
-    if (choice.name.empty()) return;
+    const bool folder = choice.purpose == Purpose::OpenFolder;
+    if (choice.name.empty() && !folder) return;
     const fs::path path = typed_path(choice);
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) {
+    if (fs::is_directory(path, ignored) && !choice.name.empty()) {
         choice.name.clear();
         return go_to(choice, path);
     }
@@ -155,9 +158,9 @@ void draw_buttons(FileChoice& choice, const Palette& colors) {
         ImGui::TextUnformatted(tr("This file exists. Save again to replace it."));
         ImGui::PopStyleColor();
     }
-    const char* const verb = choice.purpose == Purpose::Open ? tr("Open")
-                             : choice.asks_replace           ? tr("Replace")
-                                                             : tr("Save");
+    const char* const verb = !saves(choice)        ? tr("Open")
+                             : choice.asks_replace ? tr("Replace")
+                                                   : tr("Save");
     if (ImGui::Button(verb, ImVec2(em(7.0F), 0.0F))) accept(choice);
     ImGui::SameLine();
     if (ImGui::Button(tr("Cancel"), ImVec2(em(7.0F), 0.0F))) choice.finished = true;

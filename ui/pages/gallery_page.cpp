@@ -98,13 +98,19 @@ void follow_arrows(GalleryPage& page, const std::vector<Card>& cards) {
     page.follow = true;
 }
 
+/// A text of the entry in the language of the window; those of people's documents stay.
+const char* shown_text(const GalleryEntry& entry, const std::string& text) {
+    return entry.path.empty() ? tr(text.c_str()) : text.c_str();
+}
+
 void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
                 const Palette& colors) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const float left = lo.x + em(0.5F);
     const float top = lo.y + grid.picture_height + em(0.3F);
     const float room = grid.card_width - em(0.8F);
-    canvas.AddText(ImVec2(left, top), colors.text, elided(tr(entry.title.c_str()), room).c_str());
+    canvas.AddText(ImVec2(left, top), colors.text,
+                   elided(shown_text(entry, entry.title), room).c_str());
     const ImVec2 below(left, top + ImGui::GetTextLineHeight() + em(0.15F));
     ImGui::PushFont(font(FontRole::SmallFormula));
     canvas.AddText(below, colors.quiet, elided(in_one_line(entry.equation), room).c_str());
@@ -138,15 +144,16 @@ bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
     draw_thumbnail(picture == thumbnails.end() ? 0 : picture->second, lo,
                    ImVec2(hi.x, lo.y + grid.picture_height), colors);
     draw_texts(state.shown.gallery[item], lo, grid, colors);
-    if (!has_details()) draw_tooltip(tr(state.shown.gallery[item].about.c_str()));
+    const GalleryEntry& entry = state.shown.gallery[item];
+    if (!has_details()) draw_tooltip(shown_text(entry, entry.about));
     if (selected) canvas.AddRect(lo, hi, colors.accent, 0.0F, 0, em(0.14F));
     return clicked;
 }
 
-void draw_group_title(const std::string& group, bool first, const Palette& colors) {
+void draw_group_title(const GalleryEntry& entry, bool first, const Palette& colors) {
     if (!first) ImGui::Dummy(ImVec2(0.0F, em(0.4F)));
     ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
-    ImGui::TextUnformatted(tr(group.c_str()));
+    ImGui::TextUnformatted(shown_text(entry, entry.group));
     ImGui::PopStyleColor();
 }
 
@@ -159,7 +166,7 @@ std::optional<std::size_t> draw_cards(UiState& state, const std::vector<Card>& c
     for (const Card& card : cards) {
         const GalleryEntry& entry = state.shown.gallery[card.item];
         const bool begins = card.item == cards.front().item || entry.group != group;
-        if (begins) draw_group_title(entry.group, card.item == cards.front().item, colors);
+        if (begins) draw_group_title(entry, card.item == cards.front().item, colors);
         group = entry.group;
         if (card.col > 0) ImGui::SameLine(0.0F, em(gap_em));
         if (draw_card(state, card.item, grid)) clicked = card.item;
@@ -174,7 +181,7 @@ void draw_details(const GalleryEntry& entry, const Palette& colors) {
     draw_elided(in_one_line(entry.equation), ImGui::GetContentRegionAvail().x);
     ImGui::PopFont();
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(tr(entry.about.c_str()));
+    ImGui::TextUnformatted(shown_text(entry, entry.about));
     ImGui::PopTextWrapPos();
     ImGui::PushFont(font(FontRole::Small));
     ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);

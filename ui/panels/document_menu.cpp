@@ -64,7 +64,7 @@ void draw_document_menu(UiState& state, const IconLook& look) {
     ImGui::TextDisabled("%s", title.c_str());
     if (title != about) draw_tooltip(about, 40.0F);
     ImGui::Separator();
-    draw_items(state, {"New", "Open..."});
+    draw_items(state, {"New", "Open...", "Open a folder..."});
     draw_recent(document.recent, state.wishes);
     ImGui::Separator();
     draw_items(state, {"Save", "Save as..."});

@@ -5,16 +5,31 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace zeroset::ui {
 namespace {
 
-/// Returns the names of the groups in the order in which they first occur.
-std::vector<std::string> groups_of(const std::vector<GalleryEntry>& gallery) {
-    std::vector<std::string> groups;
+/// A group's name, and whether it is the gallery's own.
+struct Group {
+    bool own;
+    std::string name;
+
+    bool operator==(const Group&) const = default;
+};
+
+Group group_of(const GalleryEntry& entry) {
+    return {.own = entry.path.empty(), .name = entry.group};
+}
+
+/// Returns the groups in the order in which they first occur, the gallery's own last.
+std::vector<Group> groups_of(const std::vector<GalleryEntry>& gallery) {
+    std::vector<Group> groups;
     for (const GalleryEntry& entry : gallery) {
-        if (std::ranges::find(groups, entry.group) == groups.end()) groups.push_back(entry.group);
+        Group group = group_of(entry);
+        if (std::ranges::find(groups, group) == groups.end()) groups.push_back(std::move(group));
     }
+    std::ranges::stable_partition(groups, [](const Group& group) { return !group.own; });
     return groups;
 }
 
@@ -34,10 +49,10 @@ std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::
                            int columns) {
     std::vector<Card> cards;
     int row = 0;
-    for (const std::string& group : groups_of(gallery)) {
+    for (const Group& group : groups_of(gallery)) {
         int found = 0;
         for (std::size_t i = 0; i < gallery.size(); ++i) {
-            if (gallery[i].group != group || !is_found(gallery[i], search)) continue;
+            if (group_of(gallery[i]) != group || !is_found(gallery[i], search)) continue;
             cards.push_back({.item = i, .row = row + found / columns, .col = found % columns});
             ++found;
         }

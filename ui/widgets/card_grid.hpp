@@ -16,7 +16,7 @@ struct Card {
 };
 
 /// Returns the cards of the entries that contain all words of `search`, group by group in the
-/// gallery's order; each group begins a new row.
+/// gallery's order, those of other documents first; each group begins a new row.
 std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::string& search,
                            int columns);
 

@@ -78,7 +78,7 @@ OrInputError<InputDocument> imported_document(const std::string& path) {
         std::cerr << "zeroset: " << note_text(path, note) << "\n";
     return InputDocument{read_document(std::move(imported->document)),
                          {},
-                         notes_in_short(imported->notes),
+                         notes_listed(imported->notes),
                          {},
                          true};
 }

@@ -25,6 +25,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace zeroset::test {
 namespace {
@@ -462,6 +463,26 @@ TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
     EXPECT_EQ(volumes_allowed(), before + 1) << "rows are read again";
     EXPECT_FALSE(reason().contains("lies outside")) << reason();
     use_volume_folder({});
+}
+
+TEST_F(Sessions, AFolderIsLookedThroughAndLosesNothing) {
+    std::optional<Collection> browsed;
+    SessionOptions options;
+    options.browse = [&browsed](Collection collection) { browsed = std::move(collection); };
+    start(options);
+    ASSERT_TRUE(save_document(file("a.zeroset.json"), with_text("y = 7")));
+    type("2");
+    session_->open({folder_.path().string()});
+    EXPECT_FALSE(state_.pages.dialogs.question) << "nothing would be lost";
+    ASSERT_TRUE(browsed);
+    EXPECT_EQ(browsed->items.at(0).path, file("a.zeroset.json"));
+    EXPECT_EQ(text(), "x = 12");
+    give(ui::Command::OpenFolder);
+    browsed.reset();
+    choose(folder_.path() / "nowhere");
+    EXPECT_FALSE(browsed);
+    ASSERT_TRUE(state_.pages.dialogs.question);
+    EXPECT_TRUE(state_.pages.dialogs.question->text.contains("nowhere"));
 }
 
 }  // namespace

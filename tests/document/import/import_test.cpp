@@ -286,7 +286,10 @@ TEST(Imports, DeepFormulasAreRefused) {
     EXPECT_FALSE(joined && joined->documents[0].refusal.empty());
     const auto remainders =
         read_import("a.js", R"({"Iso3D": {"Fxyz": ["x)" + repeated("%3") + R"("]}})");
-    EXPECT_FALSE(remainders && remainders->documents[0].refusal.empty());
+    ASSERT_TRUE(remainders) << remainders.error();
+    EXPECT_TRUE(std::ranges::any_of(remainders->documents[0].notes, [](const ImportNote& note) {
+        return note.reason.starts_with("too many remainders");
+    }));
     std::string unions;
     for (int i = 0; i < 50'000; ++i)
         unions += "union { ";
@@ -317,7 +320,12 @@ TEST(Imports, NotesSayWhere) {
     EXPECT_EQ(note_text("a.pic", {.line = 3, .entry = "diffuse", .reason = "not taken over"}),
               "a.pic:3: diffuse: not taken over");
     EXPECT_EQ(note_text("a.js", {.reason = "why"}), "a.js: why");
-    EXPECT_EQ(notes_in_short({}), "");
+    EXPECT_EQ(notes_listed({}), "");
+    EXPECT_EQ(notes_listed({{.reason = "why"}, {.line = 2, .entry = "a", .reason = "left out"}}),
+              "why\nline 2: a: left out");
+    const std::string many = notes_listed(std::vector<ImportNote>(20, {.reason = "why"}));
+    EXPECT_EQ(std::ranges::count(many, '\n'), 12);
+    EXPECT_TRUE(many.ends_with("and 8 more, which zeroset import lists"));
 }
 
 }  // namespace

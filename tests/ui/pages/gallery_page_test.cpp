@@ -46,6 +46,25 @@ TEST(CardGrid, BeginsARowWithEachGroup) {
         EXPECT_EQ(std::pair(cards[i].row, cards[i].col), places[i]) << i;
 }
 
+TEST(CardGrid, BeginsWithWhatIsNotTheGallerys) {
+    auto entries = three_groups();
+    entries.push_back({.title = "a",
+                       .equation = "x",
+                       .about = "",
+                       .group = "Algebraic",
+                       .source = "",
+                       .path = "a.js#1"});
+    entries.push_back({.title = "b",
+                       .equation = "y",
+                       .about = "",
+                       .group = "Algebraic",
+                       .source = "",
+                       .path = "a.js#2"});
+    const auto cards = cards_of(entries, "", 2);
+    EXPECT_EQ(items_of(cards), (std::vector<std::size_t>{5, 6, 0, 3, 4, 1, 2}));
+    EXPECT_EQ(cards[2].row, 1);
+}
+
 TEST(CardGrid, FindsWordsInAllTexts) {
     const auto found = [](const char* search) {
         return items_of(cards_of(three_groups(), search, 3));
