@@ -1,9 +1,11 @@
 #include "document/document.hpp"
 
 #include "engine/base/enum_names.hpp"
+#include "engine/base/text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <utility>
 
 namespace zeroset {
@@ -28,11 +30,32 @@ std::string with_joined_lines(std::string row) {
     return row;
 }
 
+/// The shortest text that is read as this number.
+std::string digits_of(double number) {
+    std::array<char, 32> digits{};
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+    return {digits.data(), written.ptr};
+}
+
 }  // namespace
 
 std::string_view name_of(Repeat repeat) { return repeats.of(repeat); }
 
 std::optional<Repeat> repeat_named(std::string_view name) { return repeats.named(name); }
+
+std::string thickness_text(const Thickness& thickness) {
+    return digits_of(thickness.width) + (thickness.in_pixels ? " px" : "");
+}
+
+std::optional<Thickness> thickness_from(std::string_view text) {
+    text = trimmed(text);
+    const bool in_pixels = text.ends_with("px");
+    if (in_pixels) text = trimmed(text.substr(0, text.size() - 2));
+    const auto width = number_from<double>(text);
+    const double most = in_pixels ? most_pixels_thick : largest_number;
+    if (!width || !(*width > 0.0 && *width <= most)) return std::nullopt;
+    return Thickness{.width = *width, .in_pixels = in_pixels};
+}
 
 void keep_settings(Document& document, const Document& of) {
     document.stop = of.stop;
@@ -95,6 +118,35 @@ JoinedRows::JoinedRows(const std::vector<std::string>& rows) {
 std::size_t JoinedRows::row_at(std::size_t offset) const {
     const auto after = std::ranges::upper_bound(begins, offset);
     return after == begins.begin() ? 0 : static_cast<std::size_t>(after - begins.begin()) - 1;
+}
+
+std::vector<CutText> JoinedRows::cuts(std::span<const std::optional<Box>> boxes) const {
+    std::vector<CutText> cuts;
+    for (std::size_t i = 0; i < std::min(boxes.size(), begins.size()); ++i) {
+        if (!boxes[i]) continue;
+        const auto& [lo, hi] = *boxes[i];
+        const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : text.size() + 1;
+        cuts.push_back(
+            {.begin = begins[i], .end = end, .box = {lo.x, hi.x, lo.y, hi.y, lo.z, hi.z}});
+    }
+    return cuts;
+}
+
+std::string text_with_cuts(std::string text, std::span<const CutText> cuts) {
+    for (const CutText& cut : cuts) {
+        text += "\n# box " + std::to_string(cut.begin) + ":";
+        for (const double end : cut.box)
+            text += " " + digits_of(end);
+    }
+    return text;
+}
+
+std::vector<std::optional<Box>> boxes_of(const Document& document) {
+    std::vector<std::optional<Box>> boxes;
+    boxes.reserve(document.statements.size());
+    for (const Statement& statement : document.statements)
+        boxes.push_back(statement.box);
+    return boxes;
 }
 
 JoinedRows joined_rows(const Document& document) {

@@ -2,6 +2,7 @@
 
 #include "document/look.hpp"
 #include "document/views.hpp"
+#include "engine/language/parse.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
@@ -11,11 +12,25 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace zeroset {
+
+/// How wide a curve is drawn, or a point.
+struct Thickness {
+    double width = 0.0;      ///< above 0
+    bool in_pixels = false;  ///< of the picture; else in units of the world
+
+    bool operator==(const Thickness&) const = default;
+};
+inline constexpr double most_pixels_thick = 1000.0;
+
+/// As it is typed: "0.05", or "3 px".
+std::string thickness_text(const Thickness& thickness);
+std::optional<Thickness> thickness_from(std::string_view text);
 
 /// One row of the list of statements.
 struct Statement {
@@ -25,6 +40,10 @@ struct Statement {
     std::optional<std::uint32_t> color;  ///< 0xRRGGBB of a surface's front; none: not chosen yet
     SolidSide solid = SolidSide::Automatic;        ///< which side of its surface is solid
     std::optional<double> opacity = std::nullopt;  ///< of its surface, 0 to 1; none: the look's
+    /// Of its curve or point; none: as suits the clip box.
+    std::optional<Thickness> thickness = std::nullopt;
+    /// What of its surface is shown, beside what is shown of all; none: as much.
+    std::optional<Box> box = std::nullopt;
 
     bool operator==(const Statement&) const = default;
 };
@@ -111,10 +130,16 @@ struct JoinedRows {
     explicit JoinedRows(const std::vector<std::string>& rows);
     /// The row that holds a byte of the text; a byte between two rows belongs to the first of them.
     [[nodiscard]] std::size_t row_at(std::size_t offset) const;
+    /// What cuts the statements of rows that have a box.
+    [[nodiscard]] std::vector<CutText> cuts(std::span<const std::optional<Box>> boxes) const;
 
     std::string text;
     std::vector<std::size_t> begins;  ///< offset of each row in `text`
 };
+/// The boxes of the rows.
+std::vector<std::optional<Box>> boxes_of(const Document& document);
+/// The text with the boxes as remarks behind it, so that equal texts mean the same.
+std::string text_with_cuts(std::string text, std::span<const CutText> cuts);
 JoinedRows joined_rows(const Document& document);
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #include "document/history.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace zeroset {
@@ -31,6 +32,8 @@ std::string changed_row(const Document& a, const Document& b) {
         if (from.text != to.text) return "text " + name;
         if (from.color != to.color) return "color " + name;
         if (from.visible != to.visible) return "visible " + name;
+        if (from.thickness != to.thickness) return "thickness " + name;
+        if (from.box != to.box) return "box " + name;
     }
     return {};
 }
@@ -70,14 +73,18 @@ std::string changed_part(const Document& a, const Document& b) {
     return "look";
 }
 
+/// Whether a part is a slider. A point that is dragged moves several of them.
+bool is_slider(std::string_view part) { return part == "w" || part.starts_with("parameter "); }
+
 }  // namespace
 
 void History::follow(const Document& document, double time_s, unsigned gesture, bool held) {
     if (document == now_) return;
     const std::string part = changed_part(now_, document);
     const bool stands_alone = part == "rows" || part == "views";
-    const bool goes_on = part == open_part_ && !stands_alone && gesture == open_gesture_ &&
-                         (held || time_s - changed_s_ <= rest_s);
+    const bool is_dragged = held && is_slider(part) && is_slider(open_part_);
+    const bool goes_on = (part == open_part_ || is_dragged) && !stands_alone &&
+                         gesture == open_gesture_ && (held || time_s - changed_s_ <= rest_s);
     if (!goes_on) {
         if (undone_to_.size() == most_steps) undone_to_.erase(undone_to_.begin());
         undone_to_.push_back(now_);

@@ -83,11 +83,12 @@ RowProgram row_program(std::string text, Program program, const Document& docume
 }  // namespace
 
 std::expected<RowProgram, ParseError> read_rows(const Document& document) {
-    JoinedRows joined = joined_rows(document);
-    auto program = read_program(joined.text);
+    const JoinedRows joined = joined_rows(document);
+    const std::vector<CutText> cuts = joined.cuts(boxes_of(document));
+    auto program = read_program(joined.text, cuts);
     if (!program) return std::unexpected(program.error());
     const auto row_at = [&joined](std::size_t offset) { return joined.row_at(offset); };
-    return row_program(joined.text, std::move(*program), document, row_at);
+    return row_program(text_with_cuts(joined.text, cuts), std::move(*program), document, row_at);
 }
 
 TextDocument read_text(std::string_view text) {

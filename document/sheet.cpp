@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <expected>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace zeroset {
@@ -19,20 +20,29 @@ constexpr std::size_t most_trials = 64;
 /// The program of the rows, and whether its surfaces are theirs or the stand-in's.
 struct TriedRows {
     JoinedRows joined;
+    std::vector<CutText> cuts;
     Program program;
     bool has_surface = true;
 };
 
-std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& rows) {
+std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& rows,
+                                              std::span<const std::optional<Box>> boxes) {
     JoinedRows joined(rows);
-    auto program = read_program(joined.text);
-    if (program) return TriedRows{.joined = std::move(joined), .program = std::move(*program)};
+    std::vector<CutText> cuts = joined.cuts(boxes);
+    auto program = read_program(joined.text, cuts);
+    if (program) {
+        return TriedRows{
+            .joined = std::move(joined), .cuts = std::move(cuts), .program = std::move(*program)};
+    }
     const ParseError error = program.error();
     joined.text += stand_in;
     program = read_program(joined.text);
-    if (program)
-        return TriedRows{
-            .joined = std::move(joined), .program = std::move(*program), .has_surface = false};
+    if (program) {
+        return TriedRows{.joined = std::move(joined),
+                         .cuts = {},
+                         .program = std::move(*program),
+                         .has_surface = false};
+    }
     return std::unexpected(error);
 }
 
@@ -56,6 +66,14 @@ RowError row_error(const ParseError& error, std::size_t begin, const std::string
     return of(error, at);
 }
 
+std::vector<std::optional<Box>> boxes_of(const Sheet& sheet) {
+    std::vector<std::optional<Box>> boxes;
+    boxes.reserve(sheet.size());
+    for (const SheetRow& row : sheet)
+        boxes.push_back(row.box);
+    return boxes;
+}
+
 std::vector<std::string> texts_of(const Sheet& sheet) {
     std::vector<std::string> texts;
     for (const SheetRow& row : sheet)
@@ -77,7 +95,7 @@ void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
         reading.offset -= rows.joined.begins[row];
         result.reports[id].readings.push_back(std::move(reading));
     }
-    result.text = std::move(rows.joined.text);
+    result.text = text_with_cuts(std::move(rows.joined.text), rows.cuts);
     result.program = std::make_shared<const Program>(std::move(rows.program));
 }
 
@@ -86,7 +104,7 @@ void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
 Sheet sheet_of(const Document& document) {
     Sheet sheet;
     for (const Statement& statement : document.statements)
-        sheet.push_back({.id = statement.id, .text = statement.text});
+        sheet.push_back({.id = statement.id, .text = statement.text, .box = statement.box});
     return sheet;
 }
 
@@ -95,8 +113,9 @@ SheetReading SheetReader::read(const Sheet& sheet) {
     for (const SheetRow& row : sheet)
         result.reports[row.id].text = row.text;
     std::vector<std::string> texts = texts_of(sheet);
+    const std::vector<std::optional<Box>> boxes = boxes_of(sheet);
     for (std::size_t trial = 0; trial < most_trials; ++trial) {
-        auto rows = try_rows(texts);
+        auto rows = try_rows(texts, boxes);
         if (rows) {
             for (std::size_t i = 0; i < sheet.size(); ++i) {
                 if (texts[i] == sheet[i].text) good_[sheet[i].id] = texts[i];
@@ -115,7 +134,7 @@ SheetReading SheetReader::read(const Sheet& sheet) {
         const bool stands_in = first && good != good_.end() && good->second != texts[at];
         texts[at] = stands_in ? good->second : std::string();
     }
-    report_readings(sheet, *try_rows({}), result);
+    report_readings(sheet, *try_rows({}, {}), result);
     return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/row_program.hpp"
+#include "engine/view/box.hpp"
 
 #include <cstddef>
 #include <map>
@@ -16,6 +17,7 @@ struct Document;
 struct SheetRow {
     int id;
     std::string text;
+    std::optional<Box> box = std::nullopt;  ///< that cuts what it draws
 
     bool operator==(const SheetRow&) const = default;
 };

@@ -3,11 +3,13 @@
 #include "engine/annotate/axis_shapes.hpp"
 #include "engine/annotate/card_style.hpp"
 #include "engine/annotate/contour_labels.hpp"
+#include "engine/annotate/hidden.hpp"
 #include "engine/annotate/label_font.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/annotate/markers.hpp"
 #include "engine/annotate/paint_shapes.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -44,9 +46,15 @@ Shapes axes_over(const Framebuffer& shown, const ImageSize& size, const FrameSub
 Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const FrameSubject& subject,
                     const CardStyle& style) {
     std::vector<MarkedPoint> points;
-    points.reserve(subject.document.markers.size());
+    points.reserve(subject.document.markers.size() + subject.points.size());
     for (const Marker& marker : subject.document.markers)
         points.push_back({.at = marker.at, .words = name_of(marker)});
+    const ViewFrame view(subject.camera);
+    for (const ShownPoint& point : subject.points) {
+        if (point.name.empty()) continue;
+        points.push_back(
+            {.at = before_ball(view, point.at, point.radius), .words = point.name, .dot = false});
+    }
     return marker_shapes(
         points, {.frame = shown, .camera = subject.camera, .size = canvas_of(size)}, style);
 }
@@ -81,8 +89,10 @@ Shapes labels_over(const Framebuffer& shown, const ImageSize& size, const FrameS
 }  // namespace
 
 bool has_marks(const FrameSubject& subject) {
+    const bool names_points = std::ranges::any_of(
+        subject.points, [](const ShownPoint& point) { return !point.name.empty(); });
     return axes_choice(subject.document).any() || !subject.document.markers.empty() ||
-           needs_legend(subject) || has_contour_labels(subject);
+           names_points || needs_legend(subject) || has_contour_labels(subject);
 }
 
 PictureMarks::PictureMarks(LabelFont font, Shapes shapes)

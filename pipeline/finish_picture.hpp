@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/document.hpp"
+#include "document/shown_point.hpp"
 #include "engine/annotate/label_font.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/image/framebuffer.hpp"
@@ -10,10 +11,12 @@
 #include <expected>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace zeroset {
 
 inline const std::optional<SectionValues> no_section_values;
+inline const std::vector<ShownPoint> no_points;
 
 /// The things that axes, markers and legend are made from, beside the frame itself.
 struct FrameSubject {
@@ -23,6 +26,7 @@ struct FrameSubject {
     const Uniforms& uniforms;  ///< the frame's, of what contour lines are of
     const std::optional<SectionValues>& section_values = no_section_values;  ///< the frame's
     bool legend = true;  ///< draw a legend, if the colours stand for something
+    const std::vector<ShownPoint>& points = no_points;  ///< whose names are drawn beside them
 };
 
 /// Whether there are axes, a clip box, a grid, markers or a legend to be drawn over the frame.

@@ -4,6 +4,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/kernel/field_level.hpp"
+#include "engine/kernel/sheet_mark.hpp"
 #include "engine/rewrite/level_of_field.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
 #include "engine/rewrite/traceable.hpp"
@@ -26,6 +27,14 @@ using Clock = std::chrono::steady_clock;
 // LLVM takes 0.4 to 1 ms and 25 kB for each node.
 constexpr std::size_t most_nodes = 8'000;
 
+/// The first of the uniforms of a surface's thickness, among the parameters.
+std::size_t thickness_at(const Formula& formula, std::size_t surface) {
+    const auto place =
+        std::ranges::find(formula.thick, surface, &ThickSurface::surface) - formula.thick.begin();
+    return formula.program->parameters.size() +
+           thickness_uniforms * static_cast<std::size_t>(place);
+}
+
 /// The surfaces that are drawn as f = 0.
 std::vector<Expr> implicit_surfaces(const Formula& formula) {
     std::vector<Expr> surfaces;
@@ -46,7 +55,7 @@ std::vector<Kernel> with_patches(const Formula& formula, std::vector<Kernel> imp
         } else if (i < formula.kernels.size()) {
             kernels.push_back(formula.kernels[i]);
         } else {
-            kernels.push_back(patch_code(*patch_of(formula.drawn[i]), formula.region));
+            kernels.push_back(patch_code(*patch_of(formula.drawn[i]), thickness_at(formula, i)));
         }
     }
     return kernels;
@@ -84,6 +93,7 @@ void add_facts(Formula& formula) {
         }
         for (const Expr& witness : root_witnesses(formula.drawn[i]))
             kernel.witnesses.push_back(interpret(witness).in_double.range);
+        if (formula.program->sheets[i]) kernel.memory->of<SheetMark>();
         kernel.defined_everywhere = is_defined_everywhere(formula.drawn[i]);
         if (kernel.witnesses.empty()) continue;
         if (const auto domain = domain_witness(formula.drawn[i]))
@@ -136,7 +146,14 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
     static_cast<RowProgram&>(formula) = std::move(rows);
     formula.region = region;
     for (const Expr& shown : formula.program->surfaces) {
-        const Expr surface = drawn_formula(shown, region);
+        const std::size_t index = formula.drawn.size();
+        if (const auto graphs = patch_of(shown)) {
+            if (has_thickness(graphs->kind))
+                formula.thick.push_back({.surface = index, .kind = graphs->kind});
+            if (graphs->kind == PatchKind::Point)
+                formula.points.push_back({.surface = index, .graphs = *graphs});
+        }
+        const Expr surface = drawn_formula(shown, thickness_at(formula, index));
         formula.section_values.push_back(is_patch(shown) ? PointFunction()
                                                          : interpret_points(value_side(shown)));
         if (is_patch(surface)) {
@@ -175,6 +192,7 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
         (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
         (*kernels)[i].domain = formula.kernels[i].domain;
         *(*kernels)[i].memory->of<FieldLevel>() = *formula.kernels[i].memory->of<FieldLevel>();
+        if (formula.program->sheets[i]) (*kernels)[i].memory->of<SheetMark>();
     }
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;

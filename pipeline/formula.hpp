@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/row_program.hpp"
+#include "engine/expr/patch_graph.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/box.hpp"
@@ -21,12 +22,28 @@ enum class CodeState : std::uint8_t {
     Interpreted,       ///< too large for machine code
 };
 
+/// A surface of a formula that is a curve or a point.
+struct ThickSurface {
+    std::size_t surface;
+    PatchKind kind;
+};
+
+/// A surface of a formula that is a point.
+struct PointRow {
+    std::size_t surface;
+    PatchGraphs graphs;
+};
+
 /// The rows of a document with the code that draws them.
 struct Formula : RowProgram {
     /// The program's surfaces, each in its tightest form; of a parametric one as it is there.
     std::vector<Expr> drawn{};
     Box region;                     ///< the region in which `drawn` is tightest
     std::vector<Kernel> kernels{};  ///< one for each of `drawn`
+    /// The surfaces that are curves or points, as the uniforms behind the parameters tell their
+    /// thickness (pipeline/patch_surface.hpp), one after the other.
+    std::vector<ThickSurface> thick{};
+    std::vector<PointRow> points{};  ///< the surfaces that are points
     /// Solid::unrestricted for each of `drawn`.
     std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted{};
     /// What sections show of each surface, as it was typed; none for parametric ones.

@@ -54,6 +54,8 @@ GalleryItem item_of(const json& item, const std::string& group) {
     result.clip = box_of(item.at("box"));
     result.w = item.value("w", 0.0);
     result.light = light_of(item);
+    if (item.contains("thickness"))
+        result.thickness = Thickness{.width = item.at("thickness").get<double>()};
     if (item.contains("camera")) {
         result.camera = camera_of(item.at("camera"));
     } else if (item.at("box").is_number()) {
@@ -89,6 +91,8 @@ ReadDocument read_document(const GalleryItem& item) {
     document.camera = document.home = item.camera;
     document.light = item.light;
     set_value(document.w, item.w);
+    for (Statement& row : document.statements)
+        row.thickness = item.thickness;
     return read;
 }
 

@@ -22,8 +22,9 @@ struct GalleryItem {
     std::string source;  ///< the source of the surface
     Box clip;
     double w = 0.0;
-    std::optional<Camera> camera;  ///< default_camera(clip) when absent
-    LightChoice light = {};        ///< the look that suits it
+    std::optional<Camera> camera;                       ///< default_camera(clip) when absent
+    LightChoice light = {};                             ///< the look that suits it
+    std::optional<Thickness> thickness = std::nullopt;  ///< of its curve
 };
 
 /// The group of surfaces from papers, which the benchmark times.

@@ -73,7 +73,8 @@ private:
 
 void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t left) {
     MadeMesh made = make_mesh(surface.solid, options(left));
-    if (settings_.open || settings_.wall_mm) {
+    const bool is_sheet = request_.formula->program->sheets[surface.number - 1];
+    if (settings_.open || settings_.wall_mm || is_sheet) {
         const UpwardRegisters upward;
         keep_surface(made.mesh, surface.solid);
     }

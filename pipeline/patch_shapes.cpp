@@ -68,6 +68,38 @@ public:
         const NodeId full = builder_.constant(tau.value.lo, tau.value.hi);
         return make_call(builder_, function, times(full, turns));
     }
+    NodeId minus(NodeId a, NodeId b) { return make_subtract(builder_, a, b); }
+    NodeId least(NodeId a, NodeId b) { return make_call(builder_, Op::Min, a, b); }
+    NodeId length(const Vector& v) { return make_call(builder_, Op::Sqrt, dot(v, v)); }
+    /// 0 up to x = from, 1 from x = to on, even between them.
+    NodeId ramp(double from, double to) {
+        const NodeId x = builder_.variable(0);
+        const NodeId part = times(number(1.0 / (to - from)), minus(x, number(from)));
+        return least(make_call(builder_, Op::Max, part, number(0.0)), number(1.0));
+    }
+    /// The graphs with `at` in place of x.
+    Vector moved(const std::array<Expr, 3>& graphs, NodeId at) {
+        Vector result{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            std::vector<NodeId> copies;
+            for (const Node& node : graphs.at(i).nodes()) {
+                const bool is_x = node.op == Op::Variable && node.number == 0;
+                copies.push_back(is_x ? at : copy_node(builder_, node, copies));
+            }
+            result.at(i) = copies.back();
+        }
+        return result;
+    }
+    /// The radius of a curve or point at a place.
+    NodeId radius(const Vector& place, std::size_t thickness) {
+        const auto uniform = [&](std::size_t i) {
+            return builder_.variable(variable_w + 1 + static_cast<int>(thickness + i));
+        };
+        NodeId sum = uniform(0);
+        for (std::size_t i = 0; i < 3; ++i)
+            sum = make_add(builder_, sum, times(uniform(i + 1), place.at(i)));
+        return sum;
+    }
     std::array<Expr, 3> finish(const Vector& v, std::span<const std::string> names) {
         const std::vector<std::string> parameters(names.begin(), names.end());
         return {builder_.finish(v[0], parameters), builder_.finish(v[1], parameters),
@@ -118,7 +150,25 @@ glm::dvec3 aside_of(const std::array<Expr, 3>& tangent) {
     return best;
 }
 
-std::array<Expr, 3> tube(const std::array<Expr, 3>& curve, double radius) {
+/// The names of a formula's parameters and of uniforms behind them up to those of a thickness.
+std::vector<std::string> names_of(const Expr& graph, std::size_t thickness) {
+    std::vector<std::string> names(graph.parameters().begin(), graph.parameters().end());
+    names.resize(std::max(names.size(), thickness + thickness_uniforms), "thickness");
+    return names;
+}
+
+/// A point `radius` aside of `axis`, at an angle of y turns about the direction of `first` and
+/// `second`, which are at right angles to it.
+Vector about(VectorBuilder& build, const Vector& axis, NodeId radius, const Vector& first,
+             const Vector& second) {
+    const NodeId turn = build.builder().variable(1);
+    const NodeId back = build.minus(build.number(0.0), build.of_turns(Op::Sin, turn));
+    return build.plus(
+        axis, build.plus(build.times(build.times(radius, build.of_turns(Op::Cos, turn)), first),
+                         build.times(build.times(radius, back), second)));
+}
+
+std::array<Expr, 3> tube(const std::array<Expr, 3>& curve, std::size_t thickness) {
     std::array<Expr, 3> tangent;
     std::ranges::transform(curve, tangent.begin(),
                            [](const Expr& graph) { return gradient_of(graph)[0]; });
@@ -126,33 +176,92 @@ std::array<Expr, 3> tube(const std::array<Expr, 3>& curve, double radius) {
     const Vector way = build.copy(tangent);
     const Vector first = build.unit(build.cross(way, build.constant(aside_of(tangent))));
     const Vector second = build.unit(build.cross(way, first));
-    const NodeId turn = build.builder().variable(1);
-    const NodeId size = build.number(radius);
-    const Vector aside = build.plus(
-        build.times(build.times(size, build.of_turns(Op::Cos, turn)), first),
-        build.times(build.times(build.number(-radius), build.of_turns(Op::Sin, turn)), second));
-    return build.finish(build.plus(build.copy(curve), aside), curve[0].parameters());
+    const Vector axis = build.copy(curve);
+    return build.finish(about(build, axis, build.radius(axis, thickness), first, second),
+                        names_of(curve[0], thickness));
 }
 
-std::array<Expr, 3> ball(const std::array<Expr, 3>& point, double radius) {
+/// Two directions at right angles to a straight line and to each other, whatever its direction is.
+std::array<Vector, 2> asides_of(VectorBuilder& build, const Vector& way) {
+    ExprBuilder& builder = build.builder();
+    const Vector by_z = build.cross(way, build.constant({0.0, 0.0, 1.0}));
+    const Vector by_x = build.cross(way, build.constant({1.0, 0.0, 0.0}));
+    const NodeId is_steep =
+        make_call(builder, Op::Less, build.times(build.number(0.5), build.dot(way, way)),
+                  make_int_power(builder, way[2], 2));
+    Vector aside{};
+    for (std::size_t i = 0; i < 3; ++i)
+        aside.at(i) = make_call(builder, Op::If, is_steep, by_x.at(i), by_z.at(i));
+    const Vector first = build.unit(aside);
+    return {first, build.unit(build.cross(way, first))};
+}
+
+/// A cylinder about a segment, with both ends closed.
+std::array<Expr, 3> rod(const std::array<Expr, 3>& line, std::size_t thickness) {
     VectorBuilder build;
+    std::array<Expr, 3> tangent;
+    std::ranges::transform(line, tangent.begin(),
+                           [](const Expr& graph) { return gradient_of(graph)[0]; });
+    const auto [first, second] = asides_of(build, build.copy(tangent));
+    const Vector axis = build.moved(line, build.ramp(0.25, 0.75));
+    const NodeId shape = build.minus(build.ramp(0.0, 0.25), build.ramp(0.75, 1.0));
+    const NodeId radius = build.times(shape, build.radius(axis, thickness));
+    return build.finish(about(build, axis, radius, first, second), names_of(line[0], thickness));
+}
+
+/// A rod with a cone at its end, which has three times its radius and takes half of its length at
+/// most.
+std::array<Expr, 3> arrow(const std::array<Expr, 3>& line, std::size_t thickness) {
+    constexpr double head_length = 9.0;  // radii
+    constexpr double head_radius = 3.0;
+    VectorBuilder build;
+    ExprBuilder& builder = build.builder();
+    std::array<Expr, 3> tangent;
+    std::ranges::transform(line, tangent.begin(),
+                           [](const Expr& graph) { return gradient_of(graph)[0]; });
+    const Vector way = build.copy(tangent);
+    const auto [first, second] = asides_of(build, way);
+    const NodeId length = build.length(way);
+    const NodeId thickest = build.times(build.number(0.5 / head_length), length);
+    const Vector tip = build.moved(line, build.number(1.0));
+    const NodeId at_tip = build.least(build.radius(tip, thickness), thickest);
+    const NodeId head =
+        make_divide(builder, build.times(build.number(head_length), at_tip), length);
+    const NodeId shaft = build.minus(build.number(1.0), head);
+    const NodeId along = make_add(builder, build.times(shaft, build.ramp(0.25, 0.5)),
+                                  build.times(head, build.ramp(0.75, 1.0)));
+    const Vector axis = build.moved(line, along);
+    const NodeId own = build.least(build.radius(axis, thickness), thickest);
+    const NodeId of_shaft =
+        build.times(build.minus(build.ramp(0.0, 0.25), build.ramp(0.5, 0.75)), own);
+    const NodeId of_head = build.times(build.minus(build.ramp(0.5, 0.75), build.ramp(0.75, 1.0)),
+                                       build.times(build.number(head_radius), at_tip));
+    return build.finish(about(build, axis, make_add(builder, of_shaft, of_head), first, second),
+                        names_of(line[0], thickness));
+}
+
+std::array<Expr, 3> ball(const std::array<Expr, 3>& point, std::size_t thickness) {
+    VectorBuilder build;
+    const Vector middle = build.copy(point);
     const NodeId half_turn = build.times(build.number(0.5), build.builder().variable(0));
     const NodeId turn = build.builder().variable(1);
-    const NodeId size = build.number(radius);
+    const NodeId size = build.radius(middle, thickness);
     const NodeId across = build.times(size, build.of_turns(Op::Sin, half_turn));
     const Vector aside{build.times(across, build.of_turns(Op::Cos, turn)),
                        build.times(across, build.of_turns(Op::Sin, turn)),
                        build.times(size, build.of_turns(Op::Cos, half_turn))};
-    return build.finish(build.plus(build.copy(point), aside), point[0].parameters());
+    return build.finish(build.plus(middle, aside), names_of(point[0], thickness));
 }
 
 }  // namespace
 
-std::array<Expr, 3> shown_patch(const PatchGraphs& graphs, double radius) {
+std::array<Expr, 3> shown_patch(const PatchGraphs& graphs, std::size_t thickness) {
     switch (graphs.kind) {
         case PatchKind::Surface: return graphs.point;
-        case PatchKind::Curve: return tube(graphs.point, radius);
-        case PatchKind::Point: return ball(graphs.point, 2.0 * radius);
+        case PatchKind::Curve: return tube(graphs.point, thickness);
+        case PatchKind::Segment: return rod(graphs.point, thickness);
+        case PatchKind::Arrow: return arrow(graphs.point, thickness);
+        case PatchKind::Point: return ball(graphs.point, thickness);
         case PatchKind::Meeting: break;  // a surface f = 0
     }
     return graphs.point;
@@ -161,7 +270,7 @@ std::array<Expr, 3> shown_patch(const PatchGraphs& graphs, double radius) {
 /// The point d away at which both f + grad f . d and g + grad g . d are 0 is nearest where
 ///   d^2 = (f^2 G - 2 f g H + g^2 F) / (F G - H^2),   F = |grad f|^2, G = |grad g|^2,
 /// and H is the product of both gradients.
-Expr meeting_tube(const PatchGraphs& graphs, double radius) {
+Expr meeting_tube(const PatchGraphs& graphs, std::size_t thickness) {
     VectorBuilder build;
     ExprBuilder& builder = build.builder();
     const NodeId f = build.copy(graphs.point[0]);
@@ -176,13 +285,13 @@ Expr meeting_tube(const PatchGraphs& graphs, double radius) {
     const NodeId distance = make_subtract(
         builder, make_add(builder, build.times(square(f), gg), build.times(square(g), ff)), mixed);
     const NodeId area = make_subtract(builder, build.times(ff, gg), square(fg));
-    NodeId root =
-        make_subtract(builder, distance, build.times(build.number(radius * radius), area));
+    const Vector place{builder.variable(0), builder.variable(1), builder.variable(2)};
+    const NodeId radius = build.radius(place, thickness);
+    NodeId root = make_subtract(builder, distance, build.times(square(radius), area));
     const Expr& condition = graphs.point[2];
     const bool is_limited = condition.node(condition.root()).op != Op::Constant;
     if (is_limited) root = make_call(builder, Op::Where, root, build.copy(condition));
-    const auto names = graphs.point[0].parameters();
-    return builder.finish(root, {names.begin(), names.end()});
+    return builder.finish(root, names_of(graphs.point[0], thickness));
 }
 
 }  // namespace zeroset

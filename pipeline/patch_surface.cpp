@@ -2,7 +2,6 @@
 
 #include "engine/kernel/patch_code.hpp"
 #include "jit/compile.hpp"
-#include "pipeline/patch_shapes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,25 +10,37 @@
 namespace zeroset {
 namespace {
 
-constexpr double thickness = 0.006;  // of the clip box's longest edge
+constexpr double usual_radius = 0.006;  // of the clip box's longest edge
 
 }  // namespace
 
-Expr drawn_formula(const Expr& surface, const Box& clip) {
+Expr drawn_formula(const Expr& surface, std::size_t thickness) {
     const auto graphs = patch_of(surface);
     const bool is_meeting = graphs && graphs->kind == PatchKind::Meeting;
-    return is_meeting ? meeting_tube(*graphs, thickness * clip.size()) : surface;
+    return is_meeting ? meeting_tube(*graphs, thickness) : surface;
 }
 
-Kernel patch_code(const PatchGraphs& graphs, const Box& clip) {
-    const std::array<Expr, 3> shown = shown_patch(graphs, thickness * clip.size());
+Kernel patch_code(const PatchGraphs& graphs, std::size_t thickness) {
+    const std::array<Expr, 3> shown = shown_patch(graphs, thickness);
     std::array<Kernel, 3> point;
     std::ranges::transform(shown, point.begin(), [](const Expr& graph) {
         Kernel kernel = jit::compile_when_called(graph);
         kernel.has_double = true;
         return kernel;
     });
-    return patch_kernel(std::move(point));
+    return patch_kernel(std::move(point), graphs.box);
+}
+
+ThicknessUniforms thickness_of(PatchKind kind, const std::optional<Thickness>& chosen,
+                               const Box& clip, const Camera& camera, int height_px) {
+    if (!chosen) return {(kind == PatchKind::Point ? 2.0 : 1.0) * usual_radius * clip.size()};
+    const double radius = 0.5 * chosen->width;
+    if (!chosen->in_pixels) return {radius};
+    const ViewFrame view(camera);
+    if (view.parallel()) return {radius * view.pixel_at_look(height_px)};
+    // A pixel is as wide as the depth along the view axis says.
+    const glm::dvec3 slope = radius * view.pixel_size(height_px) * view.forward;
+    return {-glm::dot(slope, view.eye), slope.x, slope.y, slope.z};
 }
 
 std::optional<InputError> patch_refusal(const PictureRequest& request, std::string reason) {

@@ -1,24 +1,36 @@
 #pragma once
 
+#include "document/document.hpp"
 #include "engine/expr/patch_graph.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/view/box.hpp"
+#include "engine/view/camera.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/patch_shapes.hpp"
 #include "pipeline/picture_request.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 
 namespace zeroset {
 
-/// The code that draws a parametric surface, a curve or a point in a clip box, which says how thick
-/// curves and points are: interpreted until it has been used for long enough.
-Kernel patch_code(const PatchGraphs& graphs, const Box& clip);
+/// The code that draws a parametric surface, a curve or a point: interpreted until it has been used
+/// for long enough. `thickness`: as in shown_patch.
+Kernel patch_code(const PatchGraphs& graphs, std::size_t thickness);
 
 /// The formula that is drawn for what a row shows: that of a meeting is a tube, all others are
-/// themselves.
-Expr drawn_formula(const Expr& surface, const Box& clip);
+/// themselves. `thickness`: as in meeting_tube.
+Expr drawn_formula(const Expr& surface, std::size_t thickness);
+
+/// The radius of a curve or a point, as its uniforms tell it to a formula.
+using ThicknessUniforms = std::array<double, thickness_uniforms>;
+
+/// How thick a curve or a point is drawn: as wide as `chosen` says, or as suits the clip box. In
+/// pixels it is so wide in a picture of this height from this camera.
+ThicknessUniforms thickness_of(PatchKind kind, const std::optional<Thickness>& chosen,
+                               const Box& clip, const Camera& camera, int height_px);
 
 /// The error of what knows only equations, if a picture shows a parametric surface, a curve or a
 /// point; nothing where it does not.

@@ -4,6 +4,7 @@
 #include "engine/scene/precision.hpp"
 #include "engine/trace/caps.hpp"
 #include "pipeline/contour_step.hpp"
+#include "pipeline/patch_surface.hpp"
 #include "pipeline/section_values.hpp"
 
 #include <algorithm>
@@ -12,16 +13,35 @@
 namespace zeroset {
 namespace {
 
+/// The row of a surface; nullptr: none.
+const Statement* row_of(const Document& document, const Formula& formula, std::size_t surface) {
+    const auto row =
+        std::ranges::find(document.statements, formula.surface_rows[surface], &Statement::id);
+    return row == document.statements.end() ? nullptr : &*row;
+}
+
+/// How thick curves and points are, for the uniforms behind the parameters.
+std::vector<double> thicknesses(const Document& document, const PictureRequest& request) {
+    std::vector<double> values;
+    for (const auto& [surface, kind] : request.formula->thick) {
+        const Statement* const row = row_of(document, *request.formula, surface);
+        const ThicknessUniforms uniforms =
+            thickness_of(kind, row != nullptr ? row->thickness : std::nullopt, document.clip,
+                         request.camera, request.size_px.y);
+        values.insert(values.end(), uniforms.begin(), uniforms.end());
+    }
+    return values;
+}
+
 /// Returns the surfaces whose rows are visible.
 std::vector<ShownSurface> visible_surfaces(const Document& document, const Formula& formula) {
-    const std::vector<int>& surface_rows = formula.surface_rows;
-    const std::vector<bool>& solids = formula.program->solids;
+    const Program& program = *formula.program;
     std::vector<ShownSurface> shown;
-    for (std::size_t i = 0; i < surface_rows.size(); ++i) {
-        const auto row = std::ranges::find(document.statements, surface_rows[i], &Statement::id);
-        if (row == document.statements.end() || !row->visible) continue;
-        const bool bounds = row->solid == SolidSide::Automatic && i < solids.size() && solids[i];
-        const SolidSide side = bounds ? SolidSide::Below : row->solid;
+    for (std::size_t i = 0; i < formula.surface_rows.size(); ++i) {
+        const Statement* const row = row_of(document, formula, i);
+        if (row == nullptr || !row->visible) continue;
+        SolidSide side = row->solid;
+        if (side == SolidSide::Automatic && program.solids[i]) side = SolidSide::Below;
         shown.push_back({.index = i,
                          .row = row->id,
                          .color = row->color,
@@ -67,7 +87,14 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
     request.uniforms.push_back(request.formula->uses_w() ? document.w.value : 0.0);
     for (const std::string& name : request.formula->program->parameters)
         request.uniforms.push_back(slider_of(document, name).value);
+    set_thickness(request, document);
     return request;
+}
+
+void set_thickness(PictureRequest& request, const Document& document) {
+    request.uniforms.resize(1 + request.formula->program->parameters.size());
+    for (const double value : thicknesses(document, request))
+        request.uniforms.push_back(value);
 }
 
 Camera camera_of(const Document& document, glm::ivec2 size_px) {

@@ -43,7 +43,8 @@ struct PictureRequest {
     TraceSettings settings;
     glm::ivec2 size_px{0};
     std::vector<ShownSurface> surfaces;
-    std::vector<double> uniforms;  ///< w (0 where the formula has none), then the parameters
+    std::vector<double> uniforms;  ///< w (0 where the formula has none), then the parameters,
+                                   ///< then how thick curves and points are
 
     bool operator==(const PictureRequest&) const = default;
 };
@@ -54,6 +55,10 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
                                std::shared_ptr<const ColorFormulas> colors,
                                const Document& document, const TraceSettings& settings,
                                glm::ivec2 size_px);
+
+/// Makes curves and points as thick as the document says for the request's camera and size, which
+/// may have been changed.
+void set_thickness(PictureRequest& request, const Document& document);
 
 /// The document's own camera, or the default one for a picture of this size.
 Camera camera_of(const Document& document, glm::ivec2 size_px);

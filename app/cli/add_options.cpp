@@ -94,6 +94,10 @@ void add_region_options(CLI::App& app, ViewText& view) {
     add_repeated(app, "--solid", view.solids,
                  "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
                  "surfaces or of one: 2:f>0; may be repeated");
+    add_repeated(
+        app, "--surface-box", view.surfaces.boxes,
+        "shows only what is in a box, as of --box, of all surfaces or of one: 2:0.5; may be "
+        "repeated");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
 }
@@ -123,6 +127,12 @@ void add_view_options(CLI::App& app, ViewText& view) {
               "the values at the ends of these colors: A,B, or auto (default)");
     add_repeated(app, "--opacity", view.opacities,
                  "how opaque surfaces are, 0 to 1, all or one: 2:0.5; may be repeated");
+    add_repeated(app, "--color", view.surfaces.colors,
+                 "color of a surface's front, all or one: 2:#D9763A; may be repeated");
+    add_repeated(
+        app, "--thickness", view.surfaces.thicknesses,
+        "width of curves and points, in units, or in pixels: 3px; all or one: 2:3px; may be "
+        "repeated");
     app.add_flag("--fit", view.fit,
                  "look at all of the surface; without --box the clip box follows it, too");
     add_look_options(app, view.look);

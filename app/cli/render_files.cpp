@@ -6,6 +6,7 @@
 #include "engine/image/cost_picture.hpp"
 #include "pipeline/finish_picture.hpp"
 #include "pipeline/plans/export_formats.hpp"
+#include "pipeline/shown_points.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -154,12 +155,15 @@ std::expected<void, FileError> RenderFiles::finish() {
 std::expected<void, std::string> add_whole(const RenderCommand& command,
                                            const std::shared_ptr<const RenderedPicture>& made,
                                            RenderFiles& files) {
+    const std::vector<ShownPoint> points = shown_points(
+        *made->request.formula, made->plan.document, made->request.camera, made->request.size_px.y);
     const FrameSubject subject{.document = made->plan.document,
                                .camera = made->request.camera,
                                .coloring = made->scene.coloring,
                                .uniforms = made->scene.uniforms,
                                .section_values = made->scene.section_values,
-                               .legend = made->plan.legend};
+                               .legend = made->plan.legend,
+                               .points = points};
     const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
     std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;
     if (command.output) painted = finish_picture(frame, subject);

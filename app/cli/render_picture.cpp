@@ -12,6 +12,7 @@
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/poster.hpp"
+#include "pipeline/shown_points.hpp"
 #include "pipeline/tracer_refusal.hpp"
 
 #include <cmath>
@@ -143,6 +144,8 @@ void draw_bands(Drawing& drawing) {
                         .settings = picture.request.settings,
                         .size = plan.picture.size,
                         .document = plan.document,
+                        .points = shown_points(*picture.request.formula, plan.document,
+                                               picture.request.camera, plan.size.height),
                         .legend = plan.legend,
                         .keeps_light = needs_light(plan.picture),
                         .keeps_normals = needs_normals(plan.picture),

@@ -190,6 +190,7 @@ void Desktop::draw_frame() {
     look_cards_.show(state_);
     view_cards_.show(state_);
     exports_.show(state_);
+    show_points();
     follow_waiting();
     if (portal_) portal_->follow(state_.edited, state_.pages.dialogs);
     play();
@@ -270,6 +271,9 @@ void Desktop::show(const FormulaResult& result) {
     reading.parameters = result.reading.program->parameters;
     reading.uses_w = feed_.formula()->uses_w();
     reading.calls_w_t = result.reading.program->calls_w_t;
+    reading.thick_rows.clear();
+    for (const ThickSurface& thick : feed_.formula()->thick)
+        reading.thick_rows.push_back(feed_.formula()->surface_rows[thick.surface]);
     histograms_.follow(*result.reading.program);
     state_.shown.status.note = note_of(feed_.formula()->code);
     session_.amend([&](Document& document) {

@@ -100,6 +100,7 @@ private:
     void take_formula();
     void show(const FormulaResult& result);
     void take_frame();
+    void show_points();
     [[nodiscard]] TextureLook wanted_look() const;
     void upload_frame();
     void show_legend(const RenderResult& result);

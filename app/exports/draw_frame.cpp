@@ -4,6 +4,7 @@
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"
 #include "pipeline/finish_picture.hpp"
+#include "pipeline/shown_points.hpp"
 
 #include <utility>
 
@@ -23,11 +24,14 @@ std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Documen
     auto frame = std::make_shared<Framebuffer>(size_px.x, size_px.y);
     render_frame(scene, request.camera, request.settings, *frame, {.limit = limit});
     if (news.cancel) return std::nullopt;
+    const std::vector<ShownPoint> points =
+        shown_points(*request.formula, document, request.camera, size_px.y);
     const auto painted = finish_picture(frame, {.document = document,
                                                 .camera = request.camera,
                                                 .coloring = scene.coloring,
                                                 .uniforms = scene.uniforms,
-                                                .section_values = scene.section_values});
+                                                .section_values = scene.section_values,
+                                                .points = points});
     return DrawnFrame{.frame = frame, .painted = painted ? *painted : frame};
 }
 

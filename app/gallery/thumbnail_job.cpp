@@ -71,6 +71,7 @@ std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
         numbers.insert(numbers.end(), {point.x, point.y, point.z});
     }
     numbers.push_back(shown.light.reflections);
+    if (shown.thickness) numbers.push_back(shown.thickness->width);
     return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" +
            std::string(name_of(shown.light.look)) + text_of_numbers(numbers);
 }

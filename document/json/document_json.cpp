@@ -23,6 +23,15 @@
 namespace zeroset {
 namespace {
 
+/// A width in units of the world, or a text such as "3 px".
+Json json_of(const Thickness& thickness) {
+    return thickness.in_pixels ? Json(thickness_text(thickness)) : Json(thickness.width);
+}
+
+Json json_of(const Box& box) {
+    return Json::array({box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z});
+}
+
 Json json_of(const Statement& statement) {
     Json json{{"text", statement.text}};
     if (!statement.visible) json["visible"] = false;
@@ -30,6 +39,8 @@ Json json_of(const Statement& statement) {
     if (statement.solid != SolidSide::Automatic)
         json["solid"] = statement.solid == SolidSide::Below ? "f<0" : "f>0";
     if (statement.opacity) json["opacity"] = *statement.opacity;
+    if (statement.thickness) json["thickness"] = json_of(*statement.thickness);
+    if (statement.box) json["box"] = json_of(*statement.box);
     return json;
 }
 
@@ -98,6 +109,23 @@ SolidSide solid_of(const Json& json, const std::string& place) {
     throw Damage{filled(tr("{0} is neither f<0 nor f>0"), {place})};
 }
 
+Box box_of(const Json& json, const std::string& place) {
+    const auto n = numbers_of<6>(json, place);
+    const Box box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
+    for (int i = 0; i < 3; ++i) {
+        if (!(box.lo[i] < box.hi[i])) throw Damage{filled(tr("{0} is empty"), {place})};
+    }
+    return box;
+}
+
+Thickness thickness_of(const Json& json, const std::string& place) {
+    const auto thickness = thickness_from(json.is_string() ? json.get<std::string>() : json.dump());
+    if (!thickness)
+        throw Damage{
+            filled(tr("{0} is neither a width above 0 nor a text such as \"3 px\""), {place})};
+    return *thickness;
+}
+
 Statement statement_of(const Json& json, const std::string& place,
                        std::vector<std::string>& unknown) {
     Fields fields(json, place, unknown);
@@ -113,6 +141,9 @@ Statement statement_of(const Json& json, const std::string& place,
         statement.solid = solid_of(*solid, fields.at("solid"));
     if (const Json* opacity = fields.find("opacity"))
         statement.opacity = number_in(*opacity, fields.at("opacity"), 0.0, 1.0);
+    if (const Json* thickness = fields.find("thickness"))
+        statement.thickness = thickness_of(*thickness, fields.at("thickness"));
+    if (const Json* box = fields.find("box")) statement.box = box_of(*box, fields.at("box"));
     return statement;
 }
 
@@ -143,15 +174,6 @@ Slider slider_of(const Json& json, const std::string& place, std::vector<std::st
     if (const Json* presented = fields.find("presented"))
         slider.presented = flag_of(*presented, fields.at("presented"));
     return slider;
-}
-
-Box box_of(const Json& json) {
-    const auto n = numbers_of<6>(json, "box");
-    const Box box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
-    for (int i = 0; i < 3; ++i) {
-        if (!(box.lo[i] < box.hi[i])) throw Damage{filled(tr("{0} is empty"), {"box"})};
-    }
-    return box;
 }
 
 StopCriterion stop_of(const Json& json, std::vector<std::string>& unknown) {
@@ -208,7 +230,7 @@ ParsedDocument document_of(const Json& json) {
         read_parameters(*parameters, document, unknown);
     }
     if (const Json* w = fields.find("w")) document.w = slider_of(*w, "w", unknown);
-    if (const Json* box = fields.find("box")) document.clip = box_of(*box);
+    if (const Json* box = fields.find("box")) document.clip = box_of(*box, "box");
     if (const Json* region = fields.find("region")) document.region = region_of(*region, unknown);
     if (const Json* camera = fields.find("camera"))
         document.camera = camera_of(*camera, "camera", unknown);

@@ -10,7 +10,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t longest_text = 1'000'000;
+constexpr std::size_t longest_string = 1'000'000;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ double number_in(const Json& json, const std::string& place, double least, doubl
 std::string string_of(const Json& json, const std::string& place) {
     if (!json.is_string()) throw Damage{filled(tr("{0} is no text"), {place})};
     auto text = json.get<std::string>();
-    if (text.size() > longest_text)
+    if (text.size() > longest_string)
         throw Damage{filled(tr("{0} is longer than a million characters"), {place})};
     return text;
 }

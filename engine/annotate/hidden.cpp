@@ -2,6 +2,8 @@
 
 #include "engine/view/pixel_ray.hpp"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +28,14 @@ bool is_behind(const Framebuffer& frame, const ViewFrame& view, const glm::dvec3
     }
     constexpr double slack = 1.0 + 1e-4;
     return seen->distance > slack * static_cast<double>(farthest);
+}
+
+glm::dvec3 before_ball(const ViewFrame& view, const glm::dvec3& middle, double radius) {
+    constexpr double margin = 1.05;
+    const glm::dvec3 towards = view.eye - middle;
+    const glm::dvec3 way = view.parallel() ? -view.forward : glm::normalize(towards);
+    const double free = view.parallel() ? margin * radius : 0.5 * glm::length(towards);
+    return middle + std::min(margin * radius, free) * way;
 }
 
 }  // namespace zeroset

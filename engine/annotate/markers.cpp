@@ -52,7 +52,7 @@ Shapes marker_shapes(std::span<const MarkedPoint> points, const MarkedPicture& p
         const glm::dvec2 dot = 0.5 * size + size.y * glm::dvec2(seen->place.x, -seen->place.y);
         if (!(dot.x >= 0 && dot.y >= 0 && dot.x < size.x && dot.y < size.y)) continue;
         const bool hidden = is_behind(picture.frame, view, point.at);
-        append(shapes, dot_shapes(dot, hidden, point.selected, style));
+        if (point.dot) append(shapes, dot_shapes(dot, hidden, point.selected, style));
         append(shapes, tag_shapes(point.words, dot, gap, size, style, hidden ? hidden_tag : 1.0));
     }
     return shapes;

@@ -18,6 +18,7 @@ struct MarkedPoint {
     glm::dvec3 at{0.0};
     std::string words;      ///< beside it, in one line
     bool selected = false;  ///< has a ring about it
+    bool dot = true;        ///< else it is in the picture itself, and has its words alone
 };
 
 /// The canvas over a picture: the picture fills it, whatever its own size is.

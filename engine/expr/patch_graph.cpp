@@ -3,8 +3,10 @@
 #include "engine/expr/copy.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,9 +17,10 @@ namespace {
 /// The function of which nothing is known, at a point that a row is given by.
 class PatchField : public Field {
 public:
-    explicit PatchField(PatchKind kind) : kind_(kind) {}
+    PatchField(PatchKind kind, const std::optional<RowBox>& box) : kind_(kind), box_(box) {}
 
     [[nodiscard]] PatchKind kind() const { return kind_; }
+    [[nodiscard]] const std::optional<RowBox>& box() const { return box_; }
     [[nodiscard]] std::string text() const override { return {}; }
     [[nodiscard]] bool is_total() const override { return false; }
     [[nodiscard]] bool is_continuous() const override { return false; }
@@ -53,16 +56,20 @@ private:
     }
 
     PatchKind kind_;
+    std::optional<RowBox> box_;
 };
 
-/// One for each kind, so that equal rows are equal graphs.
-std::shared_ptr<const Field> field_of(PatchKind kind) {
-    static const std::array<std::shared_ptr<const Field>, 4> fields{
-        std::make_shared<PatchField>(PatchKind::Surface),
-        std::make_shared<PatchField>(PatchKind::Curve),
-        std::make_shared<PatchField>(PatchKind::Point),
-        std::make_shared<PatchField>(PatchKind::Meeting)};
-    return fields.at(static_cast<std::size_t>(kind));
+/// One for each kind and box of late, so that equal rows are equal graphs.
+std::shared_ptr<const Field> field_of(PatchKind kind, const std::optional<RowBox>& box) {
+    constexpr std::size_t most_kept = 256;
+    static std::mutex mutex;
+    static std::deque<std::shared_ptr<const PatchField>> fields;
+    const std::scoped_lock lock(mutex);
+    const auto known = std::ranges::find_if(
+        fields, [&](const auto& field) { return field->kind() == kind && field->box() == box; });
+    if (known != fields.end()) return *known;
+    if (fields.size() == most_kept) fields.pop_front();
+    return fields.emplace_back(std::make_shared<const PatchField>(kind, box));
 }
 
 const PatchField* patch_field_of(const Expr& surface) {
@@ -72,8 +79,9 @@ const PatchField* patch_field_of(const Expr& surface) {
 
 }  // namespace
 
-NodeId make_patch(ExprBuilder& builder, PatchKind kind, const std::array<NodeId, 3>& point) {
-    return builder.look_up(field_of(kind), point[0], point[1], point[2]);
+NodeId make_patch(ExprBuilder& builder, PatchKind kind, const std::array<NodeId, 3>& point,
+                  const std::optional<RowBox>& box) {
+    return builder.look_up(field_of(kind, box), point[0], point[1], point[2]);
 }
 
 std::optional<PatchGraphs> patch_of(const Expr& surface) {
@@ -83,7 +91,7 @@ std::optional<PatchGraphs> patch_of(const Expr& surface) {
     const std::vector<NodeId> copies = copy_nodes(builder, surface);
     const Node& root = surface.node(surface.root());
     const auto names = surface.parameters();
-    PatchGraphs graphs{.point = {}, .kind = field->kind()};
+    PatchGraphs graphs{.point = {}, .kind = field->kind(), .box = field->box()};
     const std::array operands{root.a, root.b, root.c};
     for (std::size_t i = 0; i < operands.size(); ++i)
         graphs.point.at(i) = builder.finish(copies[operands.at(i)], {names.begin(), names.end()});

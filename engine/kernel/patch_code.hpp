@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace zeroset {
@@ -13,11 +14,14 @@ namespace zeroset {
 /// (Kernel::has_double); z is 0.
 struct PatchCode {
     std::vector<Kernel> point;  ///< empty: the kernel is that of an f
+    /// The patch is cut to this box, too: from and to in x, in y and in z.
+    std::optional<std::array<double, 6>> box = std::nullopt;
 };
 
 /// The kernel of a surface that is drawn by its patch. Its functions know nothing of any place, so
 /// that whoever asks them for an f finds no root and proves nothing.
-Kernel patch_kernel(std::array<Kernel, 3> point);
+Kernel patch_kernel(std::array<Kernel, 3> point,
+                    const std::optional<std::array<double, 6>>& box = std::nullopt);
 
 /// The code of a kernel made by patch_kernel; nullptr for other kernels.
 std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel);

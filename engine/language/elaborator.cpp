@@ -140,8 +140,11 @@ bool Elaborator::note_unreadable(const Definition& definition) {
 bool Elaborator::build_surface(std::size_t index) {
     statement_ = index;
     is_solid_ = false;
+    const Syntax& relation = tree_[tree_.statements[index].relation];
+    const bool is_call = relation.kind == SyntaxKind::Call && relation.function != nullptr;
+    if (is_call && relation.function->is_thing()) return build_thing(index, *relation.function);
     if (may_be_patch(tree_.statements[index])) return build_patch(index);
-    if (is_meeting(tree_[tree_.statements[index].relation])) return build_meeting(index);
+    if (is_meeting(relation)) return build_meeting(index);
     const Number root = equation(tree_.statements[index]);
     if (!root) return false;
     if (defines_nothing_else(index, *root)) {
@@ -291,6 +294,41 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
     return true;
 }
 
+/// The box that a document cuts the row of a statement to.
+std::optional<RowBox> Elaborator::box_of(std::size_t statement) const {
+    const std::size_t offset = tree_.statements[statement].offset;
+    const auto found = std::ranges::find_if(
+        cuts_, [&](const CutText& cut) { return cut.begin <= offset && offset < cut.end; });
+    return found == cuts_.end() ? std::nullopt : std::optional(found->box);
+}
+
+/// Whether (x, y, z) is in a box.
+NodeId Elaborator::cut_condition(const RowBox& box) {
+    std::optional<NodeId> all;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const NodeId at = builder_.variable(static_cast<int>(k));
+        for (const NodeId one :
+             {make_call(builder_, Op::LessEqual, builder_.constant(box.at(2 * k)), at),
+              make_call(builder_, Op::LessEqual, at, builder_.constant(box.at(2 * k + 1)))})
+            all = all ? make_call(builder_, Op::And, *all, one) : one;
+    }
+    return *all;
+}
+
+/// Cuts a surface that is an equation by the box of its row. It is read as if there were none.
+bool Elaborator::cut_surface(Surface& surface) {
+    const auto box = box_of(surface.statement);
+    const Node root = builder_.node(surface.root);
+    if (!box || root.op == Op::Field) return true;
+    if (surface.text.empty())
+        surface.text = equation_text(builder_.finish(surface.root, parameters_));
+    NodeId condition = cut_condition(*box);
+    const bool is_restricted = root.op == Op::Where;
+    if (is_restricted) condition = make_call(builder_, Op::And, root.b, condition);
+    surface.root = make_call(builder_, Op::Where, is_restricted ? root.a : surface.root, condition);
+    return done(surface.root, tree_.statements[surface.statement].offset).has_value();
+}
+
 bool Elaborator::build_definition(Definition& definition) {
     statement_ = definition.statement;
     const auto text = definition.is_function ? function_text(definition) : value_text(definition);
@@ -303,6 +341,9 @@ bool Elaborator::build_definition(Definition& definition) {
 }
 
 std::expected<Program, ParseError> Elaborator::result() {
+    for (Surface& surface : surfaces_) {
+        if (!cut_surface(surface)) return std::unexpected(*error_);
+    }
     std::ranges::sort(surfaces_, {}, &Surface::statement);
     Program program;
     std::size_t nodes = 0;
@@ -320,9 +361,11 @@ std::expected<Program, ParseError> Elaborator::result() {
         readings_[surface.statement] = {
             .kind = StatementKind::Surface,
             .offset = tree_.statements[surface.statement].offset,
-            .text = surface.patch.empty() ? equation_text(expr, longest) : surface.patch};
+            .text = surface.text.empty() ? equation_text(expr, longest) : surface.text};
         program.surfaces.push_back(std::move(expr));
         program.solids.push_back(surface.solid);
+        program.sheets.push_back(surface.sheet);
+        program.names.push_back(surface.name);
     }
     for (auto& [statement, reading] : readings_)
         program.readings.push_back(std::move(reading));

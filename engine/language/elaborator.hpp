@@ -30,6 +30,8 @@ public:
         error_ = table_.error();
     }
 
+    /// Cuts what `program` draws by these boxes, which outlive it.
+    void cut(std::span<const CutText> cuts) { cuts_ = cuts; }
     std::expected<Program, ParseError> program();
     /// The value of the last statement, an expression.
     std::expected<Expr, ParseError> last_value();
@@ -56,8 +58,10 @@ private:
     struct Surface {
         std::size_t statement;
         NodeId root;
-        bool solid;              ///< the root is below 0 where a condition holds
-        std::string patch = {};  ///< the text of a row that is given by a point; else empty
+        bool solid;             ///< the root is below 0 where a condition holds
+        std::string text = {};  ///< how the row was read; empty: as the equation that it is
+        std::string name = {};  ///< of a point
+        bool sheet = false;     ///< neither side of it is solid
     };
     /// A variable and the range that a row gives it.
     struct Ranged {
@@ -81,6 +85,9 @@ private:
     bool note_unreadable(const Definition& definition);
     std::string hint_without_surface();
     bool add_surface(std::size_t statement, NodeId root);
+    [[nodiscard]] std::optional<RowBox> box_of(std::size_t statement) const;
+    NodeId cut_condition(const RowBox& box);
+    bool cut_surface(Surface& surface);
     [[nodiscard]] bool uses_space(NodeId root) const;
     [[nodiscard]] bool never_holds(NodeId condition) const;
     [[nodiscard]] ParseError no_place_error(std::size_t statement) const;
@@ -115,7 +122,26 @@ private:
     bool add_named_point(const Definition& definition, const std::string& text);
     [[nodiscard]] bool is_meeting(const Syntax& relation) const;
     bool build_meeting(std::size_t index);
-    bool add_patch(std::size_t index, NodeId root, std::string text);
+    bool add_patch(std::size_t index, PatchKind kind, const std::array<NodeId, 3>& point,
+                   std::string text);
+
+    // elaborator_things.cpp: segments, vectors and polygons
+    using Point = std::array<NodeId, 3>;
+    std::nullopt_t refuse_thing(const Syntax& syntax);
+    bool build_thing(std::size_t index, const Function& thing);
+    std::optional<std::vector<Point>> corners_of(const Syntax& call, std::string& text);
+    bool check_corner(const Value& value, const Syntax& call, std::size_t place);
+    bool build_straight(std::size_t index, const Function& thing, const std::vector<Point>& ends,
+                        std::string text);
+    bool build_polygon(std::size_t index, const std::vector<Point>& corners, std::string text);
+    Point difference(const Point& a, const Point& b);
+    Point cross(const Point& a, const Point& b);
+    NodeId dot(const Point& a, const Point& b);
+    bool is_zero(const Point& way, std::size_t offset);
+    bool check_plane(const std::vector<Point>& corners, const Point& normal, const Syntax& call);
+    [[nodiscard]] std::optional<double> middle_of(NodeId id) const;
+    [[nodiscard]] bool is_convex(const std::vector<Point>& corners, const Point& normal);
+    NodeId inside_polygon(const std::vector<Point>& corners, const Point& normal, bool convex);
 
     // elaborator_graphs.cpp: functions that stand alone
     bool build_graphs();
@@ -218,6 +244,7 @@ private:
     std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
 
     const SyntaxTree& tree_;
+    std::span<const CutText> cuts_;
     Notes notes_;
     DefinitionTable table_;
     ExprBuilder builder_;

@@ -35,6 +35,7 @@ Join joiner(Composed kind) {
 
 Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     if (syntax.function == nullptr) return defined_call(syntax, scope);
+    if (syntax.function->is_thing()) return refuse_thing(syntax);
     if (syntax.function->repeats() && syntax.operands.size() > 1) return repeated(syntax, scope);
     if (syntax.function->is_of_library()) return library_call(syntax, scope);
     const std::optional<Composed> composed = syntax.function->composed;

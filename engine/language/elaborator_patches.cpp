@@ -221,8 +221,7 @@ bool Elaborator::build_patch(std::size_t index) {
     const auto point = shares ? point_over(statement, *shares) : std::nullopt;
     if (!point) return false;
     constexpr std::array kinds{PatchKind::Point, PatchKind::Curve, PatchKind::Surface};
-    return add_patch(index, make_patch(builder_, kinds.at(ranges.size()), *point),
-                     patch_text(*typed, ranges, *names));
+    return add_patch(index, kinds.at(ranges.size()), *point, patch_text(*typed, ranges, *names));
 }
 
 /// Whether a definition is no point that is drawn: those have a capital letter as their name, so
@@ -237,7 +236,9 @@ bool Elaborator::draws_nothing(const Definition& definition) {
 bool Elaborator::add_named_point(const Definition& definition, const std::string& text) {
     const auto point = point_of(*definition.value);
     if (std::ranges::any_of(*point, [&](NodeId id) { return uses_space(id); })) return true;
-    return add_patch(definition.statement, make_patch(builder_, PatchKind::Point, *point), text);
+    if (!add_patch(definition.statement, PatchKind::Point, *point, text)) return false;
+    surfaces_.back().name = definition.name;
+    return true;
 }
 
 /// Whether a relation is two equations joined by `and`: the curve where their surfaces meet.
@@ -269,15 +270,22 @@ bool Elaborator::build_meeting(std::size_t index) {
     }
     const Number condition = restriction_of(statement);
     if (error_) return false;
-    const NodeId where = condition.value_or(builder_.constant(1.0));
+    NodeId where = condition.value_or(builder_.constant(1.0));
     if (condition) text += ", " + builder_.text(where, parameters_, longest_definition());
-    return add_patch(index,
-                     make_patch(builder_, PatchKind::Meeting, {functions[0], functions[1], where}),
+    if (const auto box = box_of(index)) {
+        const NodeId inside = cut_condition(*box);
+        where = condition ? make_call(builder_, Op::And, where, inside) : inside;
+    }
+    return add_patch(index, PatchKind::Meeting, {functions[0], functions[1], where},
                      std::move(text));
 }
 
-bool Elaborator::add_patch(std::size_t index, NodeId root, std::string text) {
+bool Elaborator::add_patch(std::size_t index, PatchKind kind, const std::array<NodeId, 3>& point,
+                           std::string text) {
     const std::size_t offset = tree_.statements[index].offset;
+    // The condition of a meeting holds the box.
+    const auto box = kind == PatchKind::Meeting ? std::nullopt : box_of(index);
+    const NodeId root = make_patch(builder_, kind, point, box);
     if (!done(root, offset)) return false;
     if (surfaces_.size() == ProgramLimits::surfaces) {
         fail(offset, filled(tr("there are more than {0} surfaces"),
@@ -285,7 +293,7 @@ bool Elaborator::add_patch(std::size_t index, NodeId root, std::string text) {
         return false;
     }
     surfaces_.push_back(
-        {.statement = index, .root = root, .solid = false, .patch = std::move(text)});
+        {.statement = index, .root = root, .solid = false, .text = std::move(text)});
     return true;
 }
 

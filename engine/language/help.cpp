@@ -29,7 +29,8 @@ constexpr Line statements[] = {
     {"(cos t, sin t, t/3), 0 < t < 20", marked("a curve: a point over one variable")},
     {"x^2 + y^2 + z^2 = 4 and z = x y", marked("a curve: where two surfaces meet")},
     {"P = (1, 2, a)", marked("a point; a name begins with a capital letter")},
-    {"P + t (Q - P), 0 < t < 1", marked("the segment between two points")},
+    {"segment(P, Q)  vector(P, v)  polygon(P, Q, R)",
+     marked("made of points, each in a row of its own: a segment, an arrow, a part of a plane")},
     {"a = 2", marked("a constant, for all statements; a := 2 is never anything else")},
     {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},
     {R"(scan = volume("ct.nrrd"))",
@@ -164,8 +165,9 @@ std::vector<HelpSection> language_help() {
         {.title = marked("Shapes"), .entries = {}},
         {.title = marked("Moved shapes"), .entries = {}},
         {.title = marked("Blends and walls"), .entries = {}},
+        {.title = marked("Things made of points"), .entries = {}},
         {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
-    const std::size_t fixed = help.size() - 6;
+    const std::size_t fixed = help.size() - 7;
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";

@@ -41,10 +41,13 @@ std::expected<Expr, ParseError> renumbered(const Expr& expr,
 
 }  // namespace
 
-std::expected<Program, ParseError> read_program(std::string_view text) {
+std::expected<Program, ParseError> read_program(std::string_view text,
+                                                std::span<const CutText> cuts) {
     const auto tree = read_syntax(text);
     if (!tree) return std::unexpected(tree.error());
-    return Elaborator(*tree).program();
+    Elaborator elaborator(*tree);
+    elaborator.cut(cuts);
+    return elaborator.program();
 }
 
 std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,

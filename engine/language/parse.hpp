@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
+#include "engine/expr/patch_graph.hpp"
 #include "engine/language/vocabulary/reading.hpp"
 
 #include <expected>
@@ -16,14 +17,23 @@ struct Program {
     std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
                                  ///< one
     std::vector<bool> solids;    ///< of each surface: f < 0 is where its conditions hold
+    std::vector<bool> sheets;    ///< of each surface: it has no inside, whatever f is beside it
+    std::vector<std::string> names;  ///< of each surface: of the point that it is, or empty
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
     bool calls_w_t = false;               ///< it says t for the fourth coordinate, and never w
 };
 
+/// A box that cuts what is drawn of the statements that begin at bytes `begin` to `end` of a text.
+struct CutText {
+    std::size_t begin, end;
+    RowBox box;
+};
+
 /// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded for any
-/// text.
-std::expected<Program, ParseError> read_program(std::string_view text);
+/// text. `cuts` do not overlap.
+std::expected<Program, ParseError> read_program(std::string_view text,
+                                                std::span<const CutText> cuts = {});
 
 /// Reads an expression that may use the functions and values of a program (its text, which must be
 /// readable) and the given parameters, in their order; another parameter is an error. Offsets of

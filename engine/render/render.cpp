@@ -194,7 +194,8 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit
     if (trace_union(i, tile, limit, workspace, counters)) return;
     TraceFrame frame = frame_of(i, tile, limit);
     frame.open = open_views_[i].get();
-    if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
+    const bool is_capped = !solid_signs_.empty() && solid_signs_[i] != 0;
+    if (!is_capped) return tracer_.trace_tile(frame, tile, hits, counters);
     CapFinder& caps = workspace.caps;
     caps.fill(frame, solid_signs_[i], counters);
     Tile before_caps = tile;

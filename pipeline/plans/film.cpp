@@ -7,6 +7,7 @@
 #include "engine/render/render.hpp"
 #include "pipeline/finish_picture.hpp"
 #include "pipeline/picture_request.hpp"
+#include "pipeline/shown_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +142,7 @@ private:
     Coloring coloring_;  ///< of the last picture
     std::optional<SectionValues> section_values_;
     Uniforms uniforms_;
+    std::vector<ShownPoint> points_;
 };
 
 NumberedFrame FrameDrawer::room() const {
@@ -159,6 +161,7 @@ void FrameDrawer::draw_moment(int number, const Document& document, Framebuffer&
     coloring_ = scene.coloring;
     section_values_ = scene.section_values;
     uniforms_ = scene.uniforms;
+    points_ = shown_points(*request.formula, document, request.camera, request.size_px.y);
     frame_ranges_.add_to(scene, number);
     work.counters += render_frame(scene, request.camera, request.settings, frame,
                                   {.limit = limit_for(film_, watch_)});
@@ -189,7 +192,8 @@ std::optional<std::string> FrameDrawer::draw(NumberedFrame& drawn, FilmWork& wor
                                                 .coloring = coloring_,
                                                 .uniforms = uniforms_,
                                                 .section_values = section_values_,
-                                                .legend = film_.legend});
+                                                .legend = film_.legend,
+                                                .points = points_});
     if (!painted) return painted.error();
     drawn.painted = std::move(*painted);
     work.drawing_ms += ms_since(start);

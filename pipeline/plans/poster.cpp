@@ -35,7 +35,8 @@ FrameSubject subject_of(const Poster& poster) {
             .coloring = poster.scene.coloring,
             .uniforms = poster.scene.uniforms,
             .section_values = poster.scene.section_values,
-            .legend = poster.legend};
+            .legend = poster.legend,
+            .points = poster.points};
 }
 
 /// The poster in small, with nothing but what its surfaces hide.

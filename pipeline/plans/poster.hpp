@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/document.hpp"
+#include "document/shown_point.hpp"
 #include "engine/export/pictures/picture_writer.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/settings.hpp"
@@ -13,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace zeroset {
 
@@ -22,10 +24,11 @@ struct Poster {
     Camera camera;
     TraceSettings settings;
     ImageSize size{};
-    Document document;           ///< whose axes, markers and so on are drawn over it
-    bool legend = true;          ///< draw a legend, if the colours stand for something
-    bool keeps_light = false;    ///< bands have Framebuffer::light
-    bool keeps_normals = false;  ///< and Framebuffer::normal
+    Document document;                    ///< whose axes, markers and so on are drawn over it
+    std::vector<ShownPoint> points = {};  ///< whose names are, too
+    bool legend = true;                   ///< draw a legend, if the colours stand for something
+    bool keeps_light = false;             ///< bands have Framebuffer::light
+    bool keeps_normals = false;           ///< and Framebuffer::normal
     /// Seconds after which what is not decided of a band stays undecided.
     double band_budget_s = std::numeric_limits<double>::infinity();
 };

@@ -90,6 +90,32 @@ TEST_F(Undo, TakesEachDragAsOneStep) {
     EXPECT_EQ(document_.w.value, 0.0);
 }
 
+TEST_F(Undo, TakesADragThatMovesSeveralSlidersAsOneStep) {
+    document_.parameters["a"] = Slider{};
+    document_.parameters["b"] = Slider{};
+    change();
+    history_.end_step();
+    gesture_ = 7;
+    held_ = true;
+    for (int i = 0; i < 6; ++i) {
+        // A step of the pointer moves one of them, or both.
+        if (i % 3 != 0) document_.parameters["a"].value += 0.125;
+        if (i % 3 != 1) document_.parameters["b"].value += 0.25;
+        if (i % 2 == 0) document_.w.value += 0.5;
+        change(3.0);
+    }
+    held_ = false;
+    gesture_ = 8;
+    document_.parameters["b"].value = 4.0;
+    change(0.01);
+    undo();
+    EXPECT_EQ(document_.parameters["b"].value, 2.0) << "another drag";
+    undo();
+    EXPECT_EQ(document_.parameters["a"].value, 1.0);
+    EXPECT_EQ(document_.parameters["b"].value, 1.0);
+    EXPECT_EQ(document_.w.value, 0.0);
+}
+
 TEST_F(Undo, BringsBackTheCamera) {
     document_.camera = Camera{{1, 2, 3}, {0, 0, 0}, {0, 0, 1}, 1.0};
     change();

@@ -112,6 +112,21 @@ TEST_F(Sheets, HaveTheNotesOfTheirRows) {
     EXPECT_EQ(reading(1), "sqrt(x^2 + y^2 + z^2) - 0.5 = 0") << "nothing uses r any more";
 }
 
+TEST_F(Sheets, CutWhatTheirRowsDraw) {
+    const auto surfaces = [](const std::optional<Box>& box) {
+        Sheet sheet{{.id = 1, .text = "x = 1"}, {.id = 2, .text = "y = 2 # remark", .box = box}};
+        return SheetReader().read(sheet);
+    };
+    const SheetReading plain = surfaces(std::nullopt);
+    const SheetReading cut = surfaces(Box::cube(1.0));
+    EXPECT_EQ(cut.surface_texts, plain.surface_texts);
+    EXPECT_EQ(cut.program->surfaces[0].key(), plain.program->surfaces[0].key());
+    EXPECT_NE(cut.program->surfaces[1].key(), plain.program->surfaces[1].key());
+    EXPECT_NE(cut.text, plain.text) << "texts tell formulas apart";
+    EXPECT_NE(cut.text, surfaces(Box::cube(1.5)).text);
+    EXPECT_TRUE(read_program(cut.text));
+}
+
 TEST_F(Sheets, GoOnWithinARowBehindALineThatCouldEnd) {
     for (const std::string sign : {"+", "-", "\u2212", "  +", "\t-", "\r+"}) {
         read({"x^2 + y^2\n" + sign + " z^2 = 1", "y = 2"});

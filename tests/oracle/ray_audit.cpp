@@ -1,5 +1,6 @@
 #include "tests/oracle/ray_audit.hpp"
 
+#include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/render/render.hpp"
@@ -189,6 +190,7 @@ std::vector<AuditSurface> gallery_surfaces() {
     for (const GalleryItem& item : gallery()) {
         const auto program = read_formula(item.equation);
         if (!program || program->surfaces.size() != 1) continue;
+        if (is_patch(program->surfaces.front())) continue;  // no equation that could be searched
         result.push_back({item.name, item.equation, item.clip, item.w,
                           item.camera.value_or(default_camera(item.clip))});
     }

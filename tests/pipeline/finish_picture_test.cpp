@@ -24,7 +24,8 @@ protected:
                                                      .camera = camera_,
                                                      .coloring = coloring_,
                                                      .uniforms = uniforms_,
-                                                     .legend = legend});
+                                                     .legend = legend,
+                                                     .points = points_});
         EXPECT_TRUE(picture) << picture.error();
         return picture.value_or(nullptr);
     }
@@ -36,6 +37,7 @@ protected:
         return count;
     }
 
+    std::vector<ShownPoint> points_;
     Document document_ = empty_document();
     Camera camera_ = default_camera(document_.clip, 4.0 / 3.0);
     Coloring coloring_;
@@ -48,6 +50,18 @@ TEST_F(FinishPicture, GivesTheFrameItselfWhereThereIsNothingToAdd) {
     coloring_.by = ColorBy::Height;
     coloring_.range = ValueRange{0, 1};
     EXPECT_EQ(finished(false), frame_);
+}
+
+TEST_F(FinishPicture, WritesTheNamesOfPointsBesideThem) {
+    points_ = {{.row = 1, .name = "", .at = {0.5, 0.5, 0.5}, .radius = 0.05, .sliders = {}}};
+    EXPECT_EQ(finished(), frame_) << "it has no name";
+    points_[0].name = "P";
+    const std::ptrdiff_t one = changed(*finished());
+    EXPECT_GT(one, 50);
+    points_[0].name = "Point";
+    EXPECT_GT(changed(*finished()), one);
+    points_[0].at = {100.0, 0.0, 0.0};
+    EXPECT_EQ(changed(*finished()), 0) << "beyond the picture";
 }
 
 TEST_F(FinishPicture, AddsAxesMarkersAndTheLegend) {

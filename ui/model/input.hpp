@@ -2,6 +2,7 @@
 
 #include "engine/view/camera.hpp"
 #include "ui/model/clip_handles.hpp"
+#include "ui/model/point_drag.hpp"
 #include "ui/model/soft_wrap.hpp"
 
 #include <glm/ext/vector_int2.hpp>
@@ -31,6 +32,7 @@ struct Input {
     glm::ivec2 viewport_px{0};         ///< size of the area the picture fills, framebuffer pixels
     std::optional<ViewPoint> pointer;  ///< resting over the picture
     std::optional<HandleDrag> handle_drag;  ///< while a handle of the clip region is held
+    std::optional<PointDrag> point_drag;    ///< while a point is held
     std::optional<ViewMove> move;           ///< while one is under way
     double pinch = 1.0;                     ///< two fingers moved apart by this factor, this frame
     unsigned gesture = 0;                   ///< grows with each press of a button

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/sheet.hpp"
+#include "document/shown_point.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/image/framebuffer.hpp"
@@ -37,6 +38,7 @@ struct GalleryEntry {
 struct ReadingFacts {
     std::map<int, RowReport> reports;     ///< how each row was read, by its id
     std::vector<int> surface_rows;        ///< the row of each surface
+    std::vector<int> thick_rows;          ///< the rows that are curves or points
     std::vector<std::string> parameters;  ///< that have a slider
     /// Of the volumes of which sliders choose a value, by the slider's name.
     std::map<std::string, std::shared_ptr<const Histogram>> histograms;
@@ -113,6 +115,7 @@ struct Shown {
     ShownPicture picture;
     PictureFigures figures;
     std::optional<PointedFacts> pointed;
+    std::vector<ShownPoint> points;     ///< of the rows, in the document's present state
     std::vector<TracerChoice> tracers;  ///< the usual one first
     OtherPicture other;
     std::vector<ExportFormat> export_formats;  ///< all, each kind's usual one first

@@ -134,7 +134,11 @@ void draw_swatch(const Row& row, float height) {
     draw_color_dot(*ImGui::GetWindowDrawList(), centre, em(0.5F), row.statement, row.colors,
                    ImGui::IsItemHovered());
     draw_tooltip(tr("Color and solid"));
-    draw_surface_popup("##color", row.statement, row.colors);
+    const auto& thick = row.state.shown.reading.thick_rows;
+    draw_surface_popup("##color", row.statement,
+                       {.is_thick = std::ranges::find(thick, row.statement.id) != thick.end(),
+                        .clip = row.state.edited.document.clip},
+                       row.colors);
 }
 
 /// Draws the eye and the cross at the right end of the row.

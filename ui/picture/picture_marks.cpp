@@ -23,8 +23,15 @@ std::string full_text(const Marker& marker, const ShownPicture& picture) {
     return name_of(marker) + "  " + coordinates_text(marker.at, marker_resolution(marker, picture));
 }
 
-std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture& picture) {
+std::vector<MarkedPoint> marked_points(const Edited& edited, const Shown& shown) {
+    const ShownPicture& picture = shown.picture;
     std::vector<MarkedPoint> points;
+    const ViewFrame view(picture.camera);
+    for (const ShownPoint& point : shown.points) {
+        if (point.name.empty()) continue;
+        points.push_back(
+            {.at = before_ball(view, point.at, point.radius), .words = point.name, .dot = false});
+    }
     for (const Marker& marker : edited.document.markers) {
         const bool selected = marker.number == edited.selected_marker;
         points.push_back({.at = marker.at,
@@ -54,7 +61,7 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
     Shapes shapes = picture.contour_labels;
     if (picture.frame != nullptr) {
         append(shapes,
-               marker_shapes(marked_points(edited, picture),
+               marker_shapes(marked_points(edited, shown),
                              {.frame = *picture.frame, .camera = picture.camera, .size = size},
                              style));
     }

@@ -11,6 +11,7 @@
 #include "ui/picture/clip_handle_layer.hpp"
 #include "ui/picture/picture_marks.hpp"
 #include "ui/picture/picture_pointer.hpp"
+#include "ui/picture/point_layer.hpp"
 #include "ui/picture/side_by_side.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
@@ -96,14 +97,18 @@ void follow_view_pointer(UiState& state, const PointerMotion& motion) {
 void follow_pointer(UiState& state, const PictureArea& area) {
     const PointerMotion motion = pointer_motion(area);
     const std::optional<Handle> handle = follow_clip_handles(state, area, motion.cursor);
-    if (ImGui::IsItemHovered() && !state.input.handle_drag) follow_wheel(state);
-    if (handle) {
+    const std::optional<ShownPoint> point =
+        handle ? std::nullopt : follow_points(state, area, motion.cursor);
+    const bool drags = state.input.handle_drag || state.input.point_drag;
+    if (ImGui::IsItemHovered() && !drags) follow_wheel(state);
+    if (handle || point) {
         state.input.pointer.reset();
     } else {
         follow_picture_pointer(state, motion.cursor);
         follow_view_pointer(state, motion);
     }
     draw_clip_handles(*ImGui::GetBackgroundDrawList(), area, state, handle);
+    draw_held_point(*ImGui::GetBackgroundDrawList(), area, state, point);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "engine/base/translation.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/number_field.hpp"
 #include "ui/widgets/typed_slider.hpp"
 
 #include <imgui/imgui.h>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -98,6 +100,76 @@ void draw_opacity(Statement& statement) {
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) statement.opacity.reset();
 }
 
+/// A button of a choice; true when it is pressed.
+bool choice_button(const char* name, bool chosen, float width, const Palette& colors) {
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, colors.selection);
+    const bool pressed = ImGui::Button(name, ImVec2(width, 0.0F));
+    if (chosen) ImGui::PopStyleColor();
+    return pressed;
+}
+
+/// Draws the field of how wide a curve or a point is, and whether that is in pixels. As long as it
+/// is empty the clip box decides.
+void draw_thickness(Statement& statement, const Box& clip, const Palette& colors) {
+    constexpr double first_pixels = 4.0;
+    constexpr double usual_part = 0.012;  // of the clip box
+    ImGui::TextDisabled("%s", tr("Thickness"));
+    draw_tooltip(
+        tr("How wide the curve or point is drawn; an empty field leaves it to the clip "
+           "box"));
+    const float gap = em(0.3F);
+    const float width = (popup_width() - 2.0F * gap) / 3.0F;
+    const bool in_pixels = statement.thickness && statement.thickness->in_pixels;
+    double number = statement.thickness ? statement.thickness->width : 0.0;
+    const double most = in_pixels ? most_pixels_thick : largest_number;
+    ImGui::SetNextItemWidth(width);
+    if (draw_number_field("##thickness", number, 0.0, most, tr_in("thickness", "auto"))) {
+        statement.thickness = Thickness{.width = number, .in_pixels = in_pixels};
+        if (!(number > 0.0)) statement.thickness.reset();
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(em(0.2F), ImGui::GetStyle().FramePadding.y));
+    ImGui::SameLine(0.0F, gap);
+    const bool in_units = statement.thickness && !in_pixels;
+    if (choice_button(tr("units"), in_units, width, colors) && !in_units)
+        statement.thickness = Thickness{.width = usual_part * clip.size(), .in_pixels = false};
+    ImGui::SameLine(0.0F, gap);
+    if (choice_button(tr("pixels"), in_pixels, width, colors) && !in_pixels)
+        statement.thickness = Thickness{.width = first_pixels, .in_pixels = true};
+    ImGui::PopStyleVar();
+}
+
+/// Draws the switch of a clip box of the row's own, and its ends.
+void draw_box_choice(Statement& statement, const Box& clip) {
+    constexpr double farthest = 1e9;
+    bool has_own = statement.box.has_value();
+    if (ImGui::Checkbox(tr("A clip box of its own"), &has_own))
+        statement.box = has_own ? std::optional(clip) : std::nullopt;
+    draw_tooltip(tr("Shows only what of this row is in the box, within the clip box of all"));
+    if (!statement.box) return;
+    Box& box = *statement.box;
+    const float gap = em(0.3F);
+    const float letter = em(1.0F);
+    const float width = 0.5F * (popup_width() - letter - 2.0F * gap);
+    for (int axis = 0; axis < 3; ++axis) {
+        ImGui::PushID(axis);
+        ImGui::AlignTextToFramePadding();
+        const std::array<char, 2> name{"xyz"[axis], '\0'};
+        ImGui::TextUnformatted(name.data());
+        ImGui::SameLine(letter + ImGui::GetStyle().WindowPadding.x, gap);
+        ImGui::SetNextItemWidth(width);
+        double lo = box.lo[axis];
+        if (draw_number_field("##from", lo, -farthest, farthest) && lo < box.hi[axis])
+            box.lo[axis] = lo;
+        ImGui::SameLine(0.0F, gap);
+        ImGui::SetNextItemWidth(width);
+        double hi = box.hi[axis];
+        if (draw_number_field("##to", hi, -farthest, farthest) && hi > box.lo[axis])
+            box.hi[axis] = hi;
+        ImGui::PopID();
+    }
+}
+
 /// Covers the lower right of a dot with the color of the surface's other side.
 void draw_back_side(ImDrawList& canvas, const ImVec2& centre, float radius, std::uint32_t front) {
     constexpr float quarter = 0.25F * std::numbers::pi_v<float>;
@@ -121,7 +193,8 @@ void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
     if (hovered) canvas.AddCircle(centre, radius + em(0.14F), colors.quiet, 32, em(0.1F));
 }
 
-void draw_surface_popup(const char* id, Statement& statement, const Palette& colors) {
+void draw_surface_popup(const char* id, Statement& statement, const SurfaceKind& kind,
+                        const Palette& colors) {
     if (!ImGui::BeginPopup(id)) return;
     draw_palette(statement, colors);
     ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
@@ -133,7 +206,9 @@ void draw_surface_popup(const char* id, Statement& statement, const Palette& col
     if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
     ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
     draw_opacity(statement);
-    draw_solid_choice(statement, colors);
+    if (kind.is_thick) draw_thickness(statement, kind.clip, colors);
+    if (!kind.is_thick) draw_solid_choice(statement, colors);
+    draw_box_choice(statement, kind.clip);
     ImGui::EndPopup();
 }
 

@@ -14,9 +14,17 @@ namespace zeroset::ui {
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
                     const Statement& statement, const Palette& colors, bool hovered);
 
+/// What the popup of a surface has to offer.
+struct SurfaceKind {
+    bool is_thick = false;  ///< it is a curve or a point
+    Box clip;               ///< the document's clip box
+};
+
 /// Draws the popup `id` if it is open: the palette's colours, a picker of any other colour, how
-/// opaque the surface is, and the side that is solid. Edits these in `statement`.
-void draw_surface_popup(const char* id, Statement& statement, const Palette& colors);
+/// opaque the surface is, the side that is solid or how thick the curve is, and a clip box of its
+/// own. Edits these in `statement`.
+void draw_surface_popup(const char* id, Statement& statement, const SurfaceKind& kind,
+                        const Palette& colors);
 
 /// Draws a field that shows a colour 0xRRGGBB; a click opens a picker. True when another one was
 /// picked.

@@ -25,37 +25,6 @@
 namespace zeroset {
 namespace {
 
-/// Reads L or x0,x1,y0,y1,z0,z1.
-OrInputError<Box> read_box(const std::string& text) {
-    constexpr double largest = 1e9;
-    const bool cube = !text.contains(',');
-    const auto numbers = read_numbers("--box", text, cube ? 1 : 6);
-    if (!numbers) return std::unexpected(numbers.error());
-    const std::vector<double>& n = *numbers;
-    const Box box =
-        cube ? Box::cube(n[0]) : Box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
-    for (int i = 0; i < 3; ++i) {
-        if (!(box.lo[i] < box.hi[i])) {
-            return wrong_input(
-                cube ? "--box " + text + ": the half edge must be above 0"
-                     : "--box " + text + ": the lower bound " + short_number(box.lo[i]) +
-                           " is not below the upper bound " + short_number(box.hi[i]) +
-                           "; type x0,x1,y0,y1,z0,z1 with x0 < x1, y0 < y1, z0 < z1");
-        }
-        if (std::max(std::abs(box.lo[i]), std::abs(box.hi[i])) > largest) {
-            return wrong_input("--box " + text + ": stay between -1e9 and 1e9");
-        }
-    }
-    // Smaller boxes cannot be decided even in double.
-    const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
-    if (box.size() < 1e-15 * reach || box.size() < 1e-30) {
-        return wrong_input("--box " + text +
-                           ": the box is too small for its distance from the origin; " +
-                           "its edge must be at least 1e-15 of it");
-    }
-    return box;
-}
-
 /// What is typed may name any file; a document or a shared session only those beside it.
 VolumeFolder folder_of_volumes(const std::string& equation) {
     if (is_document_name(equation) || is_picture_name(equation) || is_import_path(equation))
@@ -119,7 +88,7 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
 /// Applies the view options for clip box, w, camera and region.
 std::optional<InputError> take_view(const ViewText& view, Document& document) {
     if (view.box) {
-        const auto box = read_box(*view.box);
+        const auto box = read_box("--box", *view.box);
         if (!box) return box.error();
         document.clip = *box;
         document.camera.reset();  // the old camera was meant for the old box
@@ -176,11 +145,20 @@ std::optional<InputError> take_appearance(const ViewText& view, InputDocument& i
     if (!solids) return solids.error();
     const auto opacities = read_opacities(view.opacities);
     if (!opacities) return opacities.error();
+    const auto choices = read_surface_choices(view.surfaces);
+    if (!choices) return choices.error();
     if (!input.rows) return std::nullopt;
+    if (auto missing = check_surface_choices(*input.rows->program, *choices)) return missing;
     if (auto missing = check_solids(*input.rows->program, *solids)) return missing;
     if (auto missing = check_opacities(*input.rows->program, *opacities)) return missing;
     take_solids(*solids, input.rows->surface_rows, document);
     take_opacities(*opacities, input.rows->surface_rows, document);
+    take_surface_choices(*choices, input.rows->surface_rows, document);
+    if (!choices->boxes.empty()) {
+        auto rows = read_rows(document);
+        if (!rows) return InputError{.reason = "--surface-box: " + rows.error().reason};
+        input.rows = std::move(*rows);
+    }
     if (const auto wrong = check_contours(*input.rows, document.coloring.lines))
         return contours_error(*wrong);
     const auto wrong = check_coloring(*input.rows, document.coloring);

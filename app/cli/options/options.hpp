@@ -20,12 +20,18 @@
 
 namespace zeroset {
 
+/// What single surfaces are given, as typed: each for all, or behind N: for number N.
+struct SurfaceTexts {
+    std::vector<std::string> colors, thicknesses, boxes;
+};
+
 /// The view options as typed; empty where an option was not given.
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
     std::optional<std::string> camera;      ///< as read_camera reads it
     std::optional<std::string> saved_view;  ///< the name of one of the document's views
     std::vector<std::string> sections, solids, opacities;
+    SurfaceTexts surfaces;
     bool hollow = false;  ///< no section is capped
     std::optional<std::string> section_shows, section_map, section_range;
     std::vector<std::string> set;  ///< NAME=VALUE of parameters

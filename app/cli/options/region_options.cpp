@@ -88,4 +88,33 @@ OrInputError<Region> read_region(const ViewText& view, const Region& base, const
     return region;
 }
 
+OrInputError<Box> read_box(const std::string& option, const std::string& text) {
+    const bool cube = !text.contains(',');
+    const auto numbers = read_numbers(option, text, cube ? 1 : 6);
+    if (!numbers) return std::unexpected(numbers.error());
+    const std::vector<double>& n = *numbers;
+    const Box box =
+        cube ? Box::cube(n[0]) : Box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
+    for (int i = 0; i < 3; ++i) {
+        if (!(box.lo[i] < box.hi[i])) {
+            return wrong_input(
+                cube ? option + " " + text + ": the half edge must be above 0"
+                     : option + " " + text + ": the lower bound " + short_number(box.lo[i]) +
+                           " is not below the upper bound " + short_number(box.hi[i]) +
+                           "; type x0,x1,y0,y1,z0,z1 with x0 < x1, y0 < y1, z0 < z1");
+        }
+        if (std::max(std::abs(box.lo[i]), std::abs(box.hi[i])) > largest) {
+            return wrong_input(option + " " + text + ": stay between -1e9 and 1e9");
+        }
+    }
+    // Smaller boxes cannot be decided even in double.
+    const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
+    if (box.size() < 1e-15 * reach || box.size() < 1e-30) {
+        return wrong_input(option + " " + text +
+                           ": the box is too small for its distance from the origin; " +
+                           "its edge must be at least 1e-15 of it");
+    }
+    return box;
+}
+
 }  // namespace zeroset

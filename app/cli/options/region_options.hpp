@@ -10,4 +10,7 @@ namespace zeroset {
 /// `eye` is kept.
 OrInputError<Region> read_region(const ViewText& view, const Region& base, const glm::dvec3& eye);
 
+/// Reads the box that an option gives: L for [-L, L]^3, or x0,x1,y0,y1,z0,z1.
+OrInputError<Box> read_box(const std::string& option, const std::string& text);
+
 }  // namespace zeroset

@@ -1,5 +1,9 @@
 #include "app/cli/options/solid_options.hpp"
 
+#include "app/cli/options/region_options.hpp"
+#include "document/colors.hpp"
+#include "engine/base/text.hpp"
+#include "engine/expr/patch_graph.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <algorithm>
@@ -115,6 +119,74 @@ void take_opacities(const std::vector<OpacityChoice>& choices, const std::vector
                     Document& document) {
     take_choices(choices, surface_rows, document,
                  [](Statement& row, const OpacityChoice& choice) { row.opacity = choice.opacity; });
+}
+
+OrInputError<SurfaceChoices> read_surface_choices(const SurfaceTexts& texts) {
+    SurfaceChoices choices;
+    for (const std::string& typed : texts.colors) {
+        const auto choice = numbered_text("--color", typed);
+        if (!choice) return std::unexpected(choice.error());
+        const auto color = color_from(choice->text);
+        if (!color) {
+            return wrong_input("--color " + typed +
+                               ": type a color such as #D9763A; 2:#D9763A is for the second "
+                               "surface alone");
+        }
+        choices.colors.push_back({.surface = choice->surface, .value = *color});
+    }
+    for (const std::string& typed : texts.thicknesses) {
+        const auto choice = numbered_text("--thickness", typed);
+        if (!choice) return std::unexpected(choice.error());
+        const auto thickness = thickness_from(choice->text);
+        if (!thickness) {
+            return wrong_input("--thickness " + typed +
+                               ": type a width above 0 such as 0.05, or in pixels 3px, up to " +
+                               short_number(most_pixels_thick) +
+                               "; 2:3px is for the second surface alone");
+        }
+        choices.thicknesses.push_back({.surface = choice->surface, .value = *thickness});
+    }
+    for (const std::string& typed : texts.boxes) {
+        const auto choice = numbered_text("--surface-box", typed);
+        if (!choice) return std::unexpected(choice.error());
+        const auto box = read_box("--surface-box", choice->text);
+        if (!box) return std::unexpected(box.error());
+        choices.boxes.push_back({.surface = choice->surface, .value = *box});
+    }
+    return choices;
+}
+
+std::optional<InputError> check_surface_choices(const Program& program,
+                                                const SurfaceChoices& choices) {
+    if (auto missing = check_numbers("--color", program, choices.colors)) return missing;
+    if (auto missing = check_numbers("--surface-box", program, choices.boxes)) return missing;
+    if (auto missing = check_numbers("--thickness", program, choices.thicknesses)) return missing;
+    const auto has_one = [](const Expr& surface) {
+        const auto graphs = patch_of(surface);
+        return graphs && has_thickness(graphs->kind);
+    };
+    for (const auto& choice : choices.thicknesses) {
+        const bool fits =
+            choice.surface
+                ? has_one(program.surfaces[static_cast<std::size_t>(*choice.surface) - 1])
+                : std::ranges::any_of(program.surfaces, has_one);
+        if (fits) continue;
+        return InputError{.reason = choice.surface
+                                        ? "--thickness " + std::to_string(*choice.surface) +
+                                              ": this surface is no curve and no point"
+                                        : "--thickness: there is no curve and no point"};
+    }
+    return std::nullopt;
+}
+
+void take_surface_choices(const SurfaceChoices& choices, const std::vector<int>& surface_rows,
+                          Document& document) {
+    take_choices(choices.colors, surface_rows, document,
+                 [](Statement& row, const auto& choice) { row.color = choice.value; });
+    take_choices(choices.thicknesses, surface_rows, document,
+                 [](Statement& row, const auto& choice) { row.thickness = choice.value; });
+    take_choices(choices.boxes, surface_rows, document,
+                 [](Statement& row, const auto& choice) { row.box = choice.value; });
 }
 
 }  // namespace zeroset

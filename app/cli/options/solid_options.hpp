@@ -3,6 +3,7 @@
 #include "app/cli/options/options.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,31 @@ struct OpacityChoice {
 
     bool operator==(const OpacityChoice&) const = default;
 };
+
+/// What one surface is given, or all are.
+template <class Value>
+struct SurfaceChoice {
+    std::optional<int> surface = std::nullopt;  ///< as in SolidChoice
+    Value value{};
+
+    bool operator==(const SurfaceChoice&) const = default;
+};
+
+/// The choices of --color, --thickness and --surface-box.
+struct SurfaceChoices {
+    std::vector<SurfaceChoice<std::uint32_t>> colors;
+    std::vector<SurfaceChoice<Thickness>> thicknesses;
+    std::vector<SurfaceChoice<Box>> boxes;
+};
+
+/// Reads the values of --color, --thickness and --surface-box: each for all surfaces or, behind N:,
+/// for number N, from 1.
+OrInputError<SurfaceChoices> read_surface_choices(const SurfaceTexts& texts);
+
+std::optional<InputError> check_surface_choices(const Program& program,
+                                                const SurfaceChoices& choices);
+void take_surface_choices(const SurfaceChoices& choices, const std::vector<int>& surface_rows,
+                          Document& document);
 
 /// Reads the values of --solid: SIDE for all surfaces or N:SIDE for number N, from 1. SIDE is f<0,
 /// f>0 or auto.

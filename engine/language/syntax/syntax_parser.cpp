@@ -261,7 +261,7 @@ SyntaxId SyntaxParser::add(SyntaxKind kind, std::size_t offset, std::vector<Synt
 
 SyntaxId SyntaxParser::add_call(const Function& function, std::size_t offset,
                                 std::vector<SyntaxId> operands) {
-    if (function.is_of_library()) add_library_function(function, offset);
+    if (function.is_of_library() && !function.is_thing()) add_library_function(function, offset);
     const SyntaxId call = add(SyntaxKind::Call, offset, std::move(operands));
     tree_.nodes[call].function = &function;
     return call;

@@ -56,8 +56,8 @@ std::optional<ParseError> error_for_word_of_programs(std::string_view word, std:
 
 std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
     const std::string word = in_small_letters(name);
-    if (is_one_of(word, {"vec", "float2", "float3", "float4", "vector", "ivec2", "ivec3", "dvec2",
-                         "dvec3"})) {
+    if (is_one_of(word,
+                  {"vec", "float2", "float3", "float4", "ivec2", "ivec3", "dvec2", "dvec3"})) {
         return ParseError{.offset = offset,
                           .reason = filled(tr("{0} is not known as a vector"), {quoted(name)}),
                           .hint = tr("type a vector as (x, y, z) or vec3(x, y, z)")};

@@ -107,7 +107,8 @@ std::vector<Function> make_table() {
 #include "engine/language/vocabulary/functions.def"
 #undef ZEROSET_FUNCTION
     const auto count = [](std::string_view arguments) {
-        return 1 + static_cast<int>(std::ranges::count(arguments, ','));
+        const bool goes_on = arguments.ends_with("...");
+        return (goes_on ? 0 : 1) + static_cast<int>(std::ranges::count(arguments, ','));
     };
 #define ZEROSET_LIBRARY(word, list, about, formula) \
     table.push_back({.name = (word),                \
@@ -120,16 +121,16 @@ std::vector<Function> make_table() {
                      .body = (formula)});
 #include "engine/language/vocabulary/library.def"
 #undef ZEROSET_LIBRARY
-#define ZEROSET_WORD(part, word, list, letters, about, formula)            \
-    table.push_back({.name = (word),                                       \
-                     .least = count(list) - ((letters)[0] == 'p' ? 1 : 0), \
-                     .most = count(list),                                  \
-                     .arguments = (list),                                  \
-                     .meaning = (about),                                   \
-                     .op = std::nullopt,                                   \
-                     .composed = std::nullopt,                             \
-                     .body = (formula),                                    \
-                     .kinds = (letters),                                   \
+#define ZEROSET_WORD(part, word, list, letters, about, formula)                          \
+    table.push_back({.name = (word),                                                     \
+                     .least = count(list) - ((letters)[0] == 'p' ? 1 : 0),               \
+                     .most = std::string_view(list).ends_with("...") ? -1 : count(list), \
+                     .arguments = (list),                                                \
+                     .meaning = (about),                                                 \
+                     .op = std::nullopt,                                                 \
+                     .composed = std::nullopt,                                           \
+                     .body = (formula),                                                  \
+                     .kinds = (letters),                                                 \
                      .section = WordSection::part});
 #include "engine/language/vocabulary/shapes.def"
 #undef ZEROSET_WORD

@@ -19,7 +19,7 @@ enum class Composed : std::uint8_t {
 };
 
 /// The sections of the help for the rows of shapes.def.
-enum class WordSection : std::uint8_t { None, Vectors, Shapes, Moves, Blends };
+enum class WordSection : std::uint8_t { None, Vectors, Shapes, Moves, Blends, Things };
 
 /// A function of the language. Exactly one of `op`, `composed` and `body` is set.
 struct Function {
@@ -53,6 +53,8 @@ struct Function {
     /// Whether the function is a row of shapes.def, which gives way to what the text defines and is
     /// a word before a bracket only.
     [[nodiscard]] bool is_word() const { return !kinds.empty(); }
+    /// Whether a call of the function is a row by itself, and no value.
+    [[nodiscard]] bool is_thing() const { return kinds == "T"; }
     /// Whether the function is written in the language: a row of library.def or shapes.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
     /// Whether a call may have this many arguments; one may have to be a list or vector.

@@ -33,20 +33,21 @@ PatchHit find_patch_hit(const TraceFrame& frame, const PatchRay& ray, bool any,
                         Counters& counters) {
     if (!(ray.from <= ray.to)) return {};
     const PatchTree& tree = tree_of(frame);
+    const Box clip = tree.within(frame.scene.clip);
     const PatchQuest quest{.axes = axes_along(ray, place_error(frame)),
                            .ray = {.u = 0.0, .v = 0.0},
                            .from = ray.from,
                            .to = ray.to,
                            .tolerance = std::ldexp(frame.scene.clip.size(), -frame.depth.wanted),
                            .pixel = frame.view.pixel_at_look(frame.image.height),
-                           .clip = frame.scene.clip,
+                           .clip = clip,
                            .any = any};
     return PatchSearch(tree, frame.limit, counters).search(quest, tree.root());
 }
 
 PatchHit find_patch_hit(const PatchTree& tree, const PatchRay& ray, double tolerance) {
     constexpr double far = 1e300;
-    const Box everywhere = Box::cube(far);
+    const Box everywhere = tree.within(Box::cube(far));
     const double reach = std::abs(ray.from) + std::abs(ray.to) + glm::length(ray.origin);
     const PatchQuest quest{.axes = axes_along(ray, 0x1p-48 * reach),
                            .ray = {.u = 0.0, .v = 0.0},

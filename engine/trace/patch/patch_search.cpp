@@ -41,6 +41,28 @@ InSquare in_square(const UvBox& box) {
                                                                       : InSquare::Unknown;
 }
 
+InSquare in_own_box(const PatchTree& tree, const PatchForm& form, const ZeroTest& test,
+                    const BoxPlace& at, const PatchPoint& point) {
+    if (!tree.box()) return InSquare::Inside;
+    const double by_p = std::abs(test.p - at.p) + test.radius;
+    const double by_q = std::abs(test.q - at.q) + test.radius;
+    const glm::dvec3 moved =
+        by_p * (glm::abs(form.du) + form.du_radius) + by_q * (glm::abs(form.dv) + form.dv_radius);
+    const glm::dvec3 error = moved * (1.0 + 0x1p-40) + form.value_error;
+    const auto below = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::all(glm::lessThanEqual(a, b));
+    };
+    const auto [lo, hi] = *tree.box();
+    if (below(lo + error, point.s) && below(point.s, hi - error)) return InSquare::Inside;
+    const bool may_be = below(lo - error, point.s) && below(point.s, hi + error);
+    return may_be ? InSquare::Unknown : InSquare::Outside;
+}
+
+InSquare both(InSquare a, InSquare b) {
+    if (a == InSquare::Outside || b == InSquare::Outside) return InSquare::Outside;
+    return a == InSquare::Inside ? b : a;
+}
+
 UvBox place_in(const UvBox& box, double p, double q, double radius) {
     const double u_radius = form_growth * box.u_radius;
     const double v_radius = form_growth * box.v_radius;
@@ -66,8 +88,9 @@ void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchFor
 }
 
 void PatchSearch::take(const PatchQuest& quest, const Item& item, const ZeroTest& test,
-                       const PatchPoint& point) {
-    const InSquare where = in_square(place_in(item.box, test.p, test.q, test.radius));
+                       const BoxPlace& at, const PatchPoint& point) {
+    const InSquare where = both(in_square(place_in(item.box, test.p, test.q, test.radius)),
+                                in_own_box(tree_, item.form, test, at, point));
     if (where == InSquare::Outside) return;
     if (test.s < quest.from || test.s > quest.to || !(test.s < best_.s)) return;
     best_.s = test.s;
@@ -96,9 +119,11 @@ PatchSearch::Outcome PatchSearch::certify(const PatchQuest& quest, const Item& i
         if (test.found == ZeroTest::Found::None) return Outcome::Done;
         const bool is_last = step + 1 == most_steps;
         if (test.found == ZeroTest::Found::One && 2.0 * test.s_radius <= quest.tolerance) {
-            const InSquare where = in_square(place_in(item.box, test.p, test.q, test.radius));
+            const InSquare where =
+                both(in_square(place_in(item.box, test.p, test.q, test.radius)),
+                     in_own_box(tree_, item.form, test, {.p = p, .q = q}, points[0]));
             if (where != InSquare::Unknown || is_last) {
-                take(quest, item, test, points[0]);
+                take(quest, item, test, {.p = p, .q = q}, points[0]);
                 return Outcome::Done;
             }
         }

@@ -42,6 +42,13 @@ InSquare in_square(const UvBox& box);
 /// The (u, v) that p and q of a node's form stand for, and how far they may be from them.
 UvBox place_in(const UvBox& box, double p, double q, double radius);
 
+/// Whether the zero that a test has found in the box of a form is in the box that the patch is cut
+/// to; `point` is S at a place of the former.
+InSquare in_own_box(const PatchTree& tree, const PatchForm& form, const ZeroTest& test,
+                    const BoxPlace& at, const PatchPoint& point);
+/// What both say of the same place.
+InSquare both(InSquare a, InSquare b);
+
 /// Searches single rays, box by box from front to back. A thread's keep their room from one to the
 /// next: one at a time searches.
 class PatchSearch {
@@ -70,7 +77,7 @@ private:
     void push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole, PatchNode* node);
     Outcome certify(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                     const LinearZeros& zeros);
-    void take(const PatchQuest& quest, const Item& item, const ZeroTest& test,
+    void take(const PatchQuest& quest, const Item& item, const ZeroTest& test, const BoxPlace& at,
               const PatchPoint& point);
     void give_up(const PatchQuest& quest, const Item& item);
     void divide(const PatchQuest& quest, const Item& item, const PatchSight& sight,

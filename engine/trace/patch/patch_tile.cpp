@@ -62,6 +62,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
       room_(room),
       axes_(axes_of(rays)),
       tree_(tree_of(frame)),
+      clip_(tree_.within(frame.scene.clip)),
       search_(tree_, frame.limit, counters) {
     room_.leaves.clear();
     room_.candidates.clear();
@@ -173,7 +174,7 @@ SightRays PatchTile::rays_of(const Rect& rect) const {
 
 void PatchTile::visit(PatchNode& node) {
     if (frame_.stopped()) return;
-    const auto form = form_within(node.form, frame_.scene.clip);
+    const auto form = form_within(node.form, clip_);
     if (!form) return;
     const Depths depths = depths_of(*form);
     if (is_hidden(depths)) return;
@@ -308,7 +309,9 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (test.found != ZeroTest::Found::One || !(2.0 * test.s_radius <= rays_.tolerance()))
         return false;
     const UvBox& box = room_.leaves[candidate.leaf].node->box;
-    const InSquare where = in_square(place_in(box, test.p, test.q, test.radius));
+    const PatchForm& form = room_.leaves[candidate.leaf].node->form;
+    const InSquare where = both(in_square(place_in(box, test.p, test.q, test.radius)),
+                                in_own_box(tree_, form, test, candidate.place, point));
     if (where == InSquare::Outside) return true;
     if (where == InSquare::Unknown && !is_last) return false;
     if (!(test.s < best.s)) return true;
@@ -342,7 +345,7 @@ void PatchTile::search_rest() {
                                .to = std::min(range.exit_hi, room_.to[rest.pixel]),
                                .tolerance = rays_.tolerance(),
                                .pixel = 0.5 * pixel_at(rest.near),
-                               .clip = frame_.scene.clip,
+                               .clip = clip_,
                                .any = wish_ == Wish::AnyHits};
         if (!(quest.from <= quest.to)) continue;
         room_.set(rest.pixel, search_.search(quest, *rest.node, room_.hit(rest.pixel)));

@@ -134,6 +134,7 @@ private:
     Room& room_;
     SightAxes axes_;
     const PatchTree& tree_;
+    Box clip_;            ///< what of the scene's clip box is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted
     static constexpr int block = 8;
     std::array<RayBounds, std::size_t{tile_size / block} * (tile_size / block)> blocks_{};

@@ -34,13 +34,14 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
 /// Whether the rays of a tile of the image may meet the patch, as far as its largest parts tell.
 bool may_meet(const TraceFrame& frame, const TileRays& rays, const Tile& tile) {
     const PatchTree& tree = tree_of(frame);
+    const Box clip = tree.within(frame.scene.clip);
     const SightAxes axes = axes_of(rays);
     const RayBounds bounds{.u_lo = rays.u(0.0),
                            .u_hi = rays.u(tile.cols - 1),
                            .v_lo = rays.v(tile.rows - 1),
                            .v_hi = rays.v(0.0)};
     const auto meets = [&](const PatchNode& node) {
-        const auto form = form_within(node.form, frame.scene.clip);
+        const auto form = form_within(node.form, clip);
         return form && !is_beside(sight_of(*form, axes), axes, bounds);
     };
     const PatchNode::Children* const parts = tree.parts(tree.root());

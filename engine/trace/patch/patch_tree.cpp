@@ -48,6 +48,12 @@ double length_of(const glm::dvec3& middle, const glm::dvec3& radius) {
     return glm::length(size);
 }
 
+std::optional<Box> box_of(const PatchCode& code) {
+    if (!code.box) return std::nullopt;
+    const std::array<double, 6>& ends = *code.box;
+    return Box{.lo = {ends[0], ends[2], ends[4]}, .hi = {ends[1], ends[3], ends[5]}};
+}
+
 }  // namespace
 
 Division division_of(double width, double height) {
@@ -61,7 +67,7 @@ Division division_of(double width, double height) {
 PatchNode::~PatchNode() { delete children.load(); }  // NOLINT(cppcoreguidelines-owning-memory)
 
 PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
-    : forms_(std::move(code), std::move(uniforms)) {
+    : box_(box_of(*code)), forms_(std::move(code), std::move(uniforms)) {
     const UpwardRegisters upward;
     root_.box = {.u = 0.5, .v = 0.5, .u_radius = 0.5, .v_radius = 0.5};
     PatchForms::Boxes boxes;
@@ -95,12 +101,18 @@ PatchNode::Children* PatchTree::parts(PatchNode& node) const {
     return made.release();
 }
 
+Box PatchTree::within(const Box& clip) const {
+    if (!box_) return clip;
+    return {.lo = glm::max(clip.lo, box_->lo), .hi = glm::min(clip.hi, box_->hi)};
+}
+
 std::vector<Box> PatchTree::boxes() const {
     std::vector<Box> boxes;
     const auto add = [&](const PatchForm& form) {
         if (form.nowhere) return;
         const glm::dvec3 spread = form.spread() * (1.0 + 0x1p-40) + 0x1p-50 * glm::abs(form.c);
-        boxes.push_back({.lo = form.c - spread, .hi = form.c + spread});
+        const Box box = within({.lo = form.c - spread, .hi = form.c + spread});
+        if (glm::all(glm::lessThanEqual(box.lo, box.hi))) boxes.push_back(box);
     };
     PatchNode::Children* const parts = this->parts(root_);
     if (parts == nullptr) {

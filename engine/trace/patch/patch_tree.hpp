@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace zeroset {
@@ -51,6 +52,10 @@ public:
 
     [[nodiscard]] PatchNode& root() const { return root_; }
     [[nodiscard]] const PatchForms& forms() const { return forms_; }
+    /// The box that the patch itself is cut to, beside what a view shows (PatchCode::box).
+    [[nodiscard]] const std::optional<Box>& box() const { return box_; }
+    /// What of `clip` is in that box; nothing of it where lo > hi.
+    [[nodiscard]] Box within(const Box& clip) const;
     /// The sixteen parts of a node, in the world about as long as wide; nullptr where the tree has
     /// no room for more.
     PatchNode::Children* parts(PatchNode& node) const;
@@ -64,6 +69,7 @@ public:
 private:
     static constexpr std::size_t most_nodes = std::size_t{1} << 19;
 
+    std::optional<Box> box_;
     PatchForms forms_;
     mutable PatchNode root_;
     mutable std::atomic<std::size_t> nodes_ = 1;

@@ -1,5 +1,6 @@
 #include "app/cli/options/solid_options.hpp"
 
+#include "document/row_program.hpp"
 #include "pipeline/picture_request.hpp"
 #include "tests/support/formulas.hpp"
 
@@ -8,7 +9,8 @@
 #include <string>
 #include <vector>
 
-// Tests of --solid, the side of each surface that sections fill.
+// Tests of the options that are of all surfaces or of one: --solid, --color, --thickness and
+// --surface-box.
 
 namespace zeroset::test {
 namespace {
@@ -60,6 +62,42 @@ TEST(SceneOfADocument, KnowsTheSidesOfItsSurfaces) {
     EXPECT_EQ(scene.solids[1].side, SolidSide::Above);
     EXPECT_FALSE(scene.solids[0].unrestricted);
     EXPECT_TRUE(scene.solids[1].unrestricted);
+}
+
+TEST(SurfaceOptions, AreOfAllSurfacesOrOfOne) {
+    const auto read = read_surface_choices({.colors = {"#102030", "2:#FFFFFF"},
+                                            .thicknesses = {"0.25", "1:3 px"},
+                                            .boxes = {"2", "1:-1,1,-2,2,0,3"}});
+    ASSERT_TRUE(read);
+    using Color = SurfaceChoice<std::uint32_t>;
+    using Width = SurfaceChoice<Thickness>;
+    using Cut = SurfaceChoice<Box>;
+    EXPECT_EQ(read->colors,
+              (std::vector<Color>{{.value = 0x102030}, {.surface = 2, .value = 0xFFFFFF}}));
+    EXPECT_EQ(read->thicknesses,
+              (std::vector<Width>{{.value = {.width = 0.25}},
+                                  {.surface = 1, .value = {.width = 3.0, .in_pixels = true}}}));
+    EXPECT_EQ(read->boxes,
+              (std::vector<Cut>{{.value = Box::cube(2.0)},
+                                {.surface = 1, .value = {.lo = {-1, -2, 0}, .hi = {1, 2, 3}}}}));
+}
+
+TEST(SurfaceOptions, AreTakenByTheRowsOfTheirSurfaces) {
+    Document document = read_text("(1, 2, 3); x = 1; a = 2").document;
+    const auto rows = read_rows(document);
+    ASSERT_TRUE(rows);
+    const auto read = read_surface_choices(
+        {.colors = {"1:#102030"}, .thicknesses = {"1:5px"}, .boxes = {"2:0.5"}});
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(check_surface_choices(*rows->program, *read));
+    take_surface_choices(*read, rows->surface_rows, document);
+    EXPECT_EQ(document.statements[0].color, 0x102030U);
+    EXPECT_EQ(document.statements[0].thickness, (Thickness{.width = 5.0, .in_pixels = true}));
+    EXPECT_FALSE(document.statements[0].box);
+    EXPECT_EQ(document.statements[1].box, Box::cube(0.5));
+    const auto of_plane = read_surface_choices({.thicknesses = {"2:5px"}});
+    ASSERT_TRUE(of_plane);
+    EXPECT_TRUE(check_surface_choices(*rows->program, *of_plane)) << "the plane is no curve";
 }
 
 }  // namespace
