@@ -127,7 +127,7 @@ TEST(ThingMeshes, PolygonsAreSheets) {
     const TriangleMesh& mesh = meshes->file.objects.at(0).mesh;
     double area = 0.0;
     for (const auto& triangle : mesh.triangles) {
-        const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[triangle[i]]); };
+        const auto corner = [&](std::size_t i) { return mesh.vertices[triangle[i]].point; };
         area += 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
     }
     EXPECT_NEAR(area, 2.0 * std::sqrt(5.0), 0.05);

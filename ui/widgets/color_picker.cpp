@@ -206,9 +206,9 @@ void draw_surface_popup(const char* id, Statement& statement, const SurfaceKind&
     if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
     ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
     draw_opacity(statement);
+    draw_box_choice(statement, kind.clip);
     if (kind.is_thick) draw_thickness(statement, kind.clip, colors);
     if (!kind.is_thick) draw_solid_choice(statement, colors);
-    draw_box_choice(statement, kind.clip);
     ImGui::EndPopup();
 }
 

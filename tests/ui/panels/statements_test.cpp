@@ -329,6 +329,38 @@ TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
     EXPECT_EQ(chosen.back(), SolidSide::Automatic);
 }
 
+TEST_P(Statements, LetTheThicknessOfACurveBeChosen) {
+    set_rows(state_, {"(cos t, sin t, t), 0 < t < 1"});
+    state_.shown.reading.thick_rows = {1};
+    state_.edited.document.statements[0].color = 0x30C0E0;
+    Framebuffer frame = draw();
+    const ImRect list = child("##side/##list_")->Rect();
+    const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
+                         static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
+    const Rectangle dot = bounds(frame, 0xFFE0C030U, area, exact);
+    click_at({static_cast<float>(dot.left + dot.right) / 2,
+              static_cast<float>(dot.top + dot.bottom) / 2});
+    draw_frame();
+    const ImGuiWindow* const popup = child("##Popup_");
+    ASSERT_NE(popup, nullptr);
+    const ImRect inside = popup->InnerClipRect;
+    const float last_row = inside.Max.y - static_cast<float>(px(20));
+    const Statement& row = state_.edited.document.statements[0];
+    EXPECT_FALSE(row.thickness);
+    // Buttons from right to left: pixels, then units.
+    bool pixels = false;
+    bool units = false;
+    for (float x = inside.Max.x - static_cast<float>(px(6)); x > inside.Min.x;
+         x -= static_cast<float>(px(8))) {
+        click_at({x, last_row});
+        pixels = pixels || (row.thickness && row.thickness->in_pixels);
+        units = units || (pixels && row.thickness && !row.thickness->in_pixels);
+    }
+    EXPECT_TRUE(pixels);
+    EXPECT_TRUE(units);
+    EXPECT_EQ(row.solid, SolidSide::Automatic);
+}
+
 TEST_P(Statements, MarkTheWrongCharacterOfALine) {
     set_rows(state_, {"x = 1", "x", "y = 1"});
     set_error(2, "a +\n\u03B1    =   a z", 10);
