@@ -131,10 +131,11 @@ void print_notes(const Reading& reading) {
         std::cout << "note      " << note << "\n";
 }
 
-void print_surface(const Explained& surface, const Reading& reading,
-                   const Explanation& explanation) {
+void print_surface(std::size_t index, const Reading& reading, const Explanation& explanation) {
+    const Explained& surface = explanation.surfaces[index];
     const bool is_point = is_patch(*surface.expr);
-    const std::string read = is_point ? reading.text : equation_text(*surface.expr);
+    const bool is_equation = !is_point && !explanation.program->sheets[index];
+    const std::string read = is_equation ? equation_text(*surface.expr) : reading.text;
     const std::string drawn = is_point ? read : equation_text(surface.drawn);
     std::cout << "read as   " << read << "\n";
     print_notes(reading);
@@ -157,7 +158,7 @@ void print_text(const Explanation& explanation) {
         print_notes(reading);
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i)
-        print_surface(explanation.surfaces[i], *surfaces[i], explanation);
+        print_surface(i, *surfaces[i], explanation);
     if (explanation.program->parameters.empty()) return;
     std::cout << "open      ";
     const std::vector<double>& values = explanation.parameters;

@@ -1,6 +1,7 @@
 // Rows that are made of points: segments, vectors and polygons.
 
 #include "engine/base/translation.hpp"
+#include "engine/expr/exact.hpp"
 #include "engine/expr/patch_graph.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/language/elaborator.hpp"
@@ -21,6 +22,21 @@ constexpr std::size_t most_corners = 200;
 constexpr double rounding = 1e-9;
 constexpr double flat = 1e-3;
 
+/// a b, without what a part that is 0 or 1 makes superfluous: coordinates are finite.
+NodeId times(ExprBuilder& builder, NodeId a, NodeId b) {
+    const auto left = exact_value(builder, a);
+    const auto right = exact_value(builder, b);
+    if (left == 0.0 || right == 0.0) return builder.constant(0.0);
+    if (left == 1.0) return b;
+    return right == 1.0 ? a : make_multiply(builder, a, b);
+}
+
+/// a - b, where one of them may be 0.
+NodeId without(ExprBuilder& builder, NodeId a, NodeId b) {
+    if (exact_value(builder, b) == 0.0) return a;
+    return exact_value(builder, a) == 0.0 ? make_negate(builder, b) : make_subtract(builder, a, b);
+}
+
 std::string call_of(const Function& thing) {
     return std::string(thing.name) + "(" + std::string(thing.arguments) + ")";
 }
@@ -37,7 +53,7 @@ std::nullopt_t Elaborator::refuse_thing(const Syntax& syntax) {
 Elaborator::Point Elaborator::difference(const Point& a, const Point& b) {
     Point result{};
     for (std::size_t k = 0; k < 3; ++k)
-        result.at(k) = make_subtract(builder_, a.at(k), b.at(k));
+        result.at(k) = without(builder_, a.at(k), b.at(k));
     return result;
 }
 
@@ -46,16 +62,19 @@ Elaborator::Point Elaborator::cross(const Point& a, const Point& b) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t i = (k + 1) % 3;
         const std::size_t j = (k + 2) % 3;
-        result.at(k) = make_subtract(builder_, make_multiply(builder_, a.at(i), b.at(j)),
-                                     make_multiply(builder_, a.at(j), b.at(i)));
+        result.at(k) =
+            without(builder_, times(builder_, a.at(i), b.at(j)), times(builder_, a.at(j), b.at(i)));
     }
     return result;
 }
 
 NodeId Elaborator::dot(const Point& a, const Point& b) {
-    NodeId sum = make_multiply(builder_, a[0], b[0]);
-    for (std::size_t k = 1; k < 3; ++k)
-        sum = make_add(builder_, sum, make_multiply(builder_, a.at(k), b.at(k)));
+    NodeId sum = times(builder_, a[0], b[0]);
+    for (std::size_t k = 1; k < 3; ++k) {
+        const NodeId next = times(builder_, a.at(k), b.at(k));
+        const bool adds = exact_value(builder_, next) != 0.0;
+        if (adds) sum = exact_value(builder_, sum) == 0.0 ? next : make_add(builder_, sum, next);
+    }
     return sum;
 }
 
@@ -197,11 +216,11 @@ bool Elaborator::is_convex(const std::vector<Point>& corners, const Point& norma
 }
 
 /// The condition that (x, y, z), moved along the normal, is in a polygon: on the inner side of all
-/// edges, or where a ray from it crosses an odd number of them.
+/// edges, or where a ray from it crosses an odd number of them, so that a sign that each crossing
+/// turns ends below 0.
 NodeId Elaborator::inside_polygon(const std::vector<Point>& corners, const Point& normal,
                                   bool convex) {
     const auto both = [&](NodeId a, NodeId b) { return make_call(builder_, Op::And, a, b); };
-    const auto either = [&](NodeId a, NodeId b) { return make_call(builder_, Op::Or, a, b); };
     const auto no = [&](NodeId a) { return make_call(builder_, Op::Not, a); };
     const auto less = [&](NodeId a, NodeId b) { return make_call(builder_, Op::Less, a, b); };
     const NodeId zero = builder_.constant(0.0);
@@ -223,10 +242,12 @@ NodeId Elaborator::inside_polygon(const std::vector<Point>& corners, const Point
         const NodeId above_to = less(height(to), at);
         const NodeId up_left = both(both(above_from, no(above_to)), less(zero, side));
         const NodeId down_right = both(both(above_to, no(above_from)), less(side, zero));
-        const NodeId crosses = either(up_left, down_right);
-        all = all ? either(both(*all, no(crosses)), both(no(*all), crosses)) : crosses;
+        const NodeId crosses = make_call(builder_, Op::Or, up_left, down_right);
+        const NodeId turned =
+            make_call(builder_, Op::If, crosses, builder_.constant(-1.0), builder_.constant(1.0));
+        all = all ? make_multiply(builder_, *all, turned) : turned;
     }
-    return *all;
+    return convex ? *all : less(*all, zero);
 }
 
 /// Builds a polygon as the equation of its plane, restricted to where it is.
