@@ -114,7 +114,8 @@ TEST_F(Sheets, HaveTheNotesOfTheirRows) {
 
 TEST_F(Sheets, CutWhatTheirRowsDraw) {
     const auto surfaces = [](const std::optional<Box>& box) {
-        Sheet sheet{{.id = 1, .text = "x = 1"}, {.id = 2, .text = "y = 2 # remark", .box = box}};
+        const Sheet sheet{{.id = 1, .text = "x = 1"},
+                          {.id = 2, .text = "y = 2 # remark", .box = box}};
         return SheetReader().read(sheet);
     };
     const SheetReading plain = surfaces(std::nullopt);

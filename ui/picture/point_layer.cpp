@@ -66,7 +66,7 @@ std::optional<ShownPoint> follow_points(UiState& state, const PictureArea& area,
     const ViewFrame view(state.shown.picture.camera);
     if (state.input.point_drag) {
         follow_drag(state, view, cursor);
-        const ShownPoint held = renewed(state, state.input.point_drag->point);
+        ShownPoint held = renewed(state, state.input.point_drag->point);
         if (!ImGui::IsItemActive()) state.input.point_drag.reset();
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         return held;

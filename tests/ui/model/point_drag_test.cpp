@@ -55,7 +55,7 @@ TEST_P(PointDrags, FollowThePointerInThePlaneOfThePicture) {
 TEST_P(PointDrags, WidenTheSliderOrTakeItsSteps) {
     document_.parameters["a"].hi = 0.6;
     document_.parameters["b"].step = 0.5;
-    const ShownPoint point{.row = 1, .at = {0.5, 0.25, 0.0}, .sliders = {"a", "b", ""}};
+    const ShownPoint point{.row = 1, .name = "", .at = {0.5, 0.25, 0.0}, .sliders = {"a", "b", ""}};
     const glm::dvec2 way(1.0, 0.6);
     const glm::dvec3 to = point.at + way.x * view().right + way.y * view().up;
     const Sliders sliders = drag(point, way);
@@ -65,7 +65,7 @@ TEST_P(PointDrags, WidenTheSliderOrTakeItsSteps) {
 }
 
 TEST_P(PointDrags, TakeTheMeanOfCoordinatesThatShareASlider) {
-    const ShownPoint point{.row = 1, .at = {0.5, 0.5, 0.5}, .sliders = {"a", "a", "w"}};
+    const ShownPoint point{.row = 1, .name = "", .at = {0.5, 0.5, 0.5}, .sliders = {"a", "a", "w"}};
     const glm::dvec2 way(0.2, 0.4);
     const glm::dvec3 to = point.at + way.x * view().right + way.y * view().up;
     const Sliders sliders = drag(point, way);
@@ -78,9 +78,9 @@ TEST_P(PointDrags, TakeTheMeanOfCoordinatesThatShareASlider) {
 
 TEST_P(PointDrags, FindTheNearestPointThatMoves) {
     const std::vector<ShownPoint> points{
-        {.row = 1, .at = {0.0, 0.0, 0.0}, .sliders = {}},
-        {.row = 2, .at = {0.0, 0.0, 0.1}, .sliders = {"a", "", ""}},
-        {.row = 3, .at = {0.0, 0.0, 1.0}, .sliders = {"", "", "a"}}};
+        {.row = 1, .name = "", .at = {0.0, 0.0, 0.0}, .sliders = {}},
+        {.row = 2, .name = "", .at = {0.0, 0.0, 0.1}, .sliders = {"a", "", ""}},
+        {.row = 3, .name = "", .at = {0.0, 0.0, 1.0}, .sliders = {"", "", "a"}}};
     const ShownPoint* const found = point_under(points, view(), place({0.0, 0.0, 0.0}), 0.05);
     ASSERT_NE(found, nullptr);
     EXPECT_EQ(found->row, 2);

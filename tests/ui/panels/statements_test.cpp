@@ -333,7 +333,7 @@ TEST_P(Statements, LetTheThicknessOfACurveBeChosen) {
     set_rows(state_, {"(cos t, sin t, t), 0 < t < 1"});
     state_.shown.reading.thick_rows = {1};
     state_.edited.document.statements[0].color = 0x30C0E0;
-    Framebuffer frame = draw();
+    const Framebuffer frame = draw();
     const ImRect list = child("##side/##list_")->Rect();
     const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
                          static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};

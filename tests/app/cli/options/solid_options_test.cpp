@@ -95,7 +95,8 @@ TEST(SurfaceOptions, AreTakenByTheRowsOfTheirSurfaces) {
     EXPECT_EQ(document.statements[0].thickness, (Thickness{.width = 5.0, .in_pixels = true}));
     EXPECT_FALSE(document.statements[0].box);
     EXPECT_EQ(document.statements[1].box, Box::cube(0.5));
-    const auto of_plane = read_surface_choices({.thicknesses = {"2:5px"}});
+    const auto of_plane =
+        read_surface_choices({.colors = {}, .thicknesses = {"2:5px"}, .boxes = {}});
     ASSERT_TRUE(of_plane);
     EXPECT_TRUE(check_surface_choices(*rows->program, *of_plane)) << "the plane is no curve";
 }
