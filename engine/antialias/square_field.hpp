@@ -41,7 +41,11 @@ public:
     /// The longest cell that is not halved. Thinner squares learn little from shorter cells: rays
     /// do.
     [[nodiscard]] double fair_length(const CoverSquare& square, double s) const {
-        return width_of(std::max(square.side, 0.25), s);
+        return width_of(fair_side(square), s);
+    }
+    /// Its length in pixels.
+    [[nodiscard]] static double fair_side(const CoverSquare& square) {
+        return std::max(square.side, 0.25);
     }
     /// The stretch of a place's ray that the front leaves open; empty outside of the clip region.
     [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
