@@ -4,6 +4,8 @@
 #include "engine/image/gamma.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,13 +14,28 @@ namespace {
 
 constexpr std::size_t slots = std::size_t{tile_size} * tile_size;
 
-/// The pixel of sample k in a tile made of samples: one after the other in squares of 8 x 8, as
-/// those that follow each other are near each other.
+/// Every other bit of a number below 64, from the lowest on.
+constexpr std::size_t even_bits(std::size_t k) {
+    return (k & 1U) | (k >> 1U & 2U) | (k >> 2U & 4U);
+}
+
+/// The pixel of sample k in a tile made of samples: one after the other in squares of 8 x 8, and
+/// there in quarters of quarters, as those that follow each other are near each other.
 constexpr std::size_t slot_of(std::size_t k) {
     const std::size_t square = k / 64;
-    const std::size_t row = square / 8 * 8 + k % 64 / 8;
-    const std::size_t col = square % 8 * 8 + k % 8;
+    const std::size_t row = square / 8 * 8 + even_bits(k % 64 >> 1U);
+    const std::size_t col = square % 8 * 8 + even_bits(k % 64);
     return row * tile_size + col;
+}
+
+/// A number that is near for samples that are near each other: of squares of 8 x 8 pixels the
+/// samples follow each other by surface, and then by distance.
+std::uint64_t nearness(const CoverSample& sample) {
+    const std::size_t row = sample.pixel / tile_size / 8;
+    const std::size_t col = sample.pixel % tile_size / 8;
+    const std::uint64_t square = row * 8 + (row % 2 == 0 ? col : 7 - col);
+    return (square << 8U | sample.surface) << 32U |
+           std::bit_cast<std::uint32_t>(std::max(sample.distance, 0.0F));
 }
 
 }  // namespace
@@ -35,16 +52,17 @@ void CoverLight::put(const CoverSample& sample, std::size_t slot) {
         hits.gradient[axis][slot] = sample.gradient[axis];
 }
 
-void CoverLight::take(std::span<CoverColor> out) const {
+void CoverLight::take(std::span<const Place> some) {
     for (const LitLayer& layer : lit_.layers()) {
-        for (std::size_t k = 0; k < out.size(); ++k) {
+        for (std::size_t k = 0; k < some.size(); ++k) {
             const std::size_t slot = slot_of(k);
             if (surface_of_slot_[slot] != layer.surface) continue;
+            CoverColor& color = light_[some[k].sample];
             const auto row = static_cast<int>(slot / tile_size);
             for (int channel = 0; channel < 3; ++channel)
-                out[k][static_cast<std::size_t>(channel)] =
+                color[static_cast<std::size_t>(channel)] =
                     layer.light_row(row, channel)[slot % tile_size];
-            out[k][3] = layer.cover.empty() ? 1.0F : layer.cover[slot];
+            color[3] = layer.cover.empty() ? 1.0F : layer.cover[slot];
         }
     }
 }
@@ -59,6 +77,10 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     surface_of_slot_.resize(slots);
     hits_.resize(std::max(hits_.size(), surfaces.size()));
     light_.assign(samples.size(), CoverColor{});
+    places_.clear();
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        places_.push_back({.nearness = nearness(samples[k]), .sample = k});
+    std::ranges::sort(places_, {}, &Place::nearness);
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
     const Tile of_samples{.col = tile.col,
                           .row = tile.row,
@@ -70,11 +92,12 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
         const std::size_t count = std::min(slots, samples.size() - first);
         for (TileHits& hits : hits_)
             hits.clear();
+        const auto some = std::span(places_).subspan(first, count);
         for (std::size_t k = 0; k < count; ++k)
-            put(samples[first + k], slot_of(k));
+            put(samples[some[k].sample], slot_of(k));
         const auto hits = std::span(hits_).first(surfaces.size());
         frame_light.light(surfaces, limit, of_samples, hits, lit_, counters);
-        take(std::span(light_).subspan(first, count));
+        take(some);
     }
     return light_;
 }

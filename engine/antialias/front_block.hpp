@@ -30,6 +30,16 @@ struct FrontBlock {
         turn[i] = front.turn;
         marks[i] = std::bit_cast<std::uint64_t>(static_cast<const FrontMarks&>(front));
     }
+    [[nodiscard]] bool is_going(std::size_t i) const {
+        return std::bit_cast<FrontMarks>(marks[i]).state == FrontMarks::State::Going;
+    }
+    /// Puts a front in the place of another one.
+    void copy(std::size_t from, std::size_t to_place) {
+        for (Numbers* const column : {&at, &to, &end, &step, &open_from, &inside_from, &inside_to,
+                                      &turn})
+            (*column)[to_place] = (*column)[from];
+        marks[to_place] = marks[from];
+    }
     /// What steps may change.
     void store(std::size_t i, Front& front) const {
         front.at = at[i];

@@ -230,8 +230,8 @@ HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerd
 }
 
 /// Takes what is known of the fronts' next cells.
-HWY_INLINE void advance(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
-                        const FrontRules& rules) {
+HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                     const FrontRules& rules) {
     MarkWords marks(hn::LoadU(MarkWords::tag, &fronts.marks[i]));
     const CellSteps steps = steps_of(fronts, i, cell, marks, rules);
     const V<double> length = hn::Sub(cell.to, cell.from);
@@ -257,12 +257,12 @@ HWY_INLINE void advance(FrontBlock& fronts, std::size_t i, const CellVerdict& ce
     const V<double> shorter =
         hn::Min(hn::Max(cell.growth, number(least_growth)), number(0.5));
     const V<double> past_roots = hn::Sub(hn::Add(cell.root_to, quarter), near);
-    V<double> step = hn::LoadU(d<double>, &fronts.step[i]);
-    step = where(steps.free, hn::Mul(longer, length), step);
-    step = where(steps.halved, hn::Mul(number(0.5), length), step);
-    step = where(steps.narrowed, past_roots, step);
-    step = where(steps.shortened, hn::Max(hn::Mul(shorter, length), cell.fair), step);
-    step = where(steps.lengthened, hn::Add(hn::Sub(cell.root_to, cell.from), quarter), step);
+    V<double> next = hn::LoadU(d<double>, &fronts.step[i]);
+    next = where(steps.free, hn::Mul(longer, length), next);
+    next = where(steps.halved, hn::Mul(number(0.5), length), next);
+    next = where(steps.narrowed, past_roots, next);
+    next = where(steps.shortened, hn::Max(hn::Mul(shorter, length), cell.fair), next);
+    next = where(steps.lengthened, hn::Add(hn::Sub(cell.root_to, cell.from), quarter), next);
     // Roots, and stretches that end; so far before the roots that the next cell holds them, too.
     const M<double> edged = hn::Or(closed, hn::Or(steps.free_behind, steps.root_behind));
     const V<double> before_roots =
@@ -280,7 +280,7 @@ HWY_INLINE void advance(FrontBlock& fronts, std::size_t i, const CellVerdict& ce
     marks.set_state(FrontMarks::State::Edged, edged);
     hn::StoreU(at, d<double>, &fronts.at[i]);
     hn::StoreU(to, d<double>, &fronts.to[i]);
-    hn::StoreU(step, d<double>, &fronts.step[i]);
+    hn::StoreU(next, d<double>, &fronts.step[i]);
     hn::StoreU(where(steps.rooted, cell.turn, hn::LoadU(d<double>, &fronts.turn[i])), d<double>,
                &fronts.turn[i]);
     hn::StoreU(marks.words(), MarkWords::tag, &fronts.marks[i]);

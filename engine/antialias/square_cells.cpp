@@ -32,13 +32,19 @@ public:
           rays_(field.rays()),
           margin_(std::max(field.width_of(cell_margin, 0.0), 2.0 * rays_.depth_error())) {}
 
-    void evaluate(std::span<const std::size_t> squares, Counters& counters);
+    /// `to_end`: until no front goes on; else by one cell each.
+    void advance(std::span<const std::size_t> squares, bool to_end, Counters& counters);
 
 private:
+    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules& rules);
     [[nodiscard]] FrustumOf<Real> frustum_of(const CoverSquare& square) const;
     [[nodiscard]] FrontRules rules_of(const CoverSquare& square) const;
-    void load(std::span<const std::size_t> squares, std::size_t size);
-    void store(std::span<const std::size_t> squares) const;
+    void load(std::size_t i, std::size_t square);
+    void store(std::size_t i) const { fronts_.store(i, field_.fronts(squares_[i])[surface_]); }
+    /// Repeats the last one of `count` fronts up to whole batches; returns how many these are.
+    std::size_t pad(std::size_t count);
+    /// Takes fronts that go on no more out of the first `count`; returns how many remain.
+    std::size_t drop_ended(std::size_t count);
     /// Sets the next cells.
     void place_cells(std::size_t size);
     /// Takes the fronts on by the forms of these cells.
@@ -53,6 +59,7 @@ private:
     FormCells<Real, FrontBlock::room> cells_;
     std::array<ContinuityMask<Real>, FrontBlock::room> branches_;
     FrontBlock fronts_;
+    std::array<std::size_t, FrontBlock::room> squares_;
 };
 
 template <class Real>
@@ -83,20 +90,42 @@ FrontRules SquareCells<Real>::rules_of(const CoverSquare& square) const {
 }
 
 template <class Real>
-void SquareCells<Real>::load(std::span<const std::size_t> squares, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) {
-        const std::size_t at = squares[std::min(i, squares.size() - 1)];
-        const CoverSquare& square = field_.square(at);
-        cells_.u[i] = static_cast<Real>(rays_.u(SquareField::col_of(square, square_middle)));
-        cells_.v[i] = static_cast<Real>(rays_.v(SquareField::row_of(square, square_middle)));
-        fronts_.load(i, field_.fronts(at)[surface_]);
-    }
+void SquareCells<Real>::load(std::size_t i, std::size_t square) {
+    const CoverSquare& of = field_.square(square);
+    cells_.u[i] = static_cast<Real>(rays_.u(SquareField::col_of(of, square_middle)));
+    cells_.v[i] = static_cast<Real>(rays_.v(SquareField::row_of(of, square_middle)));
+    fronts_.load(i, field_.fronts(square)[surface_]);
+    squares_[i] = square;
 }
 
 template <class Real>
-void SquareCells<Real>::store(std::span<const std::size_t> squares) const {
-    for (std::size_t i = 0; i < squares.size(); ++i)
-        fronts_.store(i, field_.fronts(squares[i])[surface_]);
+std::size_t SquareCells<Real>::pad(std::size_t count) {
+    const std::size_t size = padded(count, frame_.kernel.lane_multiple);
+    for (std::size_t i = count; i < size; ++i) {
+        cells_.u[i] = cells_.u[count - 1];
+        cells_.v[i] = cells_.v[count - 1];
+        fronts_.copy(count - 1, i);
+    }
+    return size;
+}
+
+template <class Real>
+std::size_t SquareCells<Real>::drop_ended(std::size_t count) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!fronts_.is_going(i)) {
+            store(i);
+            continue;
+        }
+        if (kept != i) {
+            cells_.u[kept] = cells_.u[i];
+            cells_.v[kept] = cells_.v[i];
+            squares_[kept] = squares_[i];
+            fronts_.copy(i, kept);
+        }
+        ++kept;
+    }
+    return kept;
 }
 
 HWY_INLINE void store_numbers(V<double> numbers, double* to) {
@@ -156,43 +185,53 @@ CellVerdict SquareCells<Real>::verdict_at(const FrontRules& rules, std::size_t i
 template <class Real>
 void SquareCells<Real>::take_cells(const FrontRules& rules, std::size_t size) {
     for (std::size_t i = 0; i < size; i += lanes<double>)
-        advance(fronts_, i, verdict_at(rules, i), rules);
+        step(fronts_, i, verdict_at(rules, i), rules);
 }
 
 template <class Real>
-void SquareCells<Real>::evaluate(std::span<const std::size_t> squares, Counters& counters) {
+void SquareCells<Real>::evaluate(std::size_t size, const FrustumOf<Real>& frustum,
+                                 const FrontRules& rules) {
+    place_cells(size);
+    auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
+    batch.branches = branches_.data();
+    if (rules.half_width > 0.0) {
+        frame_.kernel.form(batch);
+    } else {
+        frame_.kernel.ray_form(batch);
+    }
+    take_cells(rules, size);
+}
+
+template <class Real>
+void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_end,
+                                Counters& counters) {
     const CoverSquare& model = field_.square(squares.front());
     const FrustumOf<Real> frustum = frustum_of(model);
     const FrontRules rules = rules_of(model);
     if (!frame_.kernel.branches) branches_.fill(0);
-    for (std::size_t first = 0; first < squares.size() && !frame_.stopped();
-         first += FrontBlock::room) {
-        const auto some =
-            squares.subspan(first, std::min(FrontBlock::room, squares.size() - first));
-        const std::size_t size = padded(some.size(), frame_.kernel.lane_multiple);
-        load(some, size);
-        place_cells(size);
-        counters.form += some.size();
-        auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
-        batch.branches = branches_.data();
-        if (model.is_ray()) {
-            frame_.kernel.ray_form(batch);
-        } else {
-            frame_.kernel.form(batch);
+    std::size_t count = 0;
+    for (std::size_t next = 0; (count > 0 || next < squares.size()) && !frame_.stopped();) {
+        while (count < FrontBlock::room && next < squares.size())
+            load(count++, squares[next++]);
+        counters.form += count;
+        evaluate(pad(count), frustum, rules);
+        if (to_end) {
+            count = drop_ended(count);
+            continue;
         }
-        take_cells(rules, size);
-        store(some);
+        for (; count > 0; --count)
+            store(count - 1);
     }
 }
 
 void advance_by_floats(const TraceFrame& frame, std::size_t surface, SquareField& field,
                        std::span<const std::size_t> squares, Counters& counters) {
-    SquareCells<float>(frame, surface, field).evaluate(squares, counters);
+    SquareCells<float>(frame, surface, field).advance(squares, field.is_of_one_surface(), counters);
 }
 
 void advance_by_doubles(const TraceFrame& frame, std::size_t surface, SquareField& field,
                         std::span<const std::size_t> squares, Counters& counters) {
-    SquareCells<double>(frame, surface, field).evaluate(squares, counters);
+    SquareCells<double>(frame, surface, field).advance(squares, field.is_of_one_surface(), counters);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -21,6 +21,7 @@ public:
     SquareField(const TileRays& rays, std::size_t surfaces) : rays_(rays), surfaces_(surfaces) {}
 
     [[nodiscard]] std::size_t size() const { return squares_.size(); }
+    [[nodiscard]] bool is_of_one_surface() const { return surfaces_ == 1; }
     [[nodiscard]] const CoverSquare& square(std::size_t i) const { return squares_[i]; }
     /// The fronts of a square, one for each surface.
     [[nodiscard]] std::span<Front> fronts(std::size_t i) {
