@@ -82,7 +82,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
         places_.push_back({.nearness = nearness(samples[k]), .sample = k});
     std::ranges::sort(places_, {}, &Place::nearness);
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
-    const Tile of_samples{.col = tile.col,
+    Tile of_samples{.col = tile.col,
                           .row = tile.row,
                           .cols = tile_size,
                           .rows = tile_size,
@@ -95,6 +95,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
         const auto some = std::span(places_).subspan(first, count);
         for (std::size_t k = 0; k < count; ++k)
             put(samples[some[k].sample], slot_of(k));
+        of_samples.rows = static_cast<int>((count + 511) / 512 * 8);
         const auto hits = std::span(hits_).first(surfaces.size());
         frame_light.light(surfaces, limit, of_samples, hits, lit_, counters);
         take(some);
@@ -110,18 +111,29 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         float area = 0.0F;
     };
     thread_local std::vector<Sum> sums;
-    sums.assign(slots, Sum());
+    thread_local std::vector<std::uint16_t> sum_of_pixel(slots);
+    sums.assign(pixels.size(), Sum());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        sum_of_pixel[pixels[i].pixel] = static_cast<std::uint16_t>(i);
     for (std::size_t k = 0; k < samples.size(); ++k) {
-        Sum& sum = sums[samples[k].pixel];
+        Sum& sum = sums[sum_of_pixel[samples[k].pixel]];
         sum.area += samples[k].area;
         for (std::size_t channel = 0; channel < 4; ++channel)
             sum.light[channel] += samples[k].area * std::clamp(light[k][channel], 0.0F, 1.0F);
     }
-    for (const MixedPixel& pixel : pixels) {
-        const int row = tile.row + pixel.pixel / tile_size;
-        const int col = tile.col + pixel.pixel % tile_size;
-        const Sum& sum = sums[pixel.pixel];
-        const std::uint32_t behind = background_color(out.pixels.background, row, out.height);
+    int background_row = -1;
+    std::uint32_t behind = 0;
+    CoverColor background_channels{};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const int row = tile.row + pixels[i].pixel / tile_size;
+        const int col = tile.col + pixels[i].pixel % tile_size;
+        const Sum& sum = sums[i];
+        if (row != background_row) {
+            background_row = row;
+            behind = background_color(out.pixels.background, row, out.height);
+            for (unsigned channel = 0; channel < 3; ++channel)
+                background_channels[channel] = light_of_channel(behind >> 8 * channel & 0xFFU);
+        }
         // Threads are drawn wider than they are, so that there may be more than a pixel of parts.
         const float area = std::min(sum.area, 1.0F);
         const float scale = sum.area > 1.0F ? 1.0F / sum.area : 1.0F;
@@ -129,8 +141,8 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         std::uint32_t color = (alpha == 0 ? 255U : alpha) << 24U;
         const std::size_t to = out.index(col, row);
         for (unsigned channel = 0; channel < 3; ++channel) {
-            const float background = light_of_channel(behind >> 8 * channel & 0xFFU);
-            const float mixed = scale * sum.light[channel] + (1.0F - area) * background;
+            const float mixed =
+                scale * sum.light[channel] + (1.0F - area) * background_channels[channel];
             color |= channel_of_light(mixed) << 8 * channel;
         }
         out.pixels.color[to] = color;

@@ -146,8 +146,8 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
 void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open) {
     const bool are_rays = !squares.empty() && field_.square(squares.front()).is_ray();
     const std::size_t count = are_rays ? 1 : square_ray_count;
-    std::vector<RayStretch> stretches;
-    stretches.reserve(squares.size() * count);
+    std::vector<RayStretch>& stretches = stretches_;
+    stretches.clear();
     for (const std::size_t i : squares) {
         const Front& front = field_.fronts(i)[surface_];
         for (const SquareRay& ray : std::span(square_rays).first(count))

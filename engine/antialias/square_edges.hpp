@@ -54,6 +54,7 @@ private:
     SquareField& field_;
     SampleDrafts& drafts_;
     Counters& counters_;
+    std::vector<RayStretch> stretches_;  ///< room
     SquareCreases creases_;
     SquareWalls walls_;
 };

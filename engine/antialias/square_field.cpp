@@ -32,7 +32,7 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
 double SquareField::hit_depth(const MixedPixel& pixel) const {
     const double u = rays_.u(pixel.pixel % tile_size);
     const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));
-    return static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+    return static_cast<double>(pixel.hit) / std::sqrt(1.0 + u * u + v * v) - rays_.look_distance();
 }
 
 bool SquareField::is_hit_between(std::size_t square, double from, double to) const {
