@@ -80,7 +80,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     places_.clear();
     for (std::size_t k = 0; k < samples.size(); ++k)
         places_.push_back({.nearness = nearness(samples[k]), .sample = k});
-    std::ranges::sort(places_, {}, &Place::nearness);
+    if (frame_light.settings().shadows) std::ranges::sort(places_, {}, &Place::nearness);
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
     Tile of_samples{.col = tile.col,
                           .row = tile.row,

@@ -139,9 +139,10 @@ void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>&
         if (pixel.is_sheet()) {
             work_[pixel.surface].drafts.add(pixel);
         } else {
-            field_.begin(pixel);
+            field_.add(pixel);
         }
     }
+    field_.place_all();
     do {
         finish_level();
     } while (!stopped() && field_.go_down());

@@ -22,7 +22,8 @@ struct FrontMarks {
     bool stretched = false;        ///< the last cell was made longer for the roots that it holds
     bool monotone = false;         ///< Rooted: there is one root on each ray; else maybe more
     std::uint8_t open_cells = 0;   ///< of a stretch from open_from on
-    std::uint16_t reserved = 0;
+    bool placed = false;           ///< it is known where the rays are inside of the clip region
+    std::uint8_t reserved = 0;
 };
 static_assert(sizeof(FrontMarks) == sizeof(std::uint64_t));
 
@@ -33,7 +34,7 @@ struct Front : FrontMarks {
 
     double at = 0.0;
     double to = 0.0;
-    double end = 0.0;   ///< the rays leave the clip region
+    double end = none;  ///< the rays leave the clip region
     double step = 0.0;  ///< of the next cell
     /// Where a stretch of cells began that are neither free nor hold the first root of every ray.
     double open_from = none;

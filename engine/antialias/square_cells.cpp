@@ -43,8 +43,9 @@ private:
     void store(std::size_t i) const { fronts_.store(i, field_.fronts(squares_[i])[surface_]); }
     /// Repeats the last one of `count` fronts up to whole batches; returns how many these are.
     std::size_t pad(std::size_t count);
-    /// Takes fronts that go on no more out of the first `count`; returns how many remain.
-    std::size_t drop_ended(std::size_t count);
+    /// Puts waiting squares in the place of those among the first `count` whose fronts go on no
+    /// more; returns how many there are then.
+    std::size_t replace_ended(std::size_t count, std::span<const std::size_t>& waiting);
     /// Sets the next cells.
     void place_cells(std::size_t size);
     /// Takes the fronts on by the forms of these cells.
@@ -110,22 +111,25 @@ std::size_t SquareCells<Real>::pad(std::size_t count) {
 }
 
 template <class Real>
-std::size_t SquareCells<Real>::drop_ended(std::size_t count) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!fronts_.is_going(i)) {
-            store(i);
+std::size_t SquareCells<Real>::replace_ended(std::size_t count,
+                                             std::span<const std::size_t>& waiting) {
+    for (std::size_t i = 0; i < count;) {
+        if (fronts_.is_going(i)) {
+            ++i;
             continue;
         }
-        if (kept != i) {
-            cells_.u[kept] = cells_.u[i];
-            cells_.v[kept] = cells_.v[i];
-            squares_[kept] = squares_[i];
-            fronts_.copy(i, kept);
+        store(i);
+        if (!waiting.empty()) {
+            load(i++, waiting.front());
+            waiting = waiting.subspan(1);
+        } else if (--count != i) {
+            cells_.u[i] = cells_.u[count];
+            cells_.v[i] = cells_.v[count];
+            squares_[i] = squares_[count];
+            fronts_.copy(count, i);
         }
-        ++kept;
     }
-    return kept;
+    return count;
 }
 
 HWY_INLINE void store_numbers(V<double> numbers, double* to) {
@@ -210,13 +214,15 @@ void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_en
     const FrontRules rules = rules_of(model);
     if (!frame_.kernel.branches) branches_.fill(0);
     std::size_t count = 0;
-    for (std::size_t next = 0; (count > 0 || next < squares.size()) && !frame_.stopped();) {
-        while (count < FrontBlock::room && next < squares.size())
-            load(count++, squares[next++]);
+    while ((count > 0 || !squares.empty()) && !frame_.stopped()) {
+        while (count < FrontBlock::room && !squares.empty()) {
+            load(count++, squares.front());
+            squares = squares.subspan(1);
+        }
         counters.form += count;
         evaluate(pad(count), frustum, rules);
         if (to_end) {
-            count = drop_ended(count);
+            count = replace_ended(count, squares);
             continue;
         }
         for (; count > 0; --count)

@@ -90,7 +90,7 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
                 Certificate::Certified);
     field_.keep_rest(
         square, surface_,
-        {.share = 1.0 - part.share, .part = part_below_zero(-fit), .misses = samples.misses()});
+        {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
     return false;
 }
 
@@ -151,7 +151,8 @@ void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::
     for (const std::size_t i : squares) {
         const Front& front = field_.fronts(i)[surface_];
         for (const SquareRay& ray : std::span(square_rays).first(count))
-            stretches.push_back(field_.stretch_of(field_.square(i), front, ray));
+            stretches.push_back(SquareField::stretch_of(field_.square(i), front, ray));
+        field_.clip(front, std::span(stretches).last(count));
     }
     find_least(frame_, field_.rays(), stretches, counters_);
     for (std::size_t k = 0; k < squares.size(); ++k) {

@@ -48,12 +48,16 @@ public:
     [[nodiscard]] static double fair_side(const CoverSquare& square) {
         return std::max(square.side, 0.25);
     }
-    /// The stretch of a place's ray that the front leaves open; empty outside of the clip region.
-    [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
-                                        const SquareRay& place) const;
+    /// The stretch of a place's ray that the front leaves open.
+    [[nodiscard]] static RayStretch stretch_of(const CoverSquare& square, const Front& front,
+                                               const SquareRay& place);
+    /// Shortens such stretches to what is in the clip region; outside of it they are empty.
+    void clip(const Front& front, std::span<RayStretch> stretches) const;
 
-    /// Searches all of a pixel; `pixel` must outlive the field.
-    void begin(MixedPixel& pixel);
+    /// Adds all of a pixel to be searched; `pixel` must outlive the field.
+    void add(MixedPixel& pixel);
+    /// Begins the search where the squares' rays enter the clip region.
+    void place_all();
     /// Whether the square is a pixel of which the own hit lies between two depths.
     [[nodiscard]] bool is_hit_between(std::size_t square, double from, double to) const;
     /// That hit stands for the pixel.
@@ -72,8 +76,9 @@ public:
 private:
     /// Of the hit of a pixel's own ray; +inf: there is none.
     [[nodiscard]] double hit_depth(const MixedPixel& pixel) const;
-    /// Begins a front, no nearer than `front.at`.
-    void place(const CoverSquare& square, Front& front) const;
+    /// Begins a front, no nearer than `front.at`, nor farther than `front.end`.
+    void place(const CoverSquare& square, const DepthRange& depths, Front& front) const;
+    void begin_part(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.
     void add_part(std::size_t square, const CoverSquare& part);
     void divide_rest(std::size_t square, const SquareRest& rest);
