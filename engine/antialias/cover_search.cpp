@@ -135,6 +135,8 @@ void CoverSearch::finish_level() {
 }
 
 void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>& out) {
+    field_.reserve(pixels.size());
+    work_.front().drafts.reserve(pixels.size());
     for (MixedPixel& pixel : pixels) {
         if (pixel.is_sheet()) {
             work_[pixel.surface].drafts.add(pixel);

@@ -153,6 +153,8 @@ inline constexpr std::uint64_t most_open_cells = 8;  // a power of two
 /// How much longer than the cell before it a cell is at most, and how much shorter.
 inline constexpr double most_growth = 4.0;
 inline constexpr double least_growth = 0.125;
+/// In fair lengths: cells whose forms are not precise are not longer.
+inline constexpr double most_rough_lengths = 1.5;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
 inline constexpr double most_fair_lengths = 8.0;
 
@@ -200,7 +202,7 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
     // Of some, or none.
     const M<double> others = hn::Not(hn::Or(cell.rejected, all));
     steps.shortened =
-        hn::And(hn::AndNot(cell.precise, others), hn::Gt(length, times(1.5, cell.fair)));
+        hn::And(hn::AndNot(cell.precise, others), hn::Gt(length, times(most_rough_lengths, cell.fair)));
     const M<double> fits =
         hn::And(hn::Lt(cell.to, hn::LoadU(d<double>, &fronts.end[i])),
                 hn::Lt(width, times(most_fair_lengths, cell.fair)));

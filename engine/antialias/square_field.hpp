@@ -54,6 +54,11 @@ public:
     /// Shortens such stretches to what is in the clip region; outside of it they are empty.
     void clip(const Front& front, std::span<RayStretch> stretches) const;
 
+    /// Makes room for so many pixels.
+    void reserve(std::size_t pixels) {
+        squares_.reserve(pixels);
+        fronts_.reserve(pixels * surfaces_);
+    }
     /// Adds all of a pixel to be searched; `pixel` must outlive the field.
     void add(MixedPixel& pixel);
     /// Begins the search where the squares' rays enter the clip region.
