@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace zeroset {
 namespace {
@@ -83,11 +83,11 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     if (frame_light.settings().shadows) std::ranges::sort(places_, {}, &Place::nearness);
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
     Tile of_samples{.col = tile.col,
-                          .row = tile.row,
-                          .cols = tile_size,
-                          .rows = tile_size,
-                          .limits = nullptr,
-                          .places = &places};
+                    .row = tile.row,
+                    .cols = tile_size,
+                    .rows = tile_size,
+                    .limits = nullptr,
+                    .places = &places};
     for (std::size_t first = 0; first < samples.size() && !limit.over(); first += slots) {
         const std::size_t count = std::min(slots, samples.size() - first);
         for (TileHits& hits : hits_)

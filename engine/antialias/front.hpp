@@ -17,12 +17,12 @@ struct FrontMarks {
     };
 
     State state = State::Going;
-    bool continuous = true;        ///< f is, between open_from and `at`, if that is a stretch
-    bool kinked = false;           ///< f may have a kink there, or between `at` and `to`
-    bool stretched = false;        ///< the last cell was made longer for the roots that it holds
-    bool monotone = false;         ///< Rooted: there is one root on each ray; else maybe more
-    std::uint8_t open_cells = 0;   ///< of a stretch from open_from on
-    bool placed = false;           ///< it is known where the rays are inside of the clip region
+    bool continuous = true;       ///< f is, between open_from and `at`, if that is a stretch
+    bool kinked = false;          ///< f may have a kink there, or between `at` and `to`
+    bool stretched = false;       ///< the last cell was made longer for the roots that it holds
+    bool monotone = false;        ///< Rooted: there is one root on each ray; else maybe more
+    std::uint8_t open_cells = 0;  ///< of a stretch from open_from on
+    bool placed = false;          ///< it is known where the rays are inside of the clip region
     std::uint8_t reserved = 0;
 };
 static_assert(sizeof(FrontMarks) == sizeof(std::uint64_t));

@@ -35,8 +35,8 @@ struct FrontBlock {
     }
     /// Puts a front in the place of another one.
     void copy(std::size_t from, std::size_t to_place) {
-        for (Numbers* const column : {&at, &to, &end, &step, &open_from, &inside_from, &inside_to,
-                                      &turn})
+        for (Numbers* const column :
+             {&at, &to, &end, &step, &open_from, &inside_from, &inside_to, &turn})
             (*column)[to_place] = (*column)[from];
         marks[to_place] = marks[from];
     }

@@ -82,8 +82,8 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     // The error goes with the square of the length, or nearly so.
     const M<double> coarse = hn::AndNot(verdict.precise, known);
     const V<double> shorter = hn::Sqrt(hn::Div(most_error, form.error));
-    verdict.growth = hn::IfThenElse(verdict.rejected, hn::Div(size, most),
-                                    hn::IfThenElse(coarse, shorter, one));
+    verdict.growth =
+        hn::IfThenElse(verdict.rejected, hn::Div(size, most), hn::IfThenElse(coarse, shorter, one));
     // Where the linear part vanishes.
     const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
     const V<double> per_along = hn::Div(one, form.along);
@@ -95,7 +95,8 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     const auto depth_at = [&](V<double> t) {
         return hn::Add(form.middle, hn::Mul(form.radius, t));
     };
-    verdict.root_from = hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
+    verdict.root_from =
+        hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
     verdict.root_to = hn::IfThenElse(sloped, depth_at(hn::Add(at, spare)), hn::Inf(d<double>));
     // The form's linear part is f's gradient, in parts of the cell's radii.
     V<double> gradient = hn::Div(steepness, form.radius);
@@ -142,9 +143,10 @@ public:
     HWY_INLINE void count_cell(M<double> lanes, M<double> begins) {
         const Words before = hn::IfThenElse(hn::RebindMask(tag, begins),
                                             hn::AndNot(hn::Set(tag, cells), words_), words_);
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes),
-                                hn::Add(before, hn::Set(tag, one_cell)), words_);
+        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), hn::Add(before, hn::Set(tag, one_cell)),
+                                words_);
     }
+
 private:
     Words words_;
 };
@@ -160,15 +162,15 @@ inline constexpr double most_fair_lengths = 8.0;
 
 /// What is done with cells; in no two of these a lane is set.
 struct CellSteps {
-    M<double> free;          ///< go on behind the cell
-    M<double> free_behind;   ///< it ends a stretch
-    M<double> root_behind;   ///< roots of all rays end a stretch
-    M<double> halved;        ///< there may be several roots on a ray, of which the first is wanted
-    M<double> narrowed;      ///< a long cell tells more of f beside the sheet than of the sheet
-    M<double> rooted;        ///< it holds the first root of every ray
-    M<double> shortened;     ///< the form is not precise
-    M<double> lengthened;    ///< all rays seem to leave it with a root
-    M<double> open;          ///< it is left as a part of a stretch
+    M<double> free;         ///< go on behind the cell
+    M<double> free_behind;  ///< it ends a stretch
+    M<double> root_behind;  ///< roots of all rays end a stretch
+    M<double> halved;       ///< there may be several roots on a ray, of which the first is wanted
+    M<double> narrowed;     ///< a long cell tells more of f beside the sheet than of the sheet
+    M<double> rooted;       ///< it holds the first root of every ray
+    M<double> shortened;    ///< the form is not precise
+    M<double> lengthened;   ///< all rays seem to leave it with a root
+    M<double> open;         ///< it is left as a part of a stretch
 };
 
 HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
@@ -187,25 +189,23 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
     steps.free = hn::AndNot(is_open, cell.rejected);
     steps.free_behind = hn::And(is_open, cell.rejected);
     // Roots of all rays.
-    const M<double> all = hn::AndNot(
-        cell.rejected, hn::And(hn::And(cell.continuous, inside), hn::And(begins, ends)));
+    const M<double> all =
+        hn::AndNot(cell.rejected, hn::And(hn::And(cell.continuous, inside), hn::And(begins, ends)));
     steps.root_behind = hn::And(is_open, all);
     const M<double> first = hn::AndNot(is_open, all);
     steps.halved = hn::And(hn::AndNot(cell.monotone, first), hn::Gt(length, times(2.0, cell.fair)));
-    const V<double> turn = hn::IfThenElse(cell.kinked, number(most_turn_of(true)),
-                                          number(most_turn_of(false)));
-    const M<double> coarse =
-        hn::And(hn::Gt(cell.turn, turn),
-                hn::Gt(length, times(3.0, hn::Add(width, number(rules.margin)))));
+    const V<double> turn =
+        hn::IfThenElse(cell.kinked, number(most_turn_of(true)), number(most_turn_of(false)));
+    const M<double> coarse = hn::And(
+        hn::Gt(cell.turn, turn), hn::Gt(length, times(3.0, hn::Add(width, number(rules.margin)))));
     steps.narrowed = hn::And(hn::AndNot(steps.halved, first), coarse);
     steps.rooted = hn::AndNot(hn::Or(steps.halved, steps.narrowed), first);
     // Of some, or none.
     const M<double> others = hn::Not(hn::Or(cell.rejected, all));
-    steps.shortened =
-        hn::And(hn::AndNot(cell.precise, others), hn::Gt(length, times(most_rough_lengths, cell.fair)));
-    const M<double> fits =
-        hn::And(hn::Lt(cell.to, hn::LoadU(d<double>, &fronts.end[i])),
-                hn::Lt(width, times(most_fair_lengths, cell.fair)));
+    steps.shortened = hn::And(hn::AndNot(cell.precise, others),
+                              hn::Gt(length, times(most_rough_lengths, cell.fair)));
+    const M<double> fits = hn::And(hn::Lt(cell.to, hn::LoadU(d<double>, &fronts.end[i])),
+                                   hn::Lt(width, times(most_fair_lengths, cell.fair)));
     const M<double> leaves = hn::AndNot(ends, hn::And(begins, cell.precise));
     steps.lengthened = hn::And(hn::AndNot(steps.shortened, others),
                                hn::AndNot(marks.has(MarkWords::stretched), hn::And(leaves, fits)));
@@ -223,8 +223,7 @@ HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerd
     marks.count_cell(steps.open, begins);
     marks.set(MarkWords::continuous, steps.open,
               hn::And(cell.continuous, hn::Or(begins, marks.has(MarkWords::continuous))));
-    const M<double> kinked =
-        hn::Or(cell.kinked, hn::AndNot(begins, marks.has(MarkWords::kinked)));
+    const M<double> kinked = hn::Or(cell.kinked, hn::AndNot(begins, marks.has(MarkWords::kinked)));
     marks.set(MarkWords::kinked, hn::Or(steps.open, steps.root_behind), kinked);
     const V<double> end = hn::LoadU(d<double>, &fronts.end[i]);
     return hn::And(steps.open,
@@ -256,8 +255,7 @@ HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
     at = where(steps.narrowed, near, where(steps.rooted, cell.root_from, at));
     // How far.
     const V<double> longer = hn::Min(hn::Max(cell.growth, number(1.0)), number(most_growth));
-    const V<double> shorter =
-        hn::Min(hn::Max(cell.growth, number(least_growth)), number(0.5));
+    const V<double> shorter = hn::Min(hn::Max(cell.growth, number(least_growth)), number(0.5));
     const V<double> past_roots = hn::Sub(hn::Add(cell.root_to, quarter), near);
     V<double> next = hn::LoadU(d<double>, &fronts.step[i]);
     next = where(steps.free, hn::Mul(longer, length), next);

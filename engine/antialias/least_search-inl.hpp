@@ -25,8 +25,7 @@ struct Places {
 
 /// `part` of the way from a to b; half of it where that is not between them.
 HWY_INLINE V<double> between(const Places& a, V<double> length, V<double> part) {
-    const M<double> inner =
-        hn::And(hn::Gt(part, hn::Zero(d<double>)), hn::Lt(part, number(1.0)));
+    const M<double> inner = hn::And(hn::Gt(part, hn::Zero(d<double>)), hn::Lt(part, number(1.0)));
     const V<double> within = hn::IfThenElse(inner, part, number(0.5));
     const V<double> clamped = hn::Min(hn::Max(within, number(0.02)), number(0.98));
     return hn::MulAdd(clamped, length, a.s);
@@ -176,9 +175,8 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const RayLines& lines, std::siz
     store_in(is_hi, place.s, hi_s_ + i);
     store_in(is_hi, place.f, hi_f_ + i);
     store_in(is_hi, place.slope, hi_slope_ + i);
-    const V<double> lower =
-        hn::Mul(hn::Sub(load(hi_s_ + i), load(lo_s_ + i)),
-                hn::Min(hn::Neg(load(lo_slope_ + i)), load(hi_slope_ + i)));
+    const V<double> lower = hn::Mul(hn::Sub(load(hi_s_ + i), load(lo_s_ + i)),
+                                    hn::Min(hn::Neg(load(lo_slope_ + i)), load(hi_slope_ + i)));
     const M<double> still = hn::AndNot(hn::Le(lower, load(tolerance_ + i)), open);
     store(flags(still), open_ + i);
     return !hn::AllFalse(d<double>, still);
@@ -210,9 +208,8 @@ inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
         open.keep([&](std::size_t i, std::size_t point) { return take(i, lines_at(i), point); });
     }
     for (std::size_t i = 0; i < size; i += lanes<double>) {
-        const Vectors3 gradient{.x = load(gradient_[0] + i),
-                                .y = load(gradient_[1] + i),
-                                .z = load(gradient_[2] + i)};
+        const Vectors3 gradient{
+            .x = load(gradient_[0] + i), .y = load(gradient_[1] + i), .z = load(gradient_[2] + i)};
         store(lines.by_col(gradient, load(s_ + i)), by_col_ + i);
         store(lines.by_row(gradient, load(s_ + i)), by_row_ + i);
     }

@@ -33,9 +33,8 @@ HWY_INLINE V<double> dot(const Vectors3& a, const Vectors3& b) {
 }
 /// a + s b
 HWY_INLINE Vectors3 along(const Vectors3& a, V<double> s, const Vectors3& b) {
-    return {.x = hn::MulAdd(s, b.x, a.x),
-            .y = hn::MulAdd(s, b.y, a.y),
-            .z = hn::MulAdd(s, b.z, a.z)};
+    return {
+        .x = hn::MulAdd(s, b.x, a.x), .y = hn::MulAdd(s, b.y, a.y), .z = hn::MulAdd(s, b.z, a.z)};
 }
 
 /// Rays: the point at depth s is origin + s direction.
@@ -101,12 +100,12 @@ struct RayPoints {
     /// Evaluates the first `size`, a multiple of batch_multiple.
     void evaluate(const TraceFrame& frame, std::size_t size) {
         for (std::size_t i = 0; i < size; i += at_once) {
-            frame.kernel.in_double.value({.size = std::min(at_once, size - i),
-                                          .x = {x[0] + i, x[1] + i, x[2] + i},
-                                          .uniforms = frame.scene.uniforms.points<double>(),
-                                          .f = f + i,
-                                          .gradient = {gradient[0] + i, gradient[1] + i,
-                                                       gradient[2] + i}});
+            frame.kernel.in_double.value(
+                {.size = std::min(at_once, size - i),
+                 .x = {x[0] + i, x[1] + i, x[2] + i},
+                 .uniforms = frame.scene.uniforms.points<double>(),
+                 .f = f + i,
+                 .gradient = {gradient[0] + i, gradient[1] + i, gradient[2] + i}});
         }
     }
     [[nodiscard]] HWY_INLINE V<double> f_at(std::size_t i) const {

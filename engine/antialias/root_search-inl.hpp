@@ -58,8 +58,8 @@ private:
 HWY_INLINE V<double> RootSearch::sample_at(std::size_t i, std::size_t sample,
                                            std::size_t samples) const {
     const V<double> from = load(from_ + i);
-    const V<double> step = hn::Mul(hn::Sub(load(to_ + i), from),
-                                   number(1.0 / static_cast<double>(samples - 1)));
+    const V<double> step =
+        hn::Mul(hn::Sub(load(to_ + i), from), number(1.0 / static_cast<double>(samples - 1)));
     return hn::MulAdd(number(static_cast<double>(sample)), step, from);
 }
 
@@ -107,17 +107,15 @@ HWY_INLINE bool RootSearch::take(std::size_t i, const TileLines& tile, const Ray
     const V<double> next = load(next_ + i);
     const V<double> f = points_.f_at(point);
     const V<double> slope = dot(points_.gradient_at(point), lines.direction);
-    const M<double> before =
-        hn::Not(hn::Xor(hn::Gt(f, zero), hn::Gt(load(f_lo_ + i), zero)));
+    const M<double> before = hn::Not(hn::Xor(hn::Gt(f, zero), hn::Gt(load(f_lo_ + i), zero)));
     const V<double> lo = hn::IfThenElse(before, next, load(lo_ + i));
     const V<double> hi = hn::IfThenElse(before, load(hi_ + i), next);
     store_in(hn::And(open, before), f, f_lo_ + i);
     const M<double> same = hn::Not(hn::Xor(before, flags_at(was_before_ + i)));
-    const V<double> stood =
-        hn::IfThenElseZero(same, hn::Add(load(stood_ + i), number(1.0)));
+    const V<double> stood = hn::IfThenElseZero(same, hn::Add(load(stood_ + i), number(1.0)));
     const V<double> newton = hn::Sub(next, hn::Div(f, slope));
-    const M<double> fits = hn::And(hn::And(hn::Gt(newton, lo), hn::Lt(newton, hi)),
-                                   hn::Lt(stood, number(3.0)));
+    const M<double> fits =
+        hn::And(hn::And(hn::Gt(newton, lo), hn::Lt(newton, hi)), hn::Lt(stood, number(3.0)));
     const V<double> half = number(0.5);
     const V<double> middle = hn::Add(hn::Mul(half, lo), hn::Mul(half, hi));
     const V<double> after = hn::IfThenElse(fits, newton, middle);
@@ -158,8 +156,7 @@ HWY_INLINE void RootSearch::end(std::size_t i, const TileLines& tile, const RayL
     store(gradient.z, gradient_[2] + i);
 }
 
-inline void RootSearch::write(std::span<RayRoot> roots,
-                              std::span<const std::uint32_t> some) const {
+inline void RootSearch::write(std::span<RayRoot> roots, std::span<const std::uint32_t> some) const {
     for (std::size_t i = 0; i < some.size(); ++i) {
         RayRoot& root = roots[some[i]];
         root.found = found_[i] != 0.0;

@@ -132,9 +132,7 @@ std::size_t SquareCells<Real>::replace_ended(std::size_t count,
     return count;
 }
 
-HWY_INLINE void store_numbers(V<double> numbers, double* to) {
-    hn::StoreU(numbers, d<double>, to);
-}
+HWY_INLINE void store_numbers(V<double> numbers, double* to) { hn::StoreU(numbers, d<double>, to); }
 /// Rounded upward, as all here.
 HWY_INLINE void store_numbers(V<double> numbers, float* to) {
     const hn::Rebind<float, Tag<double>> tag;
@@ -172,17 +170,18 @@ HWY_INLINE M<double> bit_at(const Word* words, std::uint64_t bit) {
 template <class Real>
 CellVerdict SquareCells<Real>::verdict_at(const FrontRules& rules, std::size_t i) const {
     const auto numbers = [i](const auto& of) { return load_doubles(d<double>, &of[i]); };
-    const CellForm form{.c = numbers(cells_.c),
-                  .along = numbers(cells_.k[2]),
-                  .aside = hn::Add(hn::Abs(numbers(cells_.k[0])), hn::Abs(numbers(cells_.k[1]))),
-                  .error = numbers(cells_.e),
-                  .middle = numbers(cells_.s),
-                  .radius = numbers(cells_.s_radius),
-                  .slope_hi = numbers(cells_.slope_hi),
-                  .slope_neg_lo = numbers(cells_.slope_neg_lo),
-                  .continuous = bit_at(&cells_.continuous[i], 1),
-                  .nowhere = bit_at(&cells_.nowhere[i], 1),
-                  .kinked = bit_at(&branches_[i], BranchBits::kink)};
+    const CellForm form{
+        .c = numbers(cells_.c),
+        .along = numbers(cells_.k[2]),
+        .aside = hn::Add(hn::Abs(numbers(cells_.k[0])), hn::Abs(numbers(cells_.k[1]))),
+        .error = numbers(cells_.e),
+        .middle = numbers(cells_.s),
+        .radius = numbers(cells_.s_radius),
+        .slope_hi = numbers(cells_.slope_hi),
+        .slope_neg_lo = numbers(cells_.slope_neg_lo),
+        .continuous = bit_at(&cells_.continuous[i], 1),
+        .nowhere = bit_at(&cells_.nowhere[i], 1),
+        .kinked = bit_at(&branches_[i], BranchBits::kink)};
     return judge(form, rules, fronts_, i);
 }
 
@@ -237,7 +236,8 @@ void advance_by_floats(const TraceFrame& frame, std::size_t surface, SquareField
 
 void advance_by_doubles(const TraceFrame& frame, std::size_t surface, SquareField& field,
                         std::span<const std::size_t> squares, Counters& counters) {
-    SquareCells<double>(frame, surface, field).advance(squares, field.is_of_one_surface(), counters);
+    SquareCells<double>(frame, surface, field)
+        .advance(squares, field.is_of_one_surface(), counters);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

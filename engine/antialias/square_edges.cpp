@@ -92,9 +92,8 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     const RayRoot root = samples.bracket(stretches, nearest);
     drafts_.add(at, is_sure ? middle : square_rays[nearest], part.share, root.from, root.to,
                 Certificate::Certified);
-    field_.keep_rest(
-        square, surface_,
-        {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
+    field_.keep_rest(square, surface_,
+                     {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
     return false;
 }
 

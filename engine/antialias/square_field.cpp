@@ -41,8 +41,7 @@ void SquareField::place(const CoverSquare& square, const DepthRange& depths, Fro
         const double fair = width_of(1.0, front.at);
         // A little more, so that roots end before the last cell.
         front.end = std::min(front.end, static_cast<double>(square.whole->to) + 2.0 * fair);
-        front.step =
-            hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
+        front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
     }
     begin_part(square, front);
 }

@@ -3,8 +3,8 @@
 #include "engine/antialias/cover_rules.hpp"
 
 #include <array>
-#include <span>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace zeroset {
