@@ -4,21 +4,38 @@
 #include "engine/image/gamma.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace zeroset {
 namespace {
 
 constexpr std::size_t slots = std::size_t{tile_size} * tile_size;
 
-/// The pixel of sample k in a tile made of samples: one after the other in squares of 8 x 8, as
-/// those that follow each other are near each other.
+/// Every other bit of a number below 64, from the lowest on.
+constexpr std::size_t even_bits(std::size_t k) {
+    return (k & 1U) | (k >> 1U & 2U) | (k >> 2U & 4U);
+}
+
+/// The pixel of sample k in a tile made of samples: one after the other in squares of 8 x 8, and
+/// there in quarters of quarters, as those that follow each other are near each other.
 constexpr std::size_t slot_of(std::size_t k) {
     const std::size_t square = k / 64;
-    const std::size_t row = square / 8 * 8 + k % 64 / 8;
-    const std::size_t col = square % 8 * 8 + k % 8;
+    const std::size_t row = square / 8 * 8 + even_bits(k % 64 >> 1U);
+    const std::size_t col = square % 8 * 8 + even_bits(k % 64);
     return row * tile_size + col;
+}
+
+/// A number that is near for samples that are near each other: of squares of 8 x 8 pixels the
+/// samples follow each other by surface, and then by distance.
+std::uint64_t nearness(const CoverSample& sample) {
+    const std::size_t row = sample.pixel / tile_size / 8;
+    const std::size_t col = sample.pixel % tile_size / 8;
+    const std::uint64_t square = row * 8 + (row % 2 == 0 ? col : 7 - col);
+    return (square << 8U | sample.surface) << 32U |
+           std::bit_cast<std::uint32_t>(std::max(sample.distance, 0.0F));
 }
 
 }  // namespace
@@ -35,16 +52,17 @@ void CoverLight::put(const CoverSample& sample, std::size_t slot) {
         hits.gradient[axis][slot] = sample.gradient[axis];
 }
 
-void CoverLight::take(std::span<CoverColor> out) const {
+void CoverLight::take(std::span<const Place> some) {
     for (const LitLayer& layer : lit_.layers()) {
-        for (std::size_t k = 0; k < out.size(); ++k) {
+        for (std::size_t k = 0; k < some.size(); ++k) {
             const std::size_t slot = slot_of(k);
             if (surface_of_slot_[slot] != layer.surface) continue;
+            CoverColor& color = light_[some[k].sample];
             const auto row = static_cast<int>(slot / tile_size);
             for (int channel = 0; channel < 3; ++channel)
-                out[k][static_cast<std::size_t>(channel)] =
+                color[static_cast<std::size_t>(channel)] =
                     layer.light_row(row, channel)[slot % tile_size];
-            out[k][3] = layer.cover.empty() ? 1.0F : layer.cover[slot];
+            color[3] = layer.cover.empty() ? 1.0F : layer.cover[slot];
         }
     }
 }
@@ -59,22 +77,28 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     surface_of_slot_.resize(slots);
     hits_.resize(std::max(hits_.size(), surfaces.size()));
     light_.assign(samples.size(), CoverColor{});
+    places_.clear();
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        places_.push_back({.nearness = nearness(samples[k]), .sample = k});
+    if (frame_light.settings().shadows) std::ranges::sort(places_, {}, &Place::nearness);
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
-    const Tile of_samples{.col = tile.col,
-                          .row = tile.row,
-                          .cols = tile_size,
-                          .rows = tile_size,
-                          .limits = nullptr,
-                          .places = &places};
+    Tile of_samples{.col = tile.col,
+                    .row = tile.row,
+                    .cols = tile_size,
+                    .rows = tile_size,
+                    .limits = nullptr,
+                    .places = &places};
     for (std::size_t first = 0; first < samples.size() && !limit.over(); first += slots) {
         const std::size_t count = std::min(slots, samples.size() - first);
         for (TileHits& hits : hits_)
             hits.clear();
+        const auto some = std::span(places_).subspan(first, count);
         for (std::size_t k = 0; k < count; ++k)
-            put(samples[first + k], slot_of(k));
+            put(samples[some[k].sample], slot_of(k));
+        of_samples.rows = static_cast<int>((count + 511) / 512 * 8);
         const auto hits = std::span(hits_).first(surfaces.size());
         frame_light.light(surfaces, limit, of_samples, hits, lit_, counters);
-        take(std::span(light_).subspan(first, count));
+        take(some);
     }
     return light_;
 }
@@ -87,18 +111,29 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         float area = 0.0F;
     };
     thread_local std::vector<Sum> sums;
-    sums.assign(slots, Sum());
+    thread_local std::vector<std::uint16_t> sum_of_pixel(slots);
+    sums.assign(pixels.size(), Sum());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        sum_of_pixel[pixels[i].pixel] = static_cast<std::uint16_t>(i);
     for (std::size_t k = 0; k < samples.size(); ++k) {
-        Sum& sum = sums[samples[k].pixel];
+        Sum& sum = sums[sum_of_pixel[samples[k].pixel]];
         sum.area += samples[k].area;
         for (std::size_t channel = 0; channel < 4; ++channel)
             sum.light[channel] += samples[k].area * std::clamp(light[k][channel], 0.0F, 1.0F);
     }
-    for (const MixedPixel& pixel : pixels) {
-        const int row = tile.row + pixel.pixel / tile_size;
-        const int col = tile.col + pixel.pixel % tile_size;
-        const Sum& sum = sums[pixel.pixel];
-        const std::uint32_t behind = background_color(out.pixels.background, row, out.height);
+    int background_row = -1;
+    std::uint32_t behind = 0;
+    CoverColor background_channels{};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const int row = tile.row + pixels[i].pixel / tile_size;
+        const int col = tile.col + pixels[i].pixel % tile_size;
+        const Sum& sum = sums[i];
+        if (row != background_row) {
+            background_row = row;
+            behind = background_color(out.pixels.background, row, out.height);
+            for (unsigned channel = 0; channel < 3; ++channel)
+                background_channels[channel] = light_of_channel(behind >> 8 * channel & 0xFFU);
+        }
         // Threads are drawn wider than they are, so that there may be more than a pixel of parts.
         const float area = std::min(sum.area, 1.0F);
         const float scale = sum.area > 1.0F ? 1.0F / sum.area : 1.0F;
@@ -106,8 +141,8 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         std::uint32_t color = (alpha == 0 ? 255U : alpha) << 24U;
         const std::size_t to = out.index(col, row);
         for (unsigned channel = 0; channel < 3; ++channel) {
-            const float background = light_of_channel(behind >> 8 * channel & 0xFFU);
-            const float mixed = scale * sum.light[channel] + (1.0F - area) * background;
+            const float mixed =
+                scale * sum.light[channel] + (1.0F - area) * background_channels[channel];
             color |= channel_of_light(mixed) << 8 * channel;
         }
         out.pixels.color[to] = color;

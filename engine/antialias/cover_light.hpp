@@ -7,6 +7,8 @@
 #include "engine/trace/trace_frame.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,8 +29,15 @@ public:
 
 private:
     void put(const CoverSample& sample, std::size_t slot);
-    void take(std::span<CoverColor> out) const;
+    /// A sample, in an order in which those that are near each other follow each other.
+    struct Place {
+        std::uint64_t nearness;
+        std::size_t sample;
+    };
+    /// Takes the light of these samples, of which item k has the slot k.
+    void take(std::span<const Place> some);
 
+    std::vector<Place> places_;
     std::vector<float> cols_, rows_;
     std::vector<std::uint8_t> surface_of_slot_;
     std::vector<TileHits> hits_;

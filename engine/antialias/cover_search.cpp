@@ -135,13 +135,16 @@ void CoverSearch::finish_level() {
 }
 
 void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>& out) {
+    field_.reserve(pixels.size());
+    work_.front().drafts.reserve(pixels.size());
     for (MixedPixel& pixel : pixels) {
         if (pixel.is_sheet()) {
             work_[pixel.surface].drafts.add(pixel);
         } else {
-            field_.begin(pixel);
+            field_.add(pixel);
         }
     }
+    field_.place_all();
     do {
         finish_level();
     } while (!stopped() && field_.go_down());

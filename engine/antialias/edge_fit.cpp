@@ -37,7 +37,9 @@ std::size_t EdgeSamples::nearest_hit(const SquareRay& place) const {
     std::size_t nearest = deepest();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        const double apart = std::hypot(square_rays[i].x - place.x, square_rays[i].y - place.y);
+        const double x = square_rays[i].x - place.x;
+        const double y = square_rays[i].y - place.y;
+        const double apart = x * x + y * y;
         if (!(height[i] <= 0.0) || !(apart < least)) continue;
         nearest = i;
         least = apart;
@@ -105,7 +107,7 @@ EdgeSamples entry_samples(const SquareStretches& stretches) {
 std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too) {
     if (!samples.known) return std::nullopt;
     const auto [fit, off] = line_through(samples.height);
-    if (off <= error * std::hypot(fit.by_x, fit.by_y)) return fit;
+    if (off <= error * std::sqrt(fit.by_x * fit.by_x + fit.by_y * fit.by_y)) return fit;
     const double least = std::abs(fit.value) - std::abs(fit.by_x) - std::abs(fit.by_y);
     return flat_too && least > 4.0 * off ? std::optional(fit) : std::nullopt;
 }

@@ -21,6 +21,9 @@ struct LinearOnSquare {
 struct SquarePart {
     double share;
     double x, y;  ///< 0 where there is nothing
+
+    /// All of the square but this.
+    [[nodiscard]] SquarePart rest() const;
 };
 
 /// Where the function is at most 0.

@@ -14,6 +14,8 @@ class SampleDrafts {
 public:
     explicit SampleDrafts(std::uint8_t surface) : surface_(surface) {}
 
+    /// Makes room for so many samples.
+    void reserve(std::size_t samples) { drafts_.reserve(samples); }
     /// A sample that stands for a share of a square; its root lies between depths on the ray of a
     /// place.
     void add(const CoverSquare& square, const SquareRay& place, double share, double from,

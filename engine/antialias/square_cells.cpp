@@ -1,8 +1,17 @@
 #include "engine/antialias/square_cells.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/front_block.hpp"
 #include "engine/kernel/form_cells.hpp"
 #include "engine/real/scalar.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/antialias/square_cells.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include "engine/antialias/front_steps-inl.hpp"
+
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <array>
@@ -10,10 +19,8 @@
 #include <cstdint>
 #include <limits>
 
-namespace zeroset {
-namespace {
-
-constexpr std::size_t cells_at_once = 128;
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
 
 template <class Real>
 class SquareCells {
@@ -25,71 +32,36 @@ public:
           rays_(field.rays()),
           margin_(std::max(field.width_of(cell_margin, 0.0), 2.0 * rays_.depth_error())) {}
 
-    void evaluate(std::span<const std::size_t> squares, Counters& counters);
+    /// `to_end`: until no front goes on; else by one cell each.
+    void advance(std::span<const std::size_t> squares, bool to_end, Counters& counters);
 
 private:
-    void fill_cells(std::span<const std::size_t> squares, std::size_t size);
+    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules& rules);
     [[nodiscard]] FrustumOf<Real> frustum_of(const CoverSquare& square) const;
-    [[nodiscard]] CellVerdict verdict_of(const CoverSquare& square, const Front& front,
-                                         std::size_t cell) const;
+    [[nodiscard]] FrontRules rules_of(const CoverSquare& square) const;
+    void load(std::size_t i, std::size_t square);
+    void store(std::size_t i) const { fronts_.store(i, field_.fronts(squares_[i])[surface_]); }
+    /// Repeats the last one of `count` fronts up to whole batches; returns how many these are.
+    std::size_t pad(std::size_t count);
+    /// Puts waiting squares in the place of those among the first `count` whose fronts go on no
+    /// more; returns how many there are then.
+    std::size_t replace_ended(std::size_t count, std::span<const std::size_t>& waiting);
+    /// Sets the next cells.
+    void place_cells(std::size_t size);
+    /// Takes the fronts on by the forms of these cells.
+    void take_cells(const FrontRules& rules, std::size_t size);
+    [[nodiscard]] HWY_INLINE CellVerdict verdict_at(const FrontRules& rules, std::size_t i) const;
 
     const TraceFrame& frame_;
     std::size_t surface_;
     SquareField& field_;
     const TileRays& rays_;
     double margin_;  ///< cells are longer than their slabs by this at both ends
-    FormCells<Real, cells_at_once> cells_;
-    std::array<ContinuityMask<Real>, cells_at_once> branches_;
+    FormCells<Real, FrontBlock::room> cells_;
+    std::array<ContinuityMask<Real>, FrontBlock::room> branches_;
+    FrontBlock fronts_;
+    std::array<std::size_t, FrontBlock::room> squares_;
 };
-
-template <class Real>
-CellVerdict SquareCells<Real>::verdict_of(const CoverSquare& square, const Front& front,
-                                          std::size_t cell) const {
-    const auto number = [](Real value) { return static_cast<double>(value); };
-    const double c = number(cells_.c[cell]);
-    const double along = number(cells_.k[2][cell]);
-    const double aside = std::abs(number(cells_.k[0][cell])) + std::abs(number(cells_.k[1][cell]));
-    const double error = number(cells_.e[cell]);
-    const double middle = number(cells_.s[cell]);
-    const double radius = number(cells_.s_radius[cell]);
-    const bool known = std::isfinite(error);
-    const BranchBits branches{frame_.kernel.branches ? static_cast<std::uint32_t>(branches_[cell])
-                                                     : 0U};
-    CellVerdict verdict{
-        .from = front.at,
-        .to = front.next(),
-        .rejected = cells_.nowhere[cell] != 0 || std::abs(c) > aside + error + std::abs(along),
-        .continuous = known && cells_.continuous[cell] != 0,
-        .monotone = cells_.slope_hi[cell] < 0 || cells_.slope_neg_lo[cell] < 0,
-        .kinked = branches.may_hold_kink(),
-        .precise = known && error <= most_cell_error * aside,
-        .root_from = -Front::none,
-        .root_to = Front::none,
-        .turn = 0.0,
-        .growth = 1.0};
-    // The error goes with the square of the length, or nearly so.
-    if (verdict.rejected) {
-        verdict.growth = std::abs(c) / (aside + error + std::abs(along));
-        return verdict;
-    }
-    if (!known) return verdict;
-    if (!verdict.precise) verdict.growth = std::sqrt(most_cell_error * aside / error);
-    if (along == 0.0) return verdict;
-    constexpr double slack = 16 * std::numeric_limits<Real>::epsilon();
-    const double per_along = 1.0 / along;
-    const double at = -c * per_along;
-    const double spare =
-        (aside + error) * std::abs(per_along) * (1.0 + slack) + slack * (1.0 + std::abs(at));
-    verdict.root_from = middle + radius * (at - spare);
-    verdict.root_to = middle + radius * (at + spare);
-    if (!(verdict.root_from > verdict.from && verdict.root_to < verdict.to)) return verdict;
-    // The form's linear part is f's gradient, in parts of the cell's radii.
-    const double across =
-        square.is_ray() ? 0.0 : aside / (0.5 * field_.width_of(square.side, middle));
-    const double size = std::max(across, std::abs(along) / radius);
-    verdict.turn = (number(cells_.slope_hi[cell]) + number(cells_.slope_neg_lo[cell])) / size;
-    return verdict;
-}
 
 template <class Real>
 FrustumOf<Real> SquareCells<Real>::frustum_of(const CoverSquare& square) const {
@@ -110,45 +82,174 @@ FrustumOf<Real> SquareCells<Real>::frustum_of(const CoverSquare& square) const {
 }
 
 template <class Real>
-void SquareCells<Real>::fill_cells(std::span<const std::size_t> squares, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) {
-        const std::size_t at = squares[std::min(i, squares.size() - 1)];
-        const CoverSquare& square = field_.square(at);
-        const Front& front = field_.fronts(at)[surface_];
-        const double to = front.next();
-        cells_.u[i] = static_cast<Real>(rays_.u(SquareField::col_of(square, square_middle)));
-        cells_.v[i] = static_cast<Real>(rays_.v(SquareField::row_of(square, square_middle)));
-        cells_.s[i] = static_cast<Real>(0.5 * front.at + 0.5 * to);
-        const auto middle = static_cast<double>(cells_.s[i]);
-        cells_.s_radius[i] = upper_end(Real{}, std::max(to - middle, middle - front.at) + margin_);
-    }
+FrontRules SquareCells<Real>::rules_of(const CoverSquare& square) const {
+    return {.fair_width = rays_.pixel() * SquareField::fair_side(square),
+            .half_width = 0.5 * rays_.pixel() * square.side,
+            .distance = rays_.distance(),
+            .margin = margin_,
+            .slack = 16 * static_cast<double>(std::numeric_limits<Real>::epsilon())};
 }
 
 template <class Real>
-void SquareCells<Real>::evaluate(std::span<const std::size_t> squares, Counters& counters) {
-    const CoverSquare& model = field_.square(squares.front());
-    const FrustumOf<Real> frustum = frustum_of(model);
-    for (std::size_t first = 0; first < squares.size() && !frame_.stopped();
-         first += cells_at_once) {
-        const auto some = squares.subspan(first, std::min(cells_at_once, squares.size() - first));
-        const std::size_t size = padded(some.size(), frame_.kernel.lane_multiple);
-        fill_cells(some, size);
-        counters.form += some.size();
-        auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
-        batch.branches = branches_.data();
-        if (model.is_ray()) {
-            frame_.kernel.ray_form(batch);
-        } else {
-            frame_.kernel.form(batch);
+void SquareCells<Real>::load(std::size_t i, std::size_t square) {
+    const CoverSquare& of = field_.square(square);
+    cells_.u[i] = static_cast<Real>(rays_.u(SquareField::col_of(of, square_middle)));
+    cells_.v[i] = static_cast<Real>(rays_.v(SquareField::row_of(of, square_middle)));
+    fronts_.load(i, field_.fronts(square)[surface_]);
+    squares_[i] = square;
+}
+
+template <class Real>
+std::size_t SquareCells<Real>::pad(std::size_t count) {
+    const std::size_t size = padded(count, frame_.kernel.lane_multiple);
+    for (std::size_t i = count; i < size; ++i) {
+        cells_.u[i] = cells_.u[count - 1];
+        cells_.v[i] = cells_.v[count - 1];
+        fronts_.copy(count - 1, i);
+    }
+    return size;
+}
+
+template <class Real>
+std::size_t SquareCells<Real>::replace_ended(std::size_t count,
+                                             std::span<const std::size_t>& waiting) {
+    for (std::size_t i = 0; i < count;) {
+        if (fronts_.is_going(i)) {
+            ++i;
+            continue;
         }
-        for (std::size_t i = 0; i < some.size(); ++i) {
-            const CoverSquare& square = field_.square(some[i]);
-            Front& front = field_.fronts(some[i])[surface_];
-            front.advance(verdict_of(square, front, i),
-                          {.fair_length = field_.fair_length(square, front.at), .margin = margin_});
+        store(i);
+        if (!waiting.empty()) {
+            load(i++, waiting.front());
+            waiting = waiting.subspan(1);
+        } else if (--count != i) {
+            cells_.u[i] = cells_.u[count];
+            cells_.v[i] = cells_.v[count];
+            squares_[i] = squares_[count];
+            fronts_.copy(count, i);
         }
     }
+    return count;
 }
+
+HWY_INLINE void store_numbers(V<double> numbers, double* to) { hn::StoreU(numbers, d<double>, to); }
+/// Rounded upward, as all here.
+HWY_INLINE void store_numbers(V<double> numbers, float* to) {
+    const hn::Rebind<float, Tag<double>> tag;
+    hn::StoreU(hn::DemoteTo(tag, numbers), tag, to);
+}
+
+template <class Real>
+void SquareCells<Real>::place_cells(std::size_t size) {
+    const V<double> half = hn::Set(d<double>, 0.5);
+    const V<double> margin = hn::Set(d<double>, margin_);
+    for (std::size_t i = 0; i < size; i += lanes<double>) {
+        const V<double> from = hn::LoadU(d<double>, &fronts_.at[i]);
+        const V<double> to = next_of(fronts_, i);
+        store_numbers(hn::Add(hn::Mul(half, from), hn::Mul(half, to)), &cells_.s[i]);
+        const V<double> middle = load_doubles(d<double>, &cells_.s[i]);
+        store_numbers(hn::Add(hn::Max(hn::Sub(to, middle), hn::Sub(middle, from)), margin),
+                      &cells_.s_radius[i]);
+    }
+}
+
+/// Words of either width as wide ones.
+HWY_INLINE MarkWords::Words wide_words(const std::uint64_t* words) {
+    return hn::LoadU(MarkWords::tag, words);
+}
+HWY_INLINE MarkWords::Words wide_words(const std::uint32_t* words) {
+    return hn::PromoteTo(MarkWords::tag,
+                         hn::LoadU(hn::Rebind<std::uint32_t, Tag<double>>(), words));
+}
+/// The lanes in whose words a bit is set.
+template <class Word>
+HWY_INLINE M<double> bit_at(const Word* words, std::uint64_t bit) {
+    return MarkWords(wide_words(words)).has(bit);
+}
+
+template <class Real>
+CellVerdict SquareCells<Real>::verdict_at(const FrontRules& rules, std::size_t i) const {
+    const auto numbers = [i](const auto& of) { return load_doubles(d<double>, &of[i]); };
+    const CellForm form{
+        .c = numbers(cells_.c),
+        .along = numbers(cells_.k[2]),
+        .aside = hn::Add(hn::Abs(numbers(cells_.k[0])), hn::Abs(numbers(cells_.k[1]))),
+        .error = numbers(cells_.e),
+        .middle = numbers(cells_.s),
+        .radius = numbers(cells_.s_radius),
+        .slope_hi = numbers(cells_.slope_hi),
+        .slope_neg_lo = numbers(cells_.slope_neg_lo),
+        .continuous = bit_at(&cells_.continuous[i], 1),
+        .nowhere = bit_at(&cells_.nowhere[i], 1),
+        .kinked = bit_at(&branches_[i], BranchBits::kink)};
+    return judge(form, rules, fronts_, i);
+}
+
+template <class Real>
+void SquareCells<Real>::take_cells(const FrontRules& rules, std::size_t size) {
+    for (std::size_t i = 0; i < size; i += lanes<double>)
+        step(fronts_, i, verdict_at(rules, i), rules);
+}
+
+template <class Real>
+void SquareCells<Real>::evaluate(std::size_t size, const FrustumOf<Real>& frustum,
+                                 const FrontRules& rules) {
+    place_cells(size);
+    auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
+    batch.branches = branches_.data();
+    if (rules.half_width > 0.0) {
+        frame_.kernel.form(batch);
+    } else {
+        frame_.kernel.ray_form(batch);
+    }
+    take_cells(rules, size);
+}
+
+template <class Real>
+void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_end,
+                                Counters& counters) {
+    const CoverSquare& model = field_.square(squares.front());
+    const FrustumOf<Real> frustum = frustum_of(model);
+    const FrontRules rules = rules_of(model);
+    if (!frame_.kernel.branches) branches_.fill(0);
+    std::size_t count = 0;
+    while ((count > 0 || !squares.empty()) && !frame_.stopped()) {
+        while (count < FrontBlock::room && !squares.empty()) {
+            load(count++, squares.front());
+            squares = squares.subspan(1);
+        }
+        counters.form += count;
+        evaluate(pad(count), frustum, rules);
+        if (to_end) {
+            count = replace_ended(count, squares);
+            continue;
+        }
+        for (; count > 0; --count)
+            store(count - 1);
+    }
+}
+
+void advance_by_floats(const TraceFrame& frame, std::size_t surface, SquareField& field,
+                       std::span<const std::size_t> squares, Counters& counters) {
+    SquareCells<float>(frame, surface, field).advance(squares, field.is_of_one_surface(), counters);
+}
+
+void advance_by_doubles(const TraceFrame& frame, std::size_t surface, SquareField& field,
+                        std::span<const std::size_t> squares, Counters& counters) {
+    SquareCells<double>(frame, surface, field)
+        .advance(squares, field.is_of_one_surface(), counters);
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+namespace {
+
+HWY_EXPORT(advance_by_floats);
+HWY_EXPORT(advance_by_doubles);
 
 }  // namespace
 
@@ -156,10 +257,12 @@ void advance_fronts(const TraceFrame& frame, std::size_t surface, SquareField& f
                     std::span<const std::size_t> squares, Counters& counters) {
     if (squares.empty()) return;
     if (frame.precision == Precision::Double) {
-        SquareCells<double>(frame, surface, field).evaluate(squares, counters);
+        HWY_DYNAMIC_DISPATCH(advance_by_doubles)(frame, surface, field, squares, counters);
     } else {
-        SquareCells<float>(frame, surface, field).evaluate(squares, counters);
+        HWY_DYNAMIC_DISPATCH(advance_by_floats)(frame, surface, field, squares, counters);
     }
 }
 
 }  // namespace zeroset
+
+#endif

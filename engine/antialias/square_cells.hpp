@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-/// Evaluates the next cell of a surface's front in each of some squares, all of one level, and
-/// takes the fronts on by what it says. In upward rounding.
+/// Takes a surface's fronts in some squares, all of one level, on: by one cell each; or, where
+/// there is only this surface, until none goes on. In upward rounding.
 void advance_fronts(const TraceFrame& frame, std::size_t surface, SquareField& field,
                     std::span<const std::size_t> squares, Counters& counters);
 

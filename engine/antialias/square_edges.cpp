@@ -3,10 +3,14 @@
 #include "engine/antialias/cover_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace zeroset {
 namespace {
+
+/// So many rays at once: what is known of them stays near.
+constexpr std::size_t most_rays = 128;
 
 constexpr SquarePart unknown_part{.share = 0.0, .x = 0.0, .y = 0.0};
 
@@ -88,9 +92,8 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     const RayRoot root = samples.bracket(stretches, nearest);
     drafts_.add(at, is_sure ? middle : square_rays[nearest], part.share, root.from, root.to,
                 Certificate::Certified);
-    field_.keep_rest(
-        square, surface_,
-        {.share = 1.0 - part.share, .part = part_below_zero(-fit), .misses = samples.misses()});
+    field_.keep_rest(square, surface_,
+                     {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
     return false;
 }
 
@@ -143,23 +146,34 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
     return false;
 }
 
-void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open) {
-    const bool are_rays = !squares.empty() && field_.square(squares.front()).is_ray();
+void SquareEdges::decide_some(std::span<const std::size_t> squares, bool are_rays,
+                              std::vector<std::size_t>& open) {
+    std::array<RayStretch, most_rays> stretches;
     const std::size_t count = are_rays ? 1 : square_ray_count;
-    std::vector<RayStretch> stretches;
-    stretches.reserve(squares.size() * count);
+    std::size_t size = 0;
     for (const std::size_t i : squares) {
         const Front& front = field_.fronts(i)[surface_];
         for (const SquareRay& ray : std::span(square_rays).first(count))
-            stretches.push_back(field_.stretch_of(field_.square(i), front, ray));
+            stretches[size++] = SquareField::stretch_of(field_.square(i), front, ray);
+        field_.clip(front, std::span(stretches).first(size).last(count));
     }
-    find_least(frame_, field_.rays(), stretches, counters_);
+    find_least(frame_, field_.rays(), std::span(stretches).first(size), counters_);
     for (std::size_t k = 0; k < squares.size(); ++k) {
         const auto of_square = std::span(stretches).subspan(k * count, count);
         SquareStretches all{};
         std::ranges::copy(of_square, all.begin());
         const bool goes_on = are_rays ? take_ray(squares[k], all.front()) : take(squares[k], all);
         if (goes_on) open.push_back(squares[k]);
+    }
+}
+
+void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open) {
+    const bool are_rays = !squares.empty() && field_.square(squares.front()).is_ray();
+    const std::size_t most = are_rays ? most_rays : most_rays / square_ray_count;
+    while (!squares.empty()) {
+        const std::size_t count = std::min(most, squares.size());
+        decide_some(squares.first(count), are_rays, open);
+        squares = squares.subspan(count);
     }
     walls_.decide();
     creases_.decide();

@@ -34,6 +34,8 @@ public:
     void decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
 
 private:
+    void decide_some(std::span<const std::size_t> squares, bool are_rays,
+                     std::vector<std::size_t>& open);
     /// Whether the search of the square goes on behind the edge.
     bool take(std::size_t square, const SquareStretches& stretches);
     bool take_line(std::size_t square, const SquareStretches& stretches, const EdgeSamples& samples,

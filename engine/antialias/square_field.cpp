@@ -1,38 +1,74 @@
 #include "engine/antialias/square_field.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/square_depths.hpp"
 
 #include <cmath>
 
 namespace zeroset {
 
-void SquareField::place(const CoverSquare& square, Front& front) const {
-    const double radius = 0.5 * square.side * rays_.pixel();
-    const DepthRange depths = rays_.depths(rays_.u(col_of(square, square_middle)),
-                                           rays_.v(row_of(square, square_middle)), radius, radius);
+void SquareField::place_all() {
+    const auto depths = [&](std::size_t first, std::size_t count) -> const SquareDepths& {
+        thread_local SquareDepths room;
+        for (std::size_t i = 0; i < count; ++i) {
+            const CoverSquare& square = squares_[first + i];
+            room.u[i] = rays_.u(col_of(square, square_middle));
+            room.v[i] = rays_.v(row_of(square, square_middle));
+        }
+        find_depths(rays_, 0.5 * squares_[first].side * rays_.pixel(), count, room);
+        return room;
+    };
+    for (std::size_t first = 0; first < squares_.size(); first += SquareDepths::room) {
+        const std::size_t count = std::min(SquareDepths::room, squares_.size() - first);
+        const SquareDepths& of_squares = depths(first, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (Front& front : fronts(first + i)) {
+                if (!front.placed) place(squares_[first + i], of_squares.range(i), front);
+            }
+        }
+    }
+}
+
+void SquareField::place(const CoverSquare& square, const DepthRange& depths, Front& front) const {
+    front.placed = true;
     front.at = std::max(front.at, depths.enter_lo);
-    front.end = depths.exit_hi;
+    front.end = std::min(front.end, depths.exit_hi);
     front.inside_from = depths.enter_hi;
     front.inside_to = depths.exit_lo;
-    front.state = front.at < front.end ? Front::State::Going : Front::State::Gone;
+    if (square.whole != nullptr) {
+        // The first cell goes behind the hit of the pixel's own ray, if there is one.
+        const double hit = hit_depth(*square.whole);
+        const double fair = width_of(1.0, front.at);
+        // A little more, so that roots end before the last cell.
+        front.end = std::min(front.end, static_cast<double>(square.whole->to) + 2.0 * fair);
+        front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
+    }
+    begin_part(square, front);
+}
+
+void SquareField::begin_part(const CoverSquare& square, Front& front) const {
+    front.step = std::max(front.step, fair_length(square, front.at));
+    // Cells of rays have no width: long ones tell as much.
+    if (square.is_ray()) front.step = std::max(front.step, 0.25 * (front.end - front.at));
+    if (!(front.at < front.end)) front.state = Front::State::Gone;
 }
 
 RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front,
-                                   const SquareRay& place) const {
-    const double col = col_of(square, place);
-    const double row = row_of(square, place);
-    RayStretch stretch{.col = col, .row = row, .from = front.at, .to = front.to};
-    if (front.is_inside(front.at, front.to)) return stretch;
-    const TileRays::Stretch inside = rays_.stretch_inside(rays_.u(col), rays_.v(row));
-    stretch.from = std::max(front.at, inside.from);
-    stretch.to = std::min(front.to, inside.to);
-    return stretch;
+                                   const SquareRay& place) {
+    return {.col = col_of(square, place),
+            .row = row_of(square, place),
+            .from = front.at,
+            .to = front.to};
+}
+
+void SquareField::clip(const Front& front, std::span<RayStretch> stretches) const {
+    if (!front.is_inside(front.at, front.to)) clip_stretches(rays_, stretches);
 }
 
 double SquareField::hit_depth(const MixedPixel& pixel) const {
     const double u = rays_.u(pixel.pixel % tile_size);
     const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));
-    return static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+    return static_cast<double>(pixel.hit) / std::sqrt(1.0 + u * u + v * v) - rays_.look_distance();
 }
 
 bool SquareField::is_hit_between(std::size_t square, double from, double to) const {
@@ -43,21 +79,10 @@ bool SquareField::is_hit_between(std::size_t square, double from, double to) con
     return from - spare <= hit && hit <= to + spare;
 }
 
-void SquareField::begin(MixedPixel& pixel) {
-    const CoverSquare square{
-        .pixel = pixel.pixel, .least_level = pixel.least_level, .whole = &pixel};
+void SquareField::add(MixedPixel& pixel) {
+    squares_.push_back({.pixel = pixel.pixel, .least_level = pixel.least_level, .whole = &pixel});
     Front front;
     front.at = static_cast<double>(pixel.from);
-    place(square, front);
-    if (front.state == Front::State::Gone) return;
-    // The first cell goes behind the hit of the pixel's own ray, if there is one.
-    const double hit = hit_depth(pixel);
-    const double fair = width_of(1.0, front.at);
-    // A little more, so that roots end before the last cell.
-    front.end = std::min(front.end, static_cast<double>(pixel.to) + 2.0 * fair);
-    if (!(front.at < front.end)) return;
-    front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
-    squares_.push_back(square);
     fronts_.insert(fronts_.end(), surfaces_, front);
 }
 
@@ -79,22 +104,17 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     for (const Front& of_whole : fronts(square)) {
         Front front;
         front.at = of_whole.at;
-        if (of_whole.state != Front::State::Going && of_whole.is_inside(of_whole.at, of_whole.to)) {
+        front.end = of_whole.end;
+        front.step = of_whole.state == Front::State::Going ? of_whole.step
+                                                           : 1.1 * (of_whole.to - of_whole.at);
+        if (of_whole.state == Front::State::Gone) front.state = Front::State::Gone;
+        const bool goes = of_whole.state == Front::State::Going;
+        front.placed = !goes && of_whole.is_inside(of_whole.at, of_whole.to);
+        if (front.placed) {
             front.inside_from = of_whole.inside_from;
             front.inside_to = of_whole.inside_to;
-            front.end = of_whole.end;
-        } else {
-            place(part, front);
-            front.end = std::min(front.end, of_whole.end);
+            begin_part(part, front);
         }
-        if (!(front.at < front.end)) front.state = Front::State::Gone;
-        if (of_whole.state == Front::State::Gone) front.state = Front::State::Gone;
-        const double length = of_whole.state == Front::State::Going
-                                  ? of_whole.step
-                                  : 1.1 * (of_whole.to - of_whole.at);
-        front.step = std::max(length, fair_length(part, front.at));
-        // Cells of rays have no width: long ones tell as much.
-        if (part.is_ray()) front.step = std::max(front.step, 0.25 * (front.end - front.at));
         any = any || front.state != Front::State::Gone;
         of_part.push_back(front);
     }
@@ -140,6 +160,7 @@ bool SquareField::go_down() {
         squares_.swap(ray_squares_);
         fronts_.swap(ray_fronts_);
     }
+    place_all();
     return !squares_.empty();
 }
 

@@ -21,6 +21,7 @@ public:
     SquareField(const TileRays& rays, std::size_t surfaces) : rays_(rays), surfaces_(surfaces) {}
 
     [[nodiscard]] std::size_t size() const { return squares_.size(); }
+    [[nodiscard]] bool is_of_one_surface() const { return surfaces_ == 1; }
     [[nodiscard]] const CoverSquare& square(std::size_t i) const { return squares_[i]; }
     /// The fronts of a square, one for each surface.
     [[nodiscard]] std::span<Front> fronts(std::size_t i) {
@@ -41,14 +42,27 @@ public:
     /// The longest cell that is not halved. Thinner squares learn little from shorter cells: rays
     /// do.
     [[nodiscard]] double fair_length(const CoverSquare& square, double s) const {
-        return width_of(std::max(square.side, 0.25), s);
+        return width_of(fair_side(square), s);
     }
-    /// The stretch of a place's ray that the front leaves open; empty outside of the clip region.
-    [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
-                                        const SquareRay& place) const;
+    /// Its length in pixels.
+    [[nodiscard]] static double fair_side(const CoverSquare& square) {
+        return std::max(square.side, 0.25);
+    }
+    /// The stretch of a place's ray that the front leaves open.
+    [[nodiscard]] static RayStretch stretch_of(const CoverSquare& square, const Front& front,
+                                               const SquareRay& place);
+    /// Shortens such stretches to what is in the clip region; outside of it they are empty.
+    void clip(const Front& front, std::span<RayStretch> stretches) const;
 
-    /// Searches all of a pixel; `pixel` must outlive the field.
-    void begin(MixedPixel& pixel);
+    /// Makes room for so many pixels.
+    void reserve(std::size_t pixels) {
+        squares_.reserve(pixels);
+        fronts_.reserve(pixels * surfaces_);
+    }
+    /// Adds all of a pixel to be searched; `pixel` must outlive the field.
+    void add(MixedPixel& pixel);
+    /// Begins the search where the squares' rays enter the clip region.
+    void place_all();
     /// Whether the square is a pixel of which the own hit lies between two depths.
     [[nodiscard]] bool is_hit_between(std::size_t square, double from, double to) const;
     /// That hit stands for the pixel.
@@ -67,8 +81,9 @@ public:
 private:
     /// Of the hit of a pixel's own ray; +inf: there is none.
     [[nodiscard]] double hit_depth(const MixedPixel& pixel) const;
-    /// Begins a front, no nearer than `front.at`.
-    void place(const CoverSquare& square, Front& front) const;
+    /// Begins a front, no nearer than `front.at`, nor farther than `front.end`.
+    void place(const CoverSquare& square, const DepthRange& depths, Front& front) const;
+    void begin_part(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.
     void add_part(std::size_t square, const CoverSquare& part);
     void divide_rest(std::size_t square, const SquareRest& rest);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace zeroset {
@@ -15,14 +16,18 @@ auto SquareWalls::add(std::size_t square, const SquareStretches& stretches,
     std::size_t outside_count = 0;
     for (const RayStretch& stretch : stretches)
         outside_count += stretch.is_empty() ? 1U : 0U;
+    const CoverSquare& at = field_.square(square);
+    std::array<RayStretch, square_corners.size()> corners{};
+    for (std::size_t i = 0; i < square_corners.size(); ++i)
+        corners[i] = SquareField::stretch_of(at, front, square_corners[i]);
+    field_.clip(front, corners);
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
-        outside_at[i] =
-            field_.stretch_of(field_.square(square), front, square_corners[i]).is_empty();
+        outside_at[i] = corners[i].is_empty();
         outside_count += outside_at[i] ? 1U : 0U;
     }
     if (outside_count == 0) return Choice::None;
     const bool outside = outside_count == square_ray_count + square_corners.size();
-    if (outside && field_.square(square).level >= first_flat_level) return Choice::Outside;
+    if (outside && at.level >= first_flat_level) return Choice::Outside;
     Task task{.square = square, .stretches = stretches, .places = {}, .ways = {}};
     for (std::size_t i = 0; i < square_ray_count; ++i)
         task.places.push_back({.at = square_rays[i], .hit = stretches[i].has_root()});
@@ -46,8 +51,9 @@ void SquareWalls::narrow() {
         for (const Task& task : tasks_) {
             const Front& front = field_.fronts(task.square)[surface_];
             for (std::size_t way = 0; way < 2; ++way)
-                stretches.push_back(
-                    field_.stretch_of(field_.square(task.square), front, task.ways.middle(way)));
+                stretches.push_back(SquareField::stretch_of(field_.square(task.square), front,
+                                                            task.ways.middle(way)));
+            field_.clip(front, std::span(stretches).last(2));
         }
         find_least(frame_, field_.rays(), stretches, counters_);
         for (std::size_t k = 0; k < stretches.size(); ++k) {
@@ -65,12 +71,12 @@ void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
         misses[i] = !task.stretches[i].has_root();
         if (!misses[i]) hit = i;
     }
-    const double share = part_below_zero(line).share;
+    const SquarePart part = part_below_zero(line);
     const RayStretch& ray = task.stretches[hit];
-    drafts_.add(field_.square(task.square), square_rays[hit], share, ray.from, ray.at,
+    drafts_.add(field_.square(task.square), square_rays[hit], part.share, ray.from, ray.at,
                 Certificate::Certified);
     field_.keep_rest(task.square, surface_,
-                     {.share = 1.0 - share, .part = part_below_zero(-line), .misses = misses});
+                     {.share = 1.0 - part.share, .part = part.rest(), .misses = misses});
 }
 
 void SquareWalls::decide() {

@@ -14,7 +14,7 @@ constexpr double least_length = 0.4;
 double length_between(const WallWays& ways) {
     const SquareRay a = ways.middle(0);
     const SquareRay b = ways.middle(1);
-    return std::hypot(b.x - a.x, b.y - a.y);
+    return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
 }
 
 }  // namespace

@@ -59,6 +59,22 @@ TEST(HalfSquare, BothSidesMakeTheSquare) {
     }
 }
 
+TEST(HalfSquare, TheRestIsTheOtherSide) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    for (int i = 0; i < 1000; ++i) {
+        // Some lines run along a side.
+        const LinearOnSquare f{.value = number(random),
+                               .by_x = i % 5 == 0 ? 0.0 : number(random),
+                               .by_y = i % 7 == 0 ? 0.0 : number(random)};
+        const SquarePart rest = part_below_zero(f).rest();
+        const SquarePart other = part_below_zero(-f);
+        ASSERT_NEAR(rest.share, other.share, 1e-12);
+        ASSERT_NEAR(rest.share * rest.x, other.share * other.x, 1e-12);
+        ASSERT_NEAR(rest.share * rest.y, other.share * other.y, 1e-12);
+    }
+}
+
 TEST(HalfSquare, IsAllOrNothing) {
     EXPECT_EQ(part_below_zero({.value = -3.0, .by_x = 1.0, .by_y = 1.0}).share, 1.0);
     EXPECT_EQ(part_below_zero({.value = 3.0, .by_x = 1.0, .by_y = 1.0}).share, 0.0);

@@ -1,0 +1,292 @@
+// What the form of a front's next cell tells, and the step that follows from it; for a vector of
+// fronts at once.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_FRONT_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_FRONT_STEPS_INL
+#undef ZEROSET_FRONT_STEPS_INL
+#else
+#define ZEROSET_FRONT_STEPS_INL
+#endif
+
+#include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/front_block.hpp"
+#include "engine/trace/simd/vectors-inl.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// The lengths and bounds that steer the search along beams of squares of one level.
+struct FrontRules {
+    double fair_width;  ///< times the distance from the eye: the longest cell that is not halved
+    double half_width;  ///< so, half the width of a square; 0: rays
+    double distance;    ///< of depth 0
+    double margin;      ///< by which cells are longer than their slabs, at both ends
+    double slack;       ///< of roots, for rounding
+};
+
+/// Forms of cells, slabs of squares' beams.
+struct CellForm {
+    V<double> c, along, aside, error;  ///< aside: of both directions across
+    V<double> middle, radius;          ///< the slabs
+    V<double> slope_hi, slope_neg_lo;  ///< of f along the rays
+    M<double> continuous, nowhere, kinked;
+};
+
+/// Cells as their forms judge all of their rays.
+struct CellVerdict {
+    V<double> from, to;    ///< the slabs
+    M<double> rejected;    ///< no ray has a root
+    M<double> continuous;  ///< f is
+    M<double> monotone;    ///< f rises on all rays, or falls: there is at most one root on each
+    M<double> kinked;      ///< f may have a kink
+    M<double> precise;     ///< the form's error is small beside its change across the square
+    /// Where its linear part lets roots be, perhaps beyond the slab.
+    V<double> root_from, root_to;
+    V<double> turn;  ///< the width of the enclosure of normal . view, where roots end in the slab
+    /// How much longer the next cell may be: rejected, or precise, if f goes on as it does here.
+    V<double> growth;
+    V<double> fair;  ///< the longest cell that is not halved
+};
+
+HWY_INLINE V<double> number(double value) { return hn::Set(d<double>, value); }
+
+/// Where the next cells end.
+HWY_INLINE V<double> next_of(const FrontBlock& fronts, std::size_t i) {
+    const V<double> to =
+        hn::Add(hn::LoadU(d<double>, &fronts.at[i]), hn::LoadU(d<double>, &fronts.step[i]));
+    return hn::Min(to, hn::LoadU(d<double>, &fronts.end[i]));
+}
+
+HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
+                             const FrontBlock& fronts, std::size_t i) {
+    const V<double> one = number(1.0);
+    const V<double> zero = hn::Zero(d<double>);
+    const V<double> steepness = hn::Abs(form.along);
+    const V<double> size = hn::Abs(form.c);
+    const V<double> most = hn::Add(hn::Add(form.aside, form.error), steepness);
+    const M<double> known = hn::IsFinite(form.error);
+    CellVerdict verdict{};
+    verdict.from = hn::LoadU(d<double>, &fronts.at[i]);
+    verdict.to = next_of(fronts, i);
+    verdict.rejected = hn::Or(form.nowhere, hn::Gt(size, most));
+    verdict.continuous = hn::And(known, form.continuous);
+    verdict.monotone = hn::Or(hn::Lt(form.slope_hi, zero), hn::Lt(form.slope_neg_lo, zero));
+    verdict.kinked = form.kinked;
+    const V<double> most_error = hn::Mul(number(most_cell_error), form.aside);
+    verdict.precise = hn::And(known, hn::Le(form.error, most_error));
+    verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
+    // The error goes with the square of the length, or nearly so.
+    const M<double> coarse = hn::AndNot(verdict.precise, known);
+    const V<double> shorter = hn::Sqrt(hn::Div(most_error, form.error));
+    verdict.growth =
+        hn::IfThenElse(verdict.rejected, hn::Div(size, most), hn::IfThenElse(coarse, shorter, one));
+    // Where the linear part vanishes.
+    const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
+    const V<double> per_along = hn::Div(one, form.along);
+    const V<double> at = hn::Neg(hn::Mul(form.c, per_along));
+    const V<double> slack = number(rules.slack);
+    const V<double> spare = hn::Add(
+        hn::Mul(hn::Mul(hn::Add(form.aside, form.error), hn::Abs(per_along)), hn::Add(one, slack)),
+        hn::Mul(slack, hn::Add(one, hn::Abs(at))));
+    const auto depth_at = [&](V<double> t) {
+        return hn::Add(form.middle, hn::Mul(form.radius, t));
+    };
+    verdict.root_from =
+        hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
+    verdict.root_to = hn::IfThenElse(sloped, depth_at(hn::Add(at, spare)), hn::Inf(d<double>));
+    // The form's linear part is f's gradient, in parts of the cell's radii.
+    V<double> gradient = hn::Div(steepness, form.radius);
+    if (rules.half_width > 0.0) {
+        const V<double> half =
+            hn::Mul(number(rules.half_width), hn::Add(number(rules.distance), form.middle));
+        gradient = hn::Max(hn::Div(form.aside, half), gradient);
+    }
+    verdict.turn = hn::Div(hn::Add(form.slope_hi, form.slope_neg_lo), gradient);
+    return verdict;
+}
+
+/// FrontMarks of a vector of fronts.
+class MarkWords {
+public:
+    using Words = hn::Vec<hn::RebindToUnsigned<Tag<double>>>;
+    static constexpr hn::RebindToUnsigned<Tag<double>> tag{};
+    static constexpr std::uint64_t state = 0xFF;
+    static constexpr std::uint64_t continuous = std::uint64_t{1} << 8U;
+    static constexpr std::uint64_t kinked = std::uint64_t{1} << 16U;
+    static constexpr std::uint64_t stretched = std::uint64_t{1} << 24U;
+    static constexpr std::uint64_t monotone = std::uint64_t{1} << 32U;
+    static constexpr std::uint64_t one_cell = std::uint64_t{1} << 40U;
+    static constexpr std::uint64_t cells = 0xFF * one_cell;
+
+    explicit MarkWords(Words words) : words_(words) {}
+    [[nodiscard]] Words words() const { return words_; }
+    [[nodiscard]] HWY_INLINE M<double> has(std::uint64_t bit) const {
+        return hn::RebindMask(d<double>, hn::TestBit(words_, hn::Set(tag, bit)));
+    }
+    /// Sets or clears a bit in some lanes.
+    HWY_INLINE void set(std::uint64_t bit, M<double> lanes, M<double> value) {
+        const Words on = hn::Set(tag, bit);
+        const Words cleared = hn::AndNot(on, words_);
+        const Words with = hn::IfThenElse(hn::RebindMask(tag, value), hn::Or(cleared, on), cleared);
+        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), with, words_);
+    }
+    HWY_INLINE void set_state(FrontMarks::State to, M<double> lanes) {
+        const Words cleared = hn::AndNot(hn::Set(tag, state), words_);
+        const Words with = hn::Or(cleared, hn::Set(tag, static_cast<std::uint64_t>(to)));
+        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), with, words_);
+    }
+    /// Counts one more open cell; the first one where a stretch begins.
+    HWY_INLINE void count_cell(M<double> lanes, M<double> begins) {
+        const Words before = hn::IfThenElse(hn::RebindMask(tag, begins),
+                                            hn::AndNot(hn::Set(tag, cells), words_), words_);
+        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), hn::Add(before, hn::Set(tag, one_cell)),
+                                words_);
+    }
+
+private:
+    Words words_;
+};
+
+inline constexpr std::uint64_t most_open_cells = 8;  // a power of two
+/// How much longer than the cell before it a cell is at most, and how much shorter.
+inline constexpr double most_growth = 4.0;
+inline constexpr double least_growth = 0.125;
+/// In fair lengths: cells whose forms are not precise are not longer.
+inline constexpr double most_rough_lengths = 1.5;
+/// Roots that lie in fewer fair lengths are looked for in one cell.
+inline constexpr double most_fair_lengths = 8.0;
+
+/// What is done with cells; in no two of these a lane is set.
+struct CellSteps {
+    M<double> free;         ///< go on behind the cell
+    M<double> free_behind;  ///< it ends a stretch
+    M<double> root_behind;  ///< roots of all rays end a stretch
+    M<double> halved;       ///< there may be several roots on a ray, of which the first is wanted
+    M<double> narrowed;     ///< a long cell tells more of f beside the sheet than of the sheet
+    M<double> rooted;       ///< it holds the first root of every ray
+    M<double> shortened;    ///< the form is not precise
+    M<double> lengthened;   ///< all rays seem to leave it with a root
+    M<double> open;         ///< it is left as a part of a stretch
+};
+
+HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                              const MarkWords& marks, const FrontRules& rules) {
+    const auto times = [](double factor, V<double> of) { return hn::Mul(number(factor), of); };
+    const M<double> is_open =
+        hn::Lt(hn::LoadU(d<double>, &fronts.open_from[i]), hn::Inf(d<double>));
+    const M<double> begins = hn::Gt(cell.root_from, cell.from);
+    const M<double> ends = hn::Lt(cell.root_to, cell.to);
+    const M<double> inside =
+        hn::And(hn::Ge(cell.root_from, hn::LoadU(d<double>, &fronts.inside_from[i])),
+                hn::Le(cell.root_to, hn::LoadU(d<double>, &fronts.inside_to[i])));
+    const V<double> length = hn::Sub(cell.to, cell.from);
+    const V<double> width = hn::Sub(cell.root_to, cell.root_from);
+    CellSteps steps{};
+    steps.free = hn::AndNot(is_open, cell.rejected);
+    steps.free_behind = hn::And(is_open, cell.rejected);
+    // Roots of all rays.
+    const M<double> all =
+        hn::AndNot(cell.rejected, hn::And(hn::And(cell.continuous, inside), hn::And(begins, ends)));
+    steps.root_behind = hn::And(is_open, all);
+    const M<double> first = hn::AndNot(is_open, all);
+    steps.halved = hn::And(hn::AndNot(cell.monotone, first), hn::Gt(length, times(2.0, cell.fair)));
+    const V<double> turn =
+        hn::IfThenElse(cell.kinked, number(most_turn_of(true)), number(most_turn_of(false)));
+    const M<double> coarse = hn::And(
+        hn::Gt(cell.turn, turn), hn::Gt(length, times(3.0, hn::Add(width, number(rules.margin)))));
+    steps.narrowed = hn::And(hn::AndNot(steps.halved, first), coarse);
+    steps.rooted = hn::AndNot(hn::Or(steps.halved, steps.narrowed), first);
+    // Of some, or none.
+    const M<double> others = hn::Not(hn::Or(cell.rejected, all));
+    steps.shortened = hn::And(hn::AndNot(cell.precise, others),
+                              hn::Gt(length, times(most_rough_lengths, cell.fair)));
+    const M<double> fits = hn::And(hn::Lt(cell.to, hn::LoadU(d<double>, &fronts.end[i])),
+                                   hn::Lt(width, times(most_fair_lengths, cell.fair)));
+    const M<double> leaves = hn::AndNot(ends, hn::And(begins, cell.precise));
+    steps.lengthened = hn::And(hn::AndNot(steps.shortened, others),
+                               hn::AndNot(marks.has(MarkWords::stretched), hn::And(leaves, fits)));
+    steps.open = hn::AndNot(hn::Or(steps.shortened, steps.lengthened), others);
+    return steps;
+}
+
+/// Sets the marks of stretches and roots; returns which stretches end at the end of their cell.
+HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                               const CellSteps& steps, MarkWords& marks) {
+    const V<double> open_from = hn::LoadU(d<double>, &fronts.open_from[i]);
+    const M<double> is_open = hn::Lt(open_from, hn::Inf(d<double>));
+    const M<double> begins = hn::AndNot(is_open, steps.open);
+    hn::StoreU(hn::IfThenElse(begins, cell.from, open_from), d<double>, &fronts.open_from[i]);
+    marks.count_cell(steps.open, begins);
+    marks.set(MarkWords::continuous, steps.open,
+              hn::And(cell.continuous, hn::Or(begins, marks.has(MarkWords::continuous))));
+    const M<double> kinked = hn::Or(cell.kinked, hn::AndNot(begins, marks.has(MarkWords::kinked)));
+    marks.set(MarkWords::kinked, hn::Or(steps.open, steps.root_behind), kinked);
+    const V<double> end = hn::LoadU(d<double>, &fronts.end[i]);
+    return hn::And(steps.open,
+                   hn::Or(marks.has(most_open_cells * MarkWords::one_cell), hn::Ge(cell.to, end)));
+}
+
+/// Takes what is known of the fronts' next cells.
+HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                     const FrontRules& rules) {
+    MarkWords marks(hn::LoadU(MarkWords::tag, &fronts.marks[i]));
+    const CellSteps steps = steps_of(fronts, i, cell, marks, rules);
+    const V<double> length = hn::Sub(cell.to, cell.from);
+    const V<double> width = hn::Sub(cell.root_to, cell.root_from);
+    const V<double> margin = number(rules.margin);
+    const auto where = [](M<double> lanes, V<double> yes, V<double> no) {
+        return hn::IfThenElse(lanes, yes, no);
+    };
+
+    const M<double> closed = mark_open(fronts, i, cell, steps, marks);
+    marks.set(MarkWords::stretched, hn::Or(hn::Or(steps.free, steps.open), steps.lengthened),
+              steps.lengthened);
+    marks.set(MarkWords::monotone, steps.rooted, cell.monotone);
+    marks.set(MarkWords::kinked, steps.rooted, cell.kinked);
+
+    // Where the search goes on.
+    const V<double> quarter = hn::Add(hn::Mul(number(0.25), width), margin);
+    const V<double> near = hn::Max(cell.from, hn::Sub(cell.root_from, quarter));
+    V<double> at = where(hn::Or(steps.free, steps.open), cell.to, cell.from);
+    at = where(steps.narrowed, near, where(steps.rooted, cell.root_from, at));
+    // How far.
+    const V<double> longer = hn::Min(hn::Max(cell.growth, number(1.0)), number(most_growth));
+    const V<double> shorter = hn::Min(hn::Max(cell.growth, number(least_growth)), number(0.5));
+    const V<double> past_roots = hn::Sub(hn::Add(cell.root_to, quarter), near);
+    V<double> next = hn::LoadU(d<double>, &fronts.step[i]);
+    next = where(steps.free, hn::Mul(longer, length), next);
+    next = where(steps.halved, hn::Mul(number(0.5), length), next);
+    next = where(steps.narrowed, past_roots, next);
+    next = where(steps.shortened, hn::Max(hn::Mul(shorter, length), cell.fair), next);
+    next = where(steps.lengthened, hn::Add(hn::Sub(cell.root_to, cell.from), quarter), next);
+    // Roots, and stretches that end; so far before the roots that the next cell holds them, too.
+    const M<double> edged = hn::Or(closed, hn::Or(steps.free_behind, steps.root_behind));
+    const V<double> before_roots =
+        hn::Max(cell.from, hn::Sub(cell.root_from, hn::Add(width, margin)));
+    V<double> to = hn::LoadU(d<double>, &fronts.to[i]);
+    to = where(steps.rooted, cell.root_to, to);
+    to = where(closed, cell.to, to);
+    to = where(steps.free_behind, cell.from, to);
+    to = where(steps.root_behind, before_roots, to);
+    at = where(edged, hn::LoadU(d<double>, &fronts.open_from[i]), at);
+
+    const V<double> end = hn::LoadU(d<double>, &fronts.end[i]);
+    marks.set_state(FrontMarks::State::Gone, hn::And(steps.free, hn::Ge(at, end)));
+    marks.set_state(FrontMarks::State::Rooted, steps.rooted);
+    marks.set_state(FrontMarks::State::Edged, edged);
+    hn::StoreU(at, d<double>, &fronts.at[i]);
+    hn::StoreU(to, d<double>, &fronts.to[i]);
+    hn::StoreU(next, d<double>, &fronts.step[i]);
+    hn::StoreU(where(steps.rooted, cell.turn, hn::LoadU(d<double>, &fronts.turn[i])), d<double>,
+               &fronts.turn[i]);
+    hn::StoreU(marks.words(), MarkWords::tag, &fronts.marks[i]);
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,222 @@
+// How near to 0 f comes in stretches of rays, for vectors of rays.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_LEAST_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_LEAST_SEARCH_INL
+#undef ZEROSET_LEAST_SEARCH_INL
+#else
+#define ZEROSET_LEAST_SEARCH_INL
+#endif
+
+#include "engine/antialias/ray_stretches.hpp"
+#include "engine/antialias/ray_values-inl.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// Places on rays: f there, with the sign that it has at the stretch's near end, and df/ds.
+struct Places {
+    V<double> s, f, slope;
+};
+
+/// `part` of the way from a to b; half of it where that is not between them.
+HWY_INLINE V<double> between(const Places& a, V<double> length, V<double> part) {
+    const M<double> inner = hn::And(hn::Gt(part, hn::Zero(d<double>)), hn::Lt(part, number(1.0)));
+    const V<double> within = hn::IfThenElse(inner, part, number(0.5));
+    const V<double> clamped = hn::Min(hn::Max(within, number(0.02)), number(0.98));
+    return hn::MulAdd(clamped, length, a.s);
+}
+
+/// Where the cubic through two places with these slopes is least.
+HWY_INLINE V<double> least_of_cubic(const Places& a, const Places& b) {
+    const V<double> length = hn::Sub(b.s, a.s);
+    const V<double> chord = hn::Div(hn::Sub(b.f, a.f), length);
+    const V<double> p = hn::NegMulAdd(number(3.0), chord, hn::Add(a.slope, b.slope));
+    const V<double> square = hn::NegMulAdd(a.slope, b.slope, hn::Mul(p, p));
+    const V<double> root = hn::Sqrt(hn::Max(square, hn::Zero(d<double>)));
+    const V<double> change = hn::MulAdd(number(2.0), root, hn::Sub(b.slope, a.slope));
+    const V<double> rest = hn::Div(hn::Sub(hn::Add(b.slope, root), p), change);
+    return between(a, length, hn::Sub(number(1.0), rest));
+}
+
+/// Where the tangents at two places meet: where f is least if it has a kink between them, and is
+/// straight on both sides.
+HWY_INLINE V<double> meeting_of_tangents(const Places& a, const Places& b) {
+    const V<double> length = hn::Sub(b.s, a.s);
+    const V<double> rise = hn::NegMulAdd(b.slope, length, hn::Sub(b.f, a.f));
+    return between(a, length, hn::Div(rise, hn::Mul(hn::Sub(a.slope, b.slope), length)));
+}
+
+/// The search in some stretches. Plain data, nothing of it set at first.
+class LeastSearch {
+public:
+    static constexpr std::size_t room = 128;
+
+    void search(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
+                Counters& counters);
+
+private:
+    void load_rays(const TileRays& rays, std::span<const RayStretch> stretches, std::size_t size);
+    void store_rays(std::span<RayStretch> stretches) const;
+    /// Takes f at the ends; whether df/ds changes its sign in any of a vector's stretches.
+    HWY_INLINE bool begin(std::size_t i, const RayLines& lines, std::size_t far_end);
+    /// Chooses the next places.
+    [[nodiscard]] HWY_INLINE V<double> choose(std::size_t i, int step) const;
+    /// Takes f there; whether any of a vector's searches goes on.
+    HWY_INLINE bool take(std::size_t i, const RayLines& lines, std::size_t point);
+    [[nodiscard]] HWY_INLINE Places lo_at(std::size_t i) const {
+        return {.s = load(lo_s_ + i), .f = load(lo_f_ + i), .slope = load(lo_slope_ + i)};
+    }
+    [[nodiscard]] HWY_INLINE Places hi_at(std::size_t i) const {
+        return {.s = load(hi_s_ + i), .f = load(hi_f_ + i), .slope = load(hi_slope_ + i)};
+    }
+    HWY_INLINE void keep_best(std::size_t i, M<double> lanes, V<double> s, V<double> f,
+                              const Vectors3& gradient);
+
+    using Column = double[room];
+
+    alignas(64) Column u_, v_;
+    /// The stretches; df/ds is below 0 at the one end, and above at the other one.
+    alignas(64) Column lo_s_, lo_f_, lo_slope_, hi_s_, hi_f_, hi_slope_;
+    alignas(64) Column near_, far_, sign_, tolerance_, open_;
+    /// Where f is least so far.
+    alignas(64) Column s_, f_, gradient_[3], inner_, by_col_, by_row_;
+    alignas(64) Column next_;
+    RayPoints points_;
+};
+
+inline void LeastSearch::load_rays(const TileRays& rays, std::span<const RayStretch> stretches,
+                                   std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) {
+        const RayStretch& stretch = stretches[std::min(i, stretches.size() - 1)];
+        u_[i] = rays.u(stretch.col);
+        v_[i] = rays.v(stretch.row);
+        lo_s_[i] = stretch.from;
+        hi_s_[i] = stretch.to;
+    }
+}
+
+inline void LeastSearch::store_rays(std::span<RayStretch> stretches) const {
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        RayStretch& stretch = stretches[i];
+        stretch.near = near_[i];
+        stretch.far = far_[i];
+        stretch.least = f_[i];
+        stretch.at = s_[i];
+        stretch.inner = inner_[i] != 0.0;
+        stretch.by_col = by_col_[i];
+        stretch.by_row = by_row_[i];
+    }
+}
+
+HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double> s, V<double> f,
+                                       const Vectors3& gradient) {
+    const V<double> sign = load(sign_ + i);
+    store_in(lanes, s, s_ + i);
+    store_in(lanes, f, f_ + i);
+    store_in(lanes, hn::Mul(sign, gradient.x), gradient_[0] + i);
+    store_in(lanes, hn::Mul(sign, gradient.y), gradient_[1] + i);
+    store_in(lanes, hn::Mul(sign, gradient.z), gradient_[2] + i);
+}
+
+HWY_INLINE bool LeastSearch::begin(std::size_t i, const RayLines& lines, std::size_t far_end) {
+    const V<double> zero = hn::Zero(d<double>);
+    const V<double> near = points_.f_at(i);
+    const V<double> far = points_.f_at(far_end + i);
+    const Vectors3 near_gradient = points_.gradient_at(i);
+    const Vectors3 far_gradient = points_.gradient_at(far_end + i);
+    const V<double> sign = hn::IfThenElse(hn::Ge(near, zero), number(1.0), number(-1.0));
+    const V<double> lo = hn::Mul(sign, near);
+    const V<double> hi = hn::Mul(sign, far);
+    const V<double> lo_slope = hn::Mul(sign, dot(near_gradient, lines.direction));
+    const V<double> hi_slope = hn::Mul(sign, dot(far_gradient, lines.direction));
+    store(near, near_ + i);
+    store(far, far_ + i);
+    store(sign, sign_ + i);
+    store(lo, lo_f_ + i);
+    store(hi, hi_f_ + i);
+    store(lo_slope, lo_slope_ + i);
+    store(hi_slope, hi_slope_ + i);
+    store(zero, inner_ + i);
+    store(hn::Mul(number(1e-7), hn::Max(hn::Abs(lo), hn::Abs(hi))), tolerance_ + i);
+    const M<double> farther = hn::Lt(hi, lo);
+    keep_best(i, hn::Not(farther), load(lo_s_ + i), lo, near_gradient);
+    keep_best(i, farther, load(hi_s_ + i), hi, far_gradient);
+    const M<double> open = hn::And(hn::Lt(lo_slope, zero), hn::Gt(hi_slope, zero));
+    store(flags(open), open_ + i);
+    return !hn::AllFalse(d<double>, open);
+}
+
+HWY_INLINE V<double> LeastSearch::choose(std::size_t i, int step) const {
+    return step % 3 == 1 ? meeting_of_tangents(lo_at(i), hi_at(i))
+                         : least_of_cubic(lo_at(i), hi_at(i));
+}
+
+HWY_INLINE bool LeastSearch::take(std::size_t i, const RayLines& lines, std::size_t point) {
+    const M<double> open = flags_at(open_ + i);
+    const V<double> sign = load(sign_ + i);
+    const Vectors3 gradient = points_.gradient_at(point);
+    const Places place{.s = load(next_ + i),
+                       .f = hn::Mul(sign, points_.f_at(point)),
+                       .slope = hn::Mul(sign, dot(gradient, lines.direction))};
+    const M<double> better = hn::AndNot(hn::Gt(place.f, load(f_ + i)), open);
+    keep_best(i, better, place.s, place.f, gradient);
+    store_in(better, number(1.0), inner_ + i);
+    const M<double> falls = hn::Lt(place.slope, hn::Zero(d<double>));
+    const M<double> is_lo = hn::And(falls, open);
+    const M<double> is_hi = hn::AndNot(falls, open);
+    store_in(is_lo, place.s, lo_s_ + i);
+    store_in(is_lo, place.f, lo_f_ + i);
+    store_in(is_lo, place.slope, lo_slope_ + i);
+    store_in(is_hi, place.s, hi_s_ + i);
+    store_in(is_hi, place.f, hi_f_ + i);
+    store_in(is_hi, place.slope, hi_slope_ + i);
+    const V<double> lower = hn::Mul(hn::Sub(load(hi_s_ + i), load(lo_s_ + i)),
+                                    hn::Min(hn::Neg(load(lo_slope_ + i)), load(hi_slope_ + i)));
+    const M<double> still = hn::AndNot(hn::Le(lower, load(tolerance_ + i)), open);
+    store(flags(still), open_ + i);
+    return !hn::AllFalse(d<double>, still);
+}
+
+inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
+                                std::span<RayStretch> stretches, Counters& counters) {
+    constexpr int most_steps = 16;
+    const TileLines lines(rays);
+    const std::size_t size = padded(stretches.size());
+    load_rays(rays, stretches, size);
+    const auto lines_at = [&](std::size_t i) { return lines.at(load(u_ + i), load(v_ + i)); };
+    OpenParts<room> open(size);
+    open.for_each([&](std::size_t i, std::size_t) {
+        points_.ask(i, lines_at(i), load(lo_s_ + i));
+        points_.ask(size + i, lines_at(i), load(hi_s_ + i));
+    });
+    points_.evaluate(frame, 2 * size);
+    counters.value += 2 * stretches.size();
+    open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), size); });
+    for (int step = 0; step < most_steps && open.size() > 0 && !frame.stopped(); ++step) {
+        open.for_each([&](std::size_t i, std::size_t point) {
+            const V<double> next = choose(i, step);
+            store(next, next_ + i);
+            points_.ask(point, lines_at(i), next);
+        });
+        points_.evaluate(frame, open.size());
+        counters.value += open.size();
+        open.keep([&](std::size_t i, std::size_t point) { return take(i, lines_at(i), point); });
+    }
+    for (std::size_t i = 0; i < size; i += lanes<double>) {
+        const Vectors3 gradient{
+            .x = load(gradient_[0] + i), .y = load(gradient_[1] + i), .z = load(gradient_[2] + i)};
+        store(lines.by_col(gradient, load(s_ + i)), by_col_ + i);
+        store(lines.by_row(gradient, load(s_ + i)), by_row_ + i);
+    }
+    store_rays(stretches);
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/antialias/ray_stretches.hpp"
+#include "engine/trace/tile_rays.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace zeroset {
+
+/// Places of squares of one size, and where their rays are inside of the clip region, as
+/// TileRays::depths has it. Plain data, nothing of it set at first.
+struct SquareDepths {
+    static constexpr std::size_t room = 64;
+
+    alignas(64) std::array<double, room> u, v;
+    alignas(64) std::array<double, room> enter_lo, enter_hi, exit_lo, exit_hi;  ///< out
+
+    [[nodiscard]] DepthRange range(std::size_t i) const {
+        return {.enter_lo = enter_lo[i],
+                .enter_hi = enter_hi[i],
+                .exit_lo = exit_lo[i],
+                .exit_hi = exit_hi[i]};
+    }
+};
+
+/// Fills in what is `out` of the first `count`; `radius`: of the squares, in u and v. In upward
+/// rounding.
+void find_depths(const TileRays& rays, double radius, std::size_t count, SquareDepths& squares);
+
+/// Shortens stretches to where their rays are inside of the clip region.
+void clip_stretches(const TileRays& rays, std::span<RayStretch> stretches);
+
+}  // namespace zeroset
