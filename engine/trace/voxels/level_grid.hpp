@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/voxels/block_lanes.hpp"
+#include "engine/trace/voxels/cell_mask.hpp"
 #include "engine/trace/voxels/ray_block.hpp"
 #include "engine/trace/voxels/ray_cubic.hpp"
 #include "engine/volume/volume.hpp"
@@ -15,80 +15,19 @@
 
 namespace zeroset {
 
-/// The layers of a slab, the least and the greatest one.
-struct LayerRange {
-    std::int32_t low, high;
-};
-
-/// Which cells of a slab may hold the level: a bit each.
-struct CellMask {
-    static constexpr int most_cells = 63;  ///< along each axis across
-    static constexpr int most_layers = 4;
-
-    CellRectangle cells{};
-    LayerRange layers{};
-    bool any = false;
-    std::array<std::array<std::uint64_t, most_cells>, most_layers> bits{};
-    std::array<bool, most_layers> layer_any{};
-
-    /// Cells beyond its rectangle do not hold it, or no ray is in them.
-    [[nodiscard]] bool may_hold(std::int32_t i, std::int32_t j, std::int32_t layer) const {
-        if (i < cells.i_first || i > cells.i_last || j < cells.j_first || j > cells.j_last)
-            return false;
-        const auto row = static_cast<std::size_t>(j - cells.j_first);
-        return (bits[static_cast<std::size_t>(layer - layers.low)][row] >> (i - cells.i_first) &
-                1U) != 0;
-    }
-    /// Whether rays_near can be asked: the rectangle fits in NearCells.
-    [[nodiscard]] bool is_small() const {
-        return cells.i_last - cells.i_first < 32 && cells.j_last - cells.j_first < 64;
-    }
-    /// The marked cells of a layer, but for where they are.
-    [[nodiscard]] NearCells near(std::int32_t layer) const {
-        NearCells near;
-        const auto& of = bits[static_cast<std::size_t>(layer - layers.low)];
-        const auto rows = static_cast<std::size_t>(cells.j_last - cells.j_first + 1);
-        for (std::size_t row = 0; row < rows; ++row) {
-            std::uint64_t marks = of[row];
-            for (std::size_t behind = row + 1; behind <= row + 2 && behind < rows; ++behind)
-                marks |= of[behind];
-            near.rows[row] = static_cast<std::uint32_t>(marks | marks >> 1U | marks >> 2U);
-        }
-        return near;
-    }
-    /// Whether cells between these places may hold it.
-    [[nodiscard]] bool may_hold_between(double i_low, double i_high, double j_low, double j_high,
-                                        std::int32_t layer) const {
-        // Truncated to cells: from the rectangle's first one on, places are above 0.
-        const std::int32_t first = std::max(static_cast<std::int32_t>(i_low - cells.i_first), 0);
-        const std::int32_t last = std::min(static_cast<std::int32_t>(i_high - cells.i_first),
-                                           cells.i_last - cells.i_first);
-        const std::int32_t first_row =
-            std::max(static_cast<std::int32_t>(j_low - cells.j_first), 0);
-        const std::int32_t last_row = std::min(static_cast<std::int32_t>(j_high - cells.j_first),
-                                               cells.j_last - cells.j_first);
-        if (first > last) return false;
-        const auto& rows = bits[static_cast<std::size_t>(layer - layers.low)];
-        const std::uint64_t wanted = (std::uint64_t{2} << last) - (std::uint64_t{1} << first);
-        for (std::int32_t row = first_row; row <= last_row; ++row) {
-            if ((rows[static_cast<std::size_t>(row)] & wanted) != 0) return true;
-        }
-        return false;
-    }
-};
-
 /// A grid of samples and a level: where a trilinear function comes nearer to it than `error`.
 /// Samples are float, or whole numbers that are exact in float.
 template <class Sample>
 class LevelGrid {
 public:
     LevelGrid(const VolumeData& data, const Sample* samples, double level, double error)
-        : pyramid_(data.pyramid<Sample>()), samples_(samples), level_(level) {
+        : pyramid_(data.pyramid<Sample>()), samples_(samples), level_(level), error_(error) {
         const auto& size = data.samples().size;
         strides_ = {1, static_cast<std::ptrdiff_t>(size[0]),
                     static_cast<std::ptrdiff_t>(size[0] * size[1])};
-        above_ = outward(level + error, std::numeric_limits<float>::infinity());
-        below_ = outward(level - error, -std::numeric_limits<float>::infinity());
+        bounds_ = {.level = static_cast<float>(level),
+                   .above = outward(level + error, std::numeric_limits<float>::infinity()),
+                   .below = outward(level - error, -std::numeric_limits<float>::infinity())};
     }
 
     [[nodiscard]] int top_level() const { return pyramid_.levels() - 1; }
@@ -101,8 +40,12 @@ public:
     /// The part of a slab's cells whose bricks of the lowest level may hold the level.
     [[nodiscard]] CellRectangle in_bricks(const CellRectangle& cells, std::int32_t layer,
                                           const WalkAxes& axes) const;
-    /// Finds the cells of a slab that may hold the level. At most CellMask's numbers of cells.
-    void find(const CellRectangle& cells, const LayerRange& layers, const WalkAxes& axes,
+    /// Begins with a slab. At most CellMask's numbers of cells.
+    void begin(const CellRectangle& cells, const LayerRange& layers, const WalkAxes& axes,
+               CellMask& mask) const;
+    /// Finds the cells of a layer of the slab that may hold the level; those beyond the rays' reach
+    /// do not count.
+    void mark(std::int32_t layer, const RayReach& reach, const WalkAxes& axes,
               CellMask& mask) const;
     /// The corners of a cell, less the level, in the order of the grid's own axes.
     [[nodiscard]] CellCorners corners(const std::array<std::int32_t, 3>& cell) const {
@@ -137,13 +80,47 @@ private:
         std::ptrdiff_t i_stride, j_stride;
         std::size_t count, rows;  ///< along both
     };
-    using PatchBits = std::array<SampleBits, CellMask::most_cells + 1>;
-    void find_bits(const Patch& patch, PatchBits& bits) const;
+    /// The samples about some cells of a layer, on its lower side.
+    [[nodiscard]] Patch patch_of(const CellRectangle& cells, std::int32_t layer,
+                                 const WalkAxes& axes) const {
+        return {.first = samples_ + cells.i_first * strides_[axes.i] +
+                         cells.j_first * strides_[axes.j] + layer * strides_[axes.k],
+                .i_stride = strides_[axes.i],
+                .j_stride = strides_[axes.j],
+                .count = static_cast<std::size_t>(cells.i_last - cells.i_first + 2),
+                .rows = static_cast<std::size_t>(cells.j_last - cells.j_first + 2)};
+    }
+    /// Copies a slab's samples.
+    static void copy(const Patch& patch, std::ptrdiff_t k_stride, std::size_t slices,
+                     SlabSamples& slab);
+    static bool is_row(const Patch& patch) {
+        return std::is_same_v<Sample, float> && patch.i_stride == 1;
+    }
+    /// The bits of rows of a slice of samples, which `slab` takes from the patch, or has copied.
+    void take(const Patch& patch, std::size_t slice, const SlabRows& rows, SlabSamples& slab,
+              CellMask::FaceBits& bits) const {
+        if constexpr (std::is_same_v<Sample, float>) {
+            if (is_row(patch)) {
+                return take_slice(patch.first, patch.j_stride, bounds_, slice, rows, slab,
+                                  bits.data());
+            }
+        }
+        take_slice(slab.row_at(slice, 0), static_cast<std::ptrdiff_t>(slab.row), bounds_, slice,
+                   rows, slab, bits.data());
+    }
+    void find_bits(const Patch& patch, CellMask::FaceBits& bits) const;
+    void find_face(std::size_t slice, const RayReach& reach, const WalkAxes& axes,
+                   CellMask& mask) const;
+    static void copy_row(const Patch& patch, std::size_t row, float* to) {
+        const Sample* const from = patch.first + static_cast<std::ptrdiff_t>(row) * patch.j_stride;
+        for (std::size_t i = 0; i < patch.count; ++i)
+            to[i] = static_cast<float>(from[static_cast<std::ptrdiff_t>(i) * patch.i_stride]);
+    }
 
     const Pyramid<Sample>& pyramid_;
     const Sample* samples_;
-    double level_;
-    float above_ = 0, below_ = 0;
+    double level_, error_;
+    LevelBounds bounds_{};
     std::array<std::ptrdiff_t, 3> strides_{};
 };
 
@@ -159,8 +136,8 @@ void LevelGrid<Sample>::visit_bricks(int level, const CellRectangle& cells, std:
             at[axes.i] = i;
             at[axes.j] = j;
             const auto& brick = pyramid_.brick(level, at[0], at[1], at[2]);
-            const bool may_hold =
-                (static_cast<float>(brick.lo) < above_) && (static_cast<float>(brick.hi) > below_);
+            const bool may_hold = (static_cast<float>(brick.lo) < bounds_.above) &&
+                                  (static_cast<float>(brick.hi) > bounds_.below);
             if (may_hold && !take(i, j)) return;
         }
     }
@@ -203,58 +180,104 @@ CellRectangle LevelGrid<Sample>::in_bricks(const CellRectangle& cells, std::int3
 }
 
 template <class Sample>
-void LevelGrid<Sample>::find_bits(const Patch& patch, PatchBits& bits) const {
+void LevelGrid<Sample>::copy(const Patch& patch, std::ptrdiff_t k_stride, std::size_t slices,
+                             SlabSamples& slab) {
+    if (patch.i_stride == 1) {
+        for (std::size_t slice = 0; slice < slices; ++slice) {
+            Patch of = patch;
+            of.first += static_cast<std::ptrdiff_t>(slice) * k_stride;
+            for (std::size_t row = 0; row < patch.rows; ++row)
+                copy_row(of, row, slab.row_at(slice, row));
+        }
+        return;
+    }
+    for (std::size_t row = 0; row < patch.rows; ++row) {
+        const Sample* from = patch.first + static_cast<std::ptrdiff_t>(row) * patch.j_stride;
+        for (std::size_t i = 0; i < patch.count; ++i, from += patch.i_stride) {
+            for (std::size_t slice = 0; slice < slices; ++slice) {
+                slab.row_at(slice, row)[i] =
+                    static_cast<float>(from[static_cast<std::ptrdiff_t>(slice) * k_stride]);
+            }
+        }
+    }
+}
+
+template <class Sample>
+void LevelGrid<Sample>::find_bits(const Patch& patch, CellMask::FaceBits& bits) const {
     if constexpr (std::is_same_v<Sample, float>) {
         if (patch.i_stride == 1) {
-            return sample_bits(patch.first, patch.j_stride, patch.rows, patch.count, above_, below_,
+            return sample_bits(patch.first, patch.j_stride, patch.rows, patch.count, bounds_,
                                bits.data());
         }
     }
     std::array<float, CellMask::most_cells + 1> samples;
     for (std::size_t row = 0; row < patch.rows; ++row) {
-        const Sample* const from = patch.first + static_cast<std::ptrdiff_t>(row) * patch.j_stride;
-        for (std::size_t i = 0; i < patch.count; ++i)
-            samples[i] = static_cast<float>(from[static_cast<std::ptrdiff_t>(i) * patch.i_stride]);
-        sample_bits(samples.data(), 0, 1, patch.count, above_, below_, &bits[row]);
+        copy_row(patch, row, samples.data());
+        sample_bits(samples.data(), 0, 1, patch.count, bounds_, &bits[row]);
     }
 }
 
 template <class Sample>
-void LevelGrid<Sample>::find(const CellRectangle& cells, const LayerRange& layers,
-                             const WalkAxes& axes, CellMask& mask) const {
+void LevelGrid<Sample>::begin(const CellRectangle& cells, const LayerRange& layers,
+                              const WalkAxes& axes, CellMask& mask) const {
     mask.cells = cells;
     mask.layers = layers;
-    mask.any = false;
-    Patch patch{.first = samples_ + cells.i_first * strides_[axes.i] +
-                         cells.j_first * strides_[axes.j] + layers.low * strides_[axes.k],
-                .i_stride = strides_[axes.i],
-                .j_stride = strides_[axes.j],
-                .count = static_cast<std::size_t>(cells.i_last - cells.i_first + 2),
-                .rows = static_cast<std::size_t>(cells.j_last - cells.j_first + 2)};
-    const std::uint64_t valid = (std::uint64_t{1} << (patch.count - 1)) - 1;
-    // All four samples of a cell's face across the axis, of this layer's side and of the next one
-    std::array<PatchBits, 2> faces;
-    for (int side = 0; side <= layers.high - layers.low + 1; ++side) {
-        PatchBits& face = faces[static_cast<std::size_t>(side & 1)];
+    mask.known = {};
+    if (!mask.is_small()) return;
+    const Patch patch = patch_of(cells, layers.low, axes);
+    mask.samples.begin(patch.count, patch.rows);
+    const auto slices = static_cast<std::size_t>(layers.high - layers.low + 2);
+    if (!is_row(patch)) copy(patch, strides_[axes.k], slices, mask.samples);
+}
+
+/// Finds the bits of a slice's faces, where rays may be in the layers on both sides.
+template <class Sample>
+void LevelGrid<Sample>::find_face(std::size_t slice, const RayReach& reach, const WalkAxes& axes,
+                                  CellMask& mask) const {
+    const std::int32_t layer = mask.layers.low + static_cast<std::int32_t>(slice);
+    const Patch patch = patch_of(mask.cells, layer, axes);
+    CellMask::FaceBits& face = mask.faces[slice];
+    const SlabRows cells = mask.rows_of(
+        reach.cells(std::max(layer - 1, mask.layers.low), std::min(layer, mask.layers.high)));
+    if (mask.is_small()) {
+        take(patch, slice, {.first = cells.first, .last = cells.last + 1}, mask.samples, face);
+    } else {
         find_bits(patch, face);
-        patch.first += strides_[axes.k];
-        for (std::size_t row = 0; row + 1 < patch.rows; ++row) {
-            const std::uint64_t above = face[row].above & face[row + 1].above;
-            const std::uint64_t below = face[row].below & face[row + 1].below;
-            face[row] = {.above = above & above >> 1U, .below = below & below >> 1U};
-        }
-        if (side == 0) continue;
-        const auto layer = static_cast<std::size_t>(side - 1);
-        std::uint64_t any = 0;
-        for (std::size_t row = 0; row + 1 < patch.rows; ++row) {
-            const std::uint64_t free = (faces[0][row].above & faces[1][row].above) |
-                                       (faces[0][row].below & faces[1][row].below);
-            mask.bits[layer][row] = ~free & valid;
-            any |= mask.bits[layer][row];
-        }
-        mask.layer_any[layer] = any != 0;
-        mask.any = mask.any || any != 0;
     }
+    for (std::size_t row = cells.first; row <= cells.last; ++row) {
+        const std::uint64_t above = face[row].above & face[row + 1].above;
+        const std::uint64_t below = face[row].below & face[row + 1].below;
+        face[row] = {.above = above & above >> 1U, .below = below & below >> 1U};
+    }
+    mask.known[slice] = true;
+}
+
+template <class Sample>
+void LevelGrid<Sample>::mark(std::int32_t layer, const RayReach& reach, const WalkAxes& axes,
+                             CellMask& mask) const {
+    const auto lower = static_cast<std::size_t>(layer - mask.layers.low);
+    for (const std::size_t slice : {lower, lower + 1}) {
+        if (!mask.known[slice]) find_face(slice, reach, axes, mask);
+    }
+    const CellRectangle& cells = mask.cells;
+    const std::uint64_t valid = (std::uint64_t{2} << (cells.i_last - cells.i_first)) - 1;
+    const CellMask::FaceBits& low = mask.faces[lower];
+    const CellMask::FaceBits& high = mask.faces[lower + 1];
+    mask.rows = mask.rows_of(reach.cells(layer, layer));
+    mask.bits = {};
+    std::uint64_t any = 0;
+    for (std::size_t row = mask.rows.first; row <= mask.rows.last; ++row) {
+        const std::uint64_t free =
+            (low[row].above & high[row].above) | (low[row].below & high[row].below);
+        mask.bits[row] = ~free & valid;
+        any |= mask.bits[row];
+    }
+    mask.layer = layer;
+    mask.any = any != 0;
+    // What places in floats make of f (block_lanes.cpp), the rounding of the level, and underflows
+    constexpr float of_places = 0x1p-11F;
+    mask.error = of_places * mask.samples.largest +
+                 static_cast<float>(0x1p-22 * std::abs(level_) + error_) + 0x1p-120F;
 }
 
 }  // namespace zeroset

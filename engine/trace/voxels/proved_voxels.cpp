@@ -5,9 +5,10 @@
 //   slab     some layers, one behind the other
 // Bundles of 8 x 8 rays go through the pyramid of minima and maxima together: its bricks between
 // the bundle's outermost rays are looked at slab by slab, front to back. In a slab of four layers
-// that may hold the level, the cells that may are marked by a bit each, for all rays at once. Each
-// ray goes through the marked cells of these layers one by one; in them f is a cubic along it, of
-// which Bernstein coefficients tell all (ray_cubic.hpp).
+// that may hold the level, the cells that may are marked by a bit each, for all rays at once. In
+// each cell f is a cubic along a ray, of which Bernstein coefficients tell all: in floats, a ray a
+// lane, they exclude most layers (block_lanes.cpp). In the others each ray goes through the marked
+// cells one by one, in double (ray_cubic.hpp).
 //
 // What is proved: in double, numbers are known to +-error (`GridBounds`), and places to less than
 // that changes f by. A ray that slips by rounding through the edge of another cell than those it is
@@ -31,20 +32,16 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace zeroset {
 namespace {
 
-constexpr int block_size = 8;  ///< pixels along a side of a bundle
-
-/// A ray of a bundle that has not ended.
+/// A ray of a bundle that came near the surface and has not ended.
 struct OpenRay {
     std::uint32_t pixel = 0;
     IndexRays::Ray ray{};
-    /// Its place across the axis k as a line in the place along it.
-    double i_at = 0, i_slope = 0, j_at = 0, j_slope = 0;
     double per_layer = 0;  ///< depth from a layer to the next one up
-    bool begun = false;    ///< what follows is known
     double from = 0, to = 0;
     FirstRoot root = {};
 };
@@ -73,33 +70,46 @@ public:
 
     /// False: bundles cannot go through the grid from here.
     bool run() {
-        const RayBlock whole = bundle(0, 0, tile_.cols, tile_.rows, from_front());
+        const bool done = run_bundles();
+        counters_.value += looks_;
+        return done;
+    }
+
+private:
+    /// Some pixels of the tile.
+    struct Pixels {
+        int col, row, cols, rows;
+    };
+
+    bool run_bundles() {
+        const Pixels all{.col = 0, .row = 0, .cols = tile_.cols, .rows = tile_.rows};
+        const RayBlock whole = block_of(all, -std::numeric_limits<double>::infinity());
         if (!whole.usable()) return false;
         const double from = first_depth(whole);
+        count(all, 1);
         if (!std::isfinite(from)) return true;
         for (int row = 0; row < tile_.rows; row += block_size) {
             for (int col = 0; col < tile_.cols; col += block_size) {
-                const int cols = std::min(block_size, tile_.cols - col);
-                const int rows = std::min(block_size, tile_.rows - row);
-                if (frame_.stopped()) {
-                    hits_.leave(col, row, cols, rows);
-                } else {
-                    trace_block(col, row, cols, rows, from);
+                const Pixels pixels{.col = col,
+                                    .row = row,
+                                    .cols = std::min(block_size, tile_.cols - col),
+                                    .rows = std::min(block_size, tile_.rows - row)};
+                const RayBlock block = block_of(pixels, from);
+                if (frame_.stopped() || !block.usable()) {
+                    hits_.leave(pixels.col, pixels.row, pixels.cols, pixels.rows);
+                } else if (!block.empty()) {
+                    trace(pixels, block);
                 }
             }
         }
         return true;
     }
-
-private:
-    static double from_front() { return -std::numeric_limits<double>::infinity(); }
-
-    /// The bundle of some pixels' rays, from a depth on.
-    [[nodiscard]] RayBlock bundle(int col, int row, int cols, int rows, double from) const {
-        const double u = rays_.u(col + 0.5 * (cols - 1));
-        const double v = rays_.v(row + 0.5 * (rows - 1));
-        const double u_radius = 0.5 * cols * rays_.pixel();
-        const double v_radius = 0.5 * rows * rays_.pixel();
+    /// The rays of some pixels, from a depth on.
+    [[nodiscard]] RayBlock block_of(const Pixels& pixels, double from) const {
+        const double u = rays_.u(pixels.col + 0.5 * (pixels.cols - 1));
+        const double v = rays_.v(pixels.row + 0.5 * (pixels.rows - 1));
+        const double u_radius = 0.5 * pixels.cols * rays_.pixel();
+        const double v_radius = 0.5 * pixels.rows * rays_.pixel();
         const DepthRange depths = rays_.depths(u, v, u_radius, v_radius);
         if (depths.empty()) return RayBlock::nothing();
         return {index_rays_,
@@ -111,44 +121,41 @@ private:
                 std::max(from, depths.exit_hi),
                 last_cell_};
     }
-    /// Where the bundle first comes to bricks that may hold the level, at most; +inf: nowhere.
-    double first_depth(const RayBlock& block) {
+    /// Where rays first come to bricks that may hold the level, at most; +inf: nowhere.
+    double first_depth(const RayBlock& block) const {
         double depth = std::numeric_limits<double>::infinity();
         walk_block(grid_, block, [&](const CellRectangle&, const LayerRange& layers) {
             depth = block.depth_at(block.step() > 0 ? layers.low : layers.high);
             return false;
         });
-        count(0, 0, tile_.cols, tile_.rows, 1);
         return depth;
     }
-    void count(int col, int row, int cols, int rows, std::uint64_t looks) {
+    void count(const Pixels& pixels, std::uint64_t looks) {
         counters_.range += looks;
-        if (counters_.costs != nullptr)
-            counters_.costs->add(col, row, cols, rows, static_cast<double>(looks));
+        if (counters_.costs != nullptr) {
+            counters_.costs->add(pixels.col, pixels.row, pixels.cols, pixels.rows,
+                                 static_cast<double>(looks));
+        }
     }
 
-    void trace_block(int col, int row, int cols, int rows, double from) {
-        const RayBlock block = bundle(col, row, cols, rows, from);
-        if (!block.usable()) return hits_.leave(col, row, cols, rows);
-        if (block.empty()) return;
+    void trace(const Pixels& pixels, const RayBlock& block) {
+        const std::uint64_t in_row = (std::uint64_t{1} << pixels.cols) - 1;
         open_ = 0;
-        bool made = false;
+        for (int y = 0; y < pixels.rows; ++y)
+            open_ |= in_row << (y * block_size);
+        begun_ = 0;
+        unsure_ = 0;
+        first_ = pixels;
+        has_columns_ = false;
         std::uint64_t looks = 0;
         walk_block(grid_, block, [&](const CellRectangle& cells, const LayerRange& layers) {
             ++looks;
-            static_assert(1 << LevelGrid<Sample>::lowest_shift == CellMask::most_layers);
-            const bool fits = cells.i_last - cells.i_first < CellMask::most_cells - 1 &&
-                              cells.j_last - cells.j_first < CellMask::most_cells - 1;
-            if (fits) grid_.find(cells, layers, block.axes(), mask_);
-            if (fits && !mask_.any) return true;
-            if (!made) make_rays(col, row, cols, rows, block);
-            made = true;
-            walk_slab(fits ? &mask_ : nullptr, layers, block);
+            walk_slab(cells, layers, block);
             return open_ != 0;
         });
-        count(col, row, cols, rows, looks);
-        for_each_bit(open_, [&](std::size_t ray) {
-            if (bundle_[ray].begun && bundle_[ray].root.finish()) tell(bundle_[ray]);
+        count(pixels, looks);
+        for_each_bit(open_ & begun_, [&](std::size_t ray) {
+            if (bundle_[ray].root.finish()) tell(bundle_[ray]);
         });
     }
     template <class Take>
@@ -156,89 +163,84 @@ private:
         for (; bits != 0; bits &= bits - 1)
             take(static_cast<std::size_t>(std::countr_zero(bits)));
     }
-    /// Makes all rays of a bundle, as a ray and as columns.
-    void make_rays(int col, int row, int cols, int rows, const RayBlock& block) {
-        open_ = 0;
-        steepest_ = 0;
-        const std::int32_t first = block.first_layer();
-        const CellRectangle cells = block.cells(first, first);
-        i_shared_ = cells.i_first;
-        j_shared_ = cells.j_first;
-        first_layer_ = first;
-        for (int y = 0; y < rows; ++y) {
-            for (int x = 0; x < cols; ++x) {
-                const auto at = static_cast<std::size_t>(y * block_size + x);
-                const OpenRay& ray = bundle_[at] = ray_at(col + x, row + y, block.axes());
-                open_ |= std::uint64_t{1} << at;
-                steepest_ = std::max({steepest_, std::abs(ray.i_slope), std::abs(ray.j_slope)});
-                columns_.i_at[at] = static_cast<float>(ray.i_at + ray.i_slope * first - i_shared_);
-                columns_.j_at[at] = static_cast<float>(ray.j_at + ray.j_slope * first - j_shared_);
-                columns_.i_slope[at] = static_cast<float>(ray.i_slope);
-                columns_.j_slope[at] = static_cast<float>(ray.j_slope);
-            }
-        }
-    }
-    [[nodiscard]] OpenRay ray_at(int col, int row, const WalkAxes& axes) const {
-        OpenRay ray{.pixel = static_cast<std::uint32_t>(row * tile_size + col),
-                    .ray = index_rays_.ray(rays_.u(col), rays_.v(row))};
-        ray.per_layer = 1 / ray.ray.along[axes.k];
-        ray.i_slope = ray.ray.along[axes.i] * ray.per_layer;
-        ray.j_slope = ray.ray.along[axes.j] * ray.per_layer;
-        ray.i_at = ray.ray.at[axes.i] - ray.i_slope * ray.ray.at[axes.k];
-        ray.j_at = ray.ray.at[axes.j] - ray.j_slope * ray.ray.at[axes.k];
-        return ray;
+    void make_columns_of(const RayBlock& block) {
+        if (has_columns_) return;
+        has_columns_ = true;
+        steepest_ = make_columns(index_rays_, block.axes(), rays_.u(first_.col),
+                                 rays_.v(first_.row), rays_.pixel(), columns_);
     }
     /// Takes the open rays through the layers of a slab.
-    void walk_slab(const CellMask* mask, const LayerRange& layers, const RayBlock& block) {
+    void walk_slab(const CellRectangle& cells, const LayerRange& layers, const RayBlock& block) {
+        static_assert(1 << LevelGrid<Sample>::lowest_shift == CellMask::most_layers);
+        const WalkAxes& axes = block.axes();
+        make_columns_of(block);
+        const RayReach reach(columns_, layers, open_);
+        const CellRectangle near = cells.common(reach.cells(layers.low, layers.high));
+        if (near.empty()) return;
+        const CellRectangle held = grid_.in_bricks(near, layers.low, axes);
+        if (held.empty()) return;
+        const bool marks = CellMask::fits(held);
+        if (marks) grid_.begin(held, layers, axes, mask_);
+        const bool at_once = marks && mask_.is_small() && steepest_ <= 1.5;
+        if (at_once) count_from(columns_, held.i_first, held.j_first, layers.low, slab_rays_);
         const int step = block.step();
         for (std::int32_t layer = step > 0 ? layers.low : layers.high;
              layer >= layers.low && layer <= layers.high && open_ != 0; layer += step) {
-            if (mask != nullptr &&
-                !mask->layer_any[static_cast<std::size_t>(layer - mask->layers.low)])
-                continue;
-            for_each_bit(open_ & near(mask, layer), [&](std::size_t at) {
-                OpenRay& ray = bundle_[at];
-                if (mask != nullptr && !may_hold(*mask, ray, layer)) return;
-                if (!begin(ray) || walk_layer(ray, mask, layer, block.axes()))
-                    open_ &= ~(std::uint64_t{1} << at);
+            if (marks) grid_.mark(layer, reach, axes, mask_);
+            if (marks && !mask_.any) continue;
+            for_each_bit(at_once ? near_level() : open_, [&](std::size_t at) {
+                if (marks && !at_once && !may_hold(at)) return;
+                walk(at, marks, layer, axes);
             });
         }
     }
-    /// The rays that may be in marked cells of a layer.
-    [[nodiscard]] std::uint64_t near(const CellMask* mask, std::int32_t layer) const {
-        constexpr double most_layers = 512;  ///< that float is fine enough for
-        const double layers = layer - first_layer_;
-        if (mask == nullptr || !mask->is_small() || steepest_ > 1.5 ||
-            std::abs(layers) > most_layers)
-            return ~std::uint64_t{0};
-        NearCells cells = mask->near(layer);
-        cells.layer = static_cast<float>(layers);
-        cells.i_first = static_cast<float>(mask->cells.i_first - i_shared_);
-        cells.j_first = static_cast<float>(mask->cells.j_first - j_shared_);
-        return rays_near(columns_, cells);
+    void walk(std::size_t at, bool marks, std::int32_t layer, const WalkAxes& axes) {
+        if (!begin(at, axes) || walk_layer(bundle_[at], marks, layer, axes)) {
+            open_ &= ~bit(at);
+        } else if (bundle_[at].root.is_open()) {
+            unsure_ |= bit(at);
+        }
     }
-    /// Finds where the ray is in the region when it first comes near the surface; false: nowhere.
-    bool begin(OpenRay& ray) {
-        if (ray.begun) return true;
-        const auto col = static_cast<int>(ray.pixel % tile_size);
-        const auto row = static_cast<int>(ray.pixel / tile_size);
+    static std::uint64_t bit(std::size_t ray) { return std::uint64_t{1} << ray; }
+    /// The open rays that may come to the level in the marked layer, or that may be at it on
+    /// entering.
+    std::uint64_t near_level() {
+        const NearCells marked = mask_.near(steepest_);
+        const AskedLayer asked{.samples = mask_.samples,
+                               .marked = marked,
+                               .layer = static_cast<std::size_t>(mask_.layer - mask_.layers.low),
+                               .rows = mask_.rows,
+                               .error = mask_.error};
+        const std::uint64_t unsure = std::exchange(unsure_, 0);
+        return open_ & (unsure | rays_at_level(slab_rays_, asked, open_));
+    }
+    /// Makes a ray when it first comes near the surface; false: the region is nowhere on it.
+    bool begin(std::size_t at, const WalkAxes& axes) {
+        if ((begun_ & bit(at)) != 0) return true;
+        const int col = first_.col + static_cast<int>(at) % block_size;
+        const int row = first_.row + static_cast<int>(at) / block_size;
         if (!lines_.take(tile_, rays_, col, row)) return false;
-        const RayLine& line = lines_.of(ray.pixel);
-        ray.begun = true;
-        ray.from = line.from;
-        ray.to = line.to;
-        ray.root = FirstRoot(error_, lines_.finest(line, line.from));
+        const auto pixel = static_cast<std::uint32_t>(row * tile_size + col);
+        const RayLine& line = lines_.of(pixel);
+        const IndexRays::Ray ray = index_rays_.ray(rays_.u(col), rays_.v(row));
+        bundle_[at] = {.pixel = pixel,
+                       .ray = ray,
+                       .per_layer = 1 / ray.along[axes.k],
+                       .from = line.from,
+                       .to = line.to,
+                       .root = FirstRoot(error_, lines_.finest(line, line.from))};
+        begun_ |= bit(at);
         return true;
     }
 
-    /// Whether the level may be in a cell of a layer that the ray is in.
-    static bool may_hold(const CellMask& mask, const OpenRay& ray, std::int32_t layer) {
-        const double i = ray.i_at + ray.i_slope * layer;
-        const double j = ray.j_at + ray.j_slope * layer;
-        const double beyond_i = i + ray.i_slope;
-        const double beyond_j = j + ray.j_slope;
-        return mask.may_hold_between(std::min(i, beyond_i), std::max(i, beyond_i),
-                                     std::min(j, beyond_j), std::max(j, beyond_j), layer);
+    /// Whether the level may be in a cell of the marked layer that the ray is in.
+    [[nodiscard]] bool may_hold(std::size_t at) const {
+        const double i = columns_.i_at[at] + columns_.i_slope[at] * mask_.layer;
+        const double j = columns_.j_at[at] + columns_.j_slope[at] * mask_.layer;
+        const double beyond_i = i + columns_.i_slope[at];
+        const double beyond_j = j + columns_.j_slope[at];
+        return mask_.may_hold_between(std::min(i, beyond_i), std::max(i, beyond_i),
+                                      std::min(j, beyond_j), std::max(j, beyond_j));
     }
     struct Stretch {
         double from, to;
@@ -250,7 +252,7 @@ private:
         return {.from = std::max(from, ray.from), .to = std::min(to, ray.to)};
     }
     /// Takes the ray through the cells of a layer; whether it has ended.
-    bool walk_layer(OpenRay& ray, const CellMask* mask, std::int32_t layer, const WalkAxes& axes) {
+    bool walk_layer(OpenRay& ray, bool marks, std::int32_t layer, const WalkAxes& axes) {
         const auto& at = ray.ray.at;
         const auto& along = ray.ray.along;
         const Stretch whole = stretch_in(ray, layer, axes.k);
@@ -264,7 +266,7 @@ private:
         const auto look_in = [&](const Stretch& stretch) {
             const bool inside =
                 i >= 0 && i <= last_cell_[axes.i] && j >= 0 && j <= last_cell_[axes.j];
-            return inside && (mask == nullptr || mask->may_hold(i, j, layer)) &&
+            return inside && (!marks || mask_.may_hold(i, j)) &&
                    look(ray, cell_at(i, j, layer, axes), stretch);
         };
         if (i == cell_of(axes.i, whole.to) && j == cell_of(axes.j, whole.to)) return look_in(whole);
@@ -311,7 +313,7 @@ private:
                 in_cell[axis] = ray.ray.at[axis] + s * ray.ray.along[axis] - cell[axis];
             return in_cell;
         };
-        ++counters_.value;
+        ++looks_;
         if (counters_.costs != nullptr) counters_.costs->add(ray.pixel);
         const RayCubic cubic = ray_cubic(grid_.corners(cell), place(stretch.from),
                                          place(stretch.to), stretch.from, stretch.to);
@@ -342,11 +344,16 @@ private:
     RayLines& lines_;
     VoxelHits hits_;
     Counters& counters_;
-    std::array<OpenRay, block_rays> bundle_;
-    std::uint64_t open_ = 0;  ///< the rays of the bundle that have not ended, a bit each
+    std::uint64_t looks_ = 0;  ///< at cells, in double
+    Pixels first_{};           ///< of the bundle
+    bool has_columns_ = false;
+    /// Of the bundle's rays, a bit each: those that have not ended, that are made, and that may be
+    /// at the level where the layer that was looked at last ends.
+    std::uint64_t open_ = 0, begun_ = 0, unsure_ = 0;
+    std::array<OpenRay, block_rays> bundle_;  ///< those that are made
     RayColumns columns_;
-    std::int32_t i_shared_ = 0, j_shared_ = 0, first_layer_ = 0;  ///< where columns_ count from
-    double steepest_ = 0;                                         ///< of the bundle's slopes
+    SlabRays slab_rays_;
+    double steepest_ = 0;  ///< of the bundle's slopes
     CellMask mask_;
 };
 

@@ -37,6 +37,12 @@ struct CellRectangle {
     std::int32_t i_first, i_last, j_first, j_last;
 
     [[nodiscard]] bool empty() const { return i_first > i_last || j_first > j_last; }
+    [[nodiscard]] CellRectangle common(const CellRectangle& other) const {
+        return {.i_first = std::max(i_first, other.i_first),
+                .i_last = std::min(i_last, other.i_last),
+                .j_first = std::max(j_first, other.j_first),
+                .j_last = std::min(j_last, other.j_last)};
+    }
 };
 
 /// The three axes of a grid as a block of rays sees them: it goes along `k`.

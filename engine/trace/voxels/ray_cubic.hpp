@@ -37,6 +37,9 @@ public:
     /// Looks at what is left open at the end of the last stretch; true as above.
     bool finish();
 
+    /// Whether f may be 0 at the end of the last stretch.
+    [[nodiscard]] bool is_open() const { return open_; }
+
     [[nodiscard]] double depth() const { return depth_; }
     /// Whether it is proved to be the first root: f has opposite signs at both ends of [from, to],
     /// no wider than `finest`, and none before.
