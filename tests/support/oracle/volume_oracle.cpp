@@ -1,5 +1,6 @@
 #include "tests/support/oracle/volume_oracle.hpp"
 
+#include "tests/support/oracle/cell_signs.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/sample_field.hpp"
 
@@ -22,6 +23,25 @@ std::array<Wide, 2> index_line(const IndexMap& map, std::size_t i, const RayQues
         by += Wide{map.index_from_world[i][c]} * ray.direction[c];
     }
     return {at, by};
+}
+
+/// The cell of the point at `middle`, which is not on its border; nullopt where the volume is not
+/// defined there.
+std::optional<CellLevel> cell_at(const Volume& volume, const Node& level, const RayQuestion& ray,
+                                 double middle) {
+    CellLevel result{.volume = volume, .cell = {}, .fixed = {}, .lo = level.lo, .hi = level.hi};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto [at, by] = index_line(volume.data().map(), i, ray);
+        const Wide index = at + by * middle;
+        const auto last = static_cast<std::int64_t>(volume.data().samples().size[i]) - 2;
+        const bool beyond = index < 0 || index > static_cast<Wide>(last + 1);
+        if (beyond && volume.options().outside == Outside::Undefined) return std::nullopt;
+        const auto own =
+            std::clamp(static_cast<std::int64_t>(std::floor(index)), std::int64_t{0}, last);
+        result.cell[i] = static_cast<std::uint64_t>(own);
+        if (beyond) result.fixed[i] = index < 0 ? 0 : 1;
+    }
+    return result;
 }
 
 }  // namespace
@@ -72,20 +92,14 @@ std::optional<Expr> VolumeOracle::polynomial(const RayQuestion& ray, double midd
     const auto sum = [&](NodeId a, NodeId b) { return builder.apply(Op::Add, a, b); };
     const auto product = [&](NodeId a, NodeId b) { return builder.apply(Op::Multiply, a, b); };
     const auto number = [&](double value) { return builder.constant(value); };
-    std::array<std::uint64_t, 3> cell{};
+    const auto place = cell_at(*volume_, level_, ray, middle);
+    if (!place) return std::nullopt;
+    const auto& cell = place->cell;
     std::array<std::vector<NodeId>, 3> weights;
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto [at, by] = index_line(map, i, ray);
-        const Wide index = at + by * middle;
-        const auto last = static_cast<std::int64_t>(volume_->data().samples().size[i]) - 2;
-        const bool beyond = index < 0 || index > static_cast<Wide>(last + 1);
-        if (beyond && volume_->options().outside == Outside::Undefined) return std::nullopt;
-        const auto own =
-            std::clamp(static_cast<std::int64_t>(std::floor(index)), std::int64_t{0}, last);
-        cell[i] = static_cast<std::uint64_t>(own);
-        NodeId above = number(index < 0 ? 0 : 1);
-        if (!beyond) {
-            above = sum(number(map.shift[i]), number(-static_cast<double>(own)));
+        NodeId above = number(place->fixed[i].value_or(0));
+        if (!place->fixed[i]) {
+            above = sum(number(map.shift[i]), number(-static_cast<double>(cell[i])));
             for (std::size_t c = 0; c < 3; ++c) {
                 above = sum(above, product(number(map.index_from_world[i][c]),
                                            builder.variable(static_cast<int>(c))));
@@ -145,8 +159,10 @@ RayAnswer VolumeOracle::answer(const RayQuestion& ray) const {
             // Too short a way through a cell: its neighbours tell of roots here.
             continue;
         }
-        const auto f = polynomial(ray, from + 0.5 * (to - from));
-        if (!f) continue;
+        const double middle = from + 0.5 * (to - from);
+        const auto cell = cell_at(*volume_, level_, ray, middle);
+        if (!cell || sign_in_cell(*cell, ray, from, to) != StretchSign::Unknown) continue;
+        const auto f = polynomial(ray, middle);
         const auto oracle = PolynomialOracle::of(*f, {});
         RayQuestion part = ray;
         part.outer_from = from;
