@@ -160,6 +160,13 @@ TEST(TracerOnVolumes, MissesNoRootVoxelByVoxelWhereTheyAreCut) {
     EXPECT_GT(total.hit_certified, total.hit * 9 / 10);
 }
 
+TEST(TracerOnVolumes, MissesNoRootOfSplinesVoxelByVoxelAndCertifiesOnlyTrueOnes) {
+    AuditSettings voxels = beams;
+    voxels.knows_fields = true;
+    expect_sound(audit_of({Between::Cubic, formulas_to_try(12)}, voxels));
+    expect_sound(audit_of({Between::Cubic, formulas_to_try(6), 40}, voxels));
+}
+
 TEST(TracerOnVolumes, MissesNoRootOfSplinesAndCertifiesOnlyTrueOnes) {
     expect_sound(audit_of({Between::Cubic, formulas_to_try(12)}, beams));
 }

@@ -1,4 +1,4 @@
-// What the rays of a bundle are asked all at once (engine/trace/voxels/proved_voxels.cpp).
+// What the rays of a bundle are asked all at once (engine/trace/voxels/voxel_tile.hpp).
 //
 // In floats a ray is known to 2^-16 of a cell, as places count from the slab's first cells, at most
 // 32 away. So a ray may be in a cell that it is not looked for in, but only as far from a face of
@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
 #include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/trace/voxels/cell_lanes-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -148,88 +149,8 @@ struct CellSteps {
     }
 };
 
-/// Two places of rays in their cells along an axis, as parts of its edge.
-struct Stretch {
-    V<float> from, to;
-};
-
-HWY_INLINE Stretch mixed(V<float> low, V<float> high, const Stretch& share) {
-    const V<float> step = hn::Sub(high, low);
-    return {hn::MulAdd(share.from, step, low), hn::MulAdd(share.to, step, low)};
-}
-
-using Indices = hn::Vec<hn::RebindToSigned<Tag<float>>>;
-
-/// Numbers and their right neighbours, from anywhere.
-class Neighbours {
-public:
-    struct Pair {
-        V<float> low, high;
-    };
-#if HWY_TARGET <= HWY_AVX2
-    /// Fetched two at a time, for a fetch takes long.
-    explicit HWY_INLINE Neighbours(Indices index) {
-        const hn::RebindToSigned<decltype(pairs)> wide;
-        const hn::Half<hn::RebindToSigned<Tag<float>>> half;
-        first_ = hn::ShiftLeft<2>(hn::PromoteTo(wide, hn::LowerHalf(half, index)));
-        second_ = hn::ShiftLeft<2>(hn::PromoteTo(wide, hn::UpperHalf(half, index)));
-    }
-    [[nodiscard]] HWY_INLINE Pair load(const float* from) const {
-        const Tag<float> tag;
-        const auto* const words = reinterpret_cast<const std::uint64_t*>(from);
-        const V<float> first = hn::BitCast(tag, hn::GatherOffset(pairs, words, first_));
-        const V<float> second = hn::BitCast(tag, hn::GatherOffset(pairs, words, second_));
-        return {hn::ConcatEven(tag, second, first), hn::ConcatOdd(tag, second, first)};
-    }
-
-private:
-    static constexpr hn::RepartitionToWide<hn::RebindToUnsigned<Tag<float>>> pairs{};
-    hn::Vec<hn::RebindToSigned<decltype(pairs)>> first_, second_;
-#else
-    explicit HWY_INLINE Neighbours(Indices index) : index_(index) {}
-    [[nodiscard]] HWY_INLINE Pair load(const float* from) const {
-        const Tag<float> tag;
-        return {hn::GatherIndex(tag, from, index_), hn::GatherIndex(tag, from + 1, index_)};
-    }
-
-private:
-    Indices index_;
-#endif
-};
-
-/// Whether f may come to within `error` of 0 on a stretch in a cell: by its Bernstein coefficients,
-/// the means of f with the three places at either end (ray_cubic.cpp).
-HWY_INLINE M<float> may_be_zero(const float* corners, const SlabSamples& samples, Indices index,
-                                const Stretch& x, const Stretch& y, const Stretch& z, float error) {
-    const Tag<float> tag;
-    const std::size_t slice = samples.row * samples.rows;
-    const Neighbours at(index);
-    const auto edge = [&](std::size_t offset) {
-        const auto [low, high] = at.load(corners + offset);
-        return mixed(low, high, x);
-    };
-    const Stretch e0 = edge(0);
-    const Stretch e1 = edge(samples.row);
-    const Stretch e2 = edge(slice);
-    const Stretch e3 = edge(slice + samples.row);
-    const Stretch below_from = mixed(e0.from, e1.from, y);  // x at its start, y at both ends
-    const Stretch above_from = mixed(e2.from, e3.from, y);
-    const Stretch below_to = mixed(e0.to, e1.to, y);
-    const Stretch above_to = mixed(e2.to, e3.to, y);
-    const Stretch f00 = mixed(below_from.from, above_from.from, z);  // x, y at their starts
-    const Stretch f01 = mixed(below_from.to, above_from.to, z);
-    const Stretch f10 = mixed(below_to.from, above_to.from, z);
-    const Stretch f11 = mixed(below_to.to, above_to.to, z);
-    const V<float> third = hn::Set(tag, 1.0F / 3.0F);
-    const V<float> b1 = hn::Mul(third, hn::Add(f00.to, hn::Add(f01.from, f10.from)));
-    const V<float> b2 = hn::Mul(third, hn::Add(f11.from, hn::Add(f01.to, f10.to)));
-    const V<float> least = hn::Min(hn::Min(f00.from, f11.to), hn::Min(b1, b2));
-    const V<float> most = hn::Max(hn::Max(f00.from, f11.to), hn::Max(b1, b2));
-    // Not "outside", so that a NaN is no proof
-    return hn::Not(hn::Or(hn::Gt(least, hn::Set(tag, error)), hn::Lt(most, hn::Set(tag, -error))));
-}
-
 /// Of the rays `open`, those that may come near 0 in some cell of the layer.
+template <class Cell>
 HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Across& j,
                              M<float> open) {
     const Tag<float> tag;
@@ -237,7 +158,7 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
     const SlabSamples& samples = asked.samples;
     const V<float> zero = hn::Zero(tag);
     const V<float> one = hn::Set(tag, 1.0F);
-    const V<float> i_last = hn::Set(tag, static_cast<float>(samples.count) - 2);
+    const V<float> i_last = hn::Set(tag, static_cast<float>(samples.count - Cell::support));
     const V<float> j_first = hn::Set(tag, static_cast<float>(asked.rows.first));
     const V<float> j_last = hn::Set(tag, static_cast<float>(asked.rows.last));
     const V<float> row = hn::Set(tag, static_cast<float>(samples.row));
@@ -256,9 +177,9 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
             const V<float> at = hn::Sub(ray.at, cell);
             return Stretch{hn::MulAdd(ray.slope, from, at), hn::MulAdd(ray.slope, to, at)};
         };
-        const M<float> may_be =
-            may_be_zero(corners, samples, hn::ConvertTo(whole, hn::MulAdd(j_cell, row, i_cell)),
-                        in_cell(i, i_cell), in_cell(j, j_cell), {from, to}, asked.error);
+        const M<float> may_be = Cell::may_be_zero(
+            corners, samples, hn::ConvertTo(whole, hn::MulAdd(j_cell, row, i_cell)),
+            in_cell(i, i_cell), in_cell(j, j_cell), {from, to}, asked.error);
         found = hn::Or(found, hn::And(hn::And(open, may_be), hn::Le(far, one)));
         open = hn::And(hn::AndNot(found, open), hn::Lt(to, one));
         if (hn::AllFalse(tag, open)) return found;
@@ -325,7 +246,10 @@ std::uint64_t rays_at_level_lanes(const SlabRays& rays, const AskedLayer& asked,
     std::uint64_t found = 0;
     for (std::size_t first = 0; first < near.count(); first += lanes<float>) {
         const M<float> some = hn::FirstN(tag, near.count() - first);
-        const M<float> at = at_level(asked, near.i(first), near.j(first), some);
+        const Across i = near.i(first);
+        const Across j = near.j(first);
+        const M<float> at = asked.is_spline ? at_level<SplineCells>(asked, i, j, some)
+                                            : at_level<TrilinearCells>(asked, i, j, some);
         found |= std::uint64_t{bits_of(tag, at)} << first;
     }
     return found == 0 ? 0 : near.of_bundle(found);

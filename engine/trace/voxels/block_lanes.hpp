@@ -48,6 +48,7 @@ struct AskedLayer {
     const NearCells& marked;
     std::size_t layer;  ///< from the slab's lowest one
     SlabRows rows;      ///< of cells whose samples the slab has
+    bool is_spline;     ///< else trilinear
     float error;        ///< more than what floats and places in them make of f
 };
 

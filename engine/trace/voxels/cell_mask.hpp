@@ -63,10 +63,11 @@ private:
 struct CellMask {
     static constexpr int most_cells = 63;  ///< along each axis across
     static constexpr int most_layers = 4;
+    static constexpr int most_beyond = 3;  ///< samples beyond a cell's first one
 
     static bool fits(const CellRectangle& cells) {
-        return cells.i_last - cells.i_first < most_cells - 1 &&
-               cells.j_last - cells.j_first < most_cells - 1;
+        constexpr int most = most_cells - most_beyond;
+        return cells.i_last - cells.i_first < most && cells.j_last - cells.j_first < most;
     }
 
     CellRectangle cells{};
@@ -80,8 +81,8 @@ struct CellMask {
 
     /// All four samples of a cell's face across the axis, of each slice that was looked at.
     using FaceBits = std::array<SampleBits, most_cells + 1>;
-    std::array<FaceBits, most_layers + 1> faces{};
-    std::array<bool, most_layers + 1> known{};
+    std::array<FaceBits, most_layers + most_beyond> faces{};
+    std::array<bool, most_layers + most_beyond> known{};
 
     /// The rows of its cells among these, or one row.
     [[nodiscard]] SlabRows rows_of(const CellRectangle& of) const {
@@ -100,7 +101,8 @@ struct CellMask {
     }
     /// Whether rays can be asked all at once (rays_at_level).
     [[nodiscard]] bool is_small() const {
-        constexpr auto most = static_cast<std::int32_t>(SlabSamples::most) - 1;
+        constexpr std::int32_t most = 32;  // bits of NearCells
+        static_assert(most + most_beyond == SlabSamples::most);
         return cells.i_last - cells.i_first < most && cells.j_last - cells.j_first < most;
     }
     /// The marked cells, for rays of these slopes at most.

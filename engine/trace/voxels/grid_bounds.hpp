@@ -2,6 +2,7 @@
 
 #include "engine/trace/trace_frame.hpp"
 #include "engine/trace/voxels/isosurface.hpp"
+#include "engine/volume/spline.hpp"
 
 #include <glm/glm.hpp>
 
@@ -18,7 +19,8 @@ struct GridBounds {
 
     GridBounds(const Isosurface& surface, const TraceFrame& frame) : size(std::abs(surface.level)) {
         const VolumeData& data = surface.volume->data();
-        size += std::max(std::abs(data.range().lo), std::abs(data.range().hi));
+        const SampleRange range = numbers_of(*surface.volume);
+        size += std::max(std::abs(range.lo), std::abs(range.hi));
         const Box& clip = frame.scene.clip;
         const glm::dvec3 eye = glm::abs(frame.view.eye);
         const glm::dvec3 box = glm::max(glm::abs(clip.lo), glm::abs(clip.hi));
@@ -30,6 +32,13 @@ struct GridBounds {
                 sum += 4 * std::abs(entry) * reach;
             indices = std::max({indices, sum, static_cast<double>(data.samples().size[i])});
         }
+    }
+    /// The range of the samples, or of the spline's coefficients.
+    static SampleRange numbers_of(const Volume& volume) {
+        const SplineData* const spline = volume.spline();
+        if (spline == nullptr) return volume.data().range();
+        return spline->coefficients().type == SampleType::Float ? spline->pyramid<float>().range()
+                                                                : spline->pyramid<double>().range();
     }
     /// What rounding may make of f: of places, some ulp of their terms times f's steepest slope;
     /// of sums of samples, some ulp of these.

@@ -14,6 +14,18 @@ const Volume* volume_of(const Kernel& surface) {
     return level == nullptr ? nullptr : dynamic_cast<const Volume*>(level->field.get());
 }
 
+Outside outside_of(const Volume& volume) { return volume.options().outside; }
+
+std::optional<Isosurface> surface_of(const Kernel& surface, const Scene& scene) {
+    PointBatch<double> point(1);
+    point.set(0, 0.0, 0.0, 0.0);
+    point.pad();
+    surface.memory->of<FieldLevel>()->level(point.batch(scene.uniforms.points<double>()));
+    const double level = point.f(0);
+    if (!std::isfinite(level)) return std::nullopt;
+    return Isosurface{.volume = volume_of(surface), .level = level};
+}
+
 }  // namespace
 
 const char* no_isosurface(const Kernel& surface) {
@@ -29,7 +41,7 @@ const char* no_isosurface(const Kernel& surface) {
             "it draws only volumes that are trilinear between their samples; leave out cubic or "
             "smooth, or choose another tracer, such as beams");
     }
-    if (volume->options().outside != Outside::Undefined) {
+    if (outside_of(*volume) != Outside::Undefined) {
         return marked(
             "it draws volumes only within their samples; leave out what is typed for beyond them, "
             "such as edge, or choose another tracer, such as beams");
@@ -38,14 +50,13 @@ const char* no_isosurface(const Kernel& surface) {
 }
 
 std::optional<Isosurface> isosurface(const Kernel& surface, const Scene& scene) {
-    if (no_isosurface(surface) != nullptr) return std::nullopt;
-    PointBatch<double> point(1);
-    point.set(0, 0.0, 0.0, 0.0);
-    point.pad();
-    surface.memory->of<FieldLevel>()->level(point.batch(scene.uniforms.points<double>()));
-    const double level = point.f(0);
-    if (!std::isfinite(level)) return std::nullopt;
-    return Isosurface{.volume = volume_of(surface), .level = level};
+    return no_isosurface(surface) != nullptr ? std::nullopt : surface_of(surface, scene);
+}
+
+std::optional<Isosurface> isosurface_or_spline(const Kernel& surface, const Scene& scene) {
+    const Volume* const volume = volume_of(surface);
+    if (volume == nullptr || outside_of(*volume) != Outside::Undefined) return std::nullopt;
+    return surface_of(surface, scene);
 }
 
 }  // namespace zeroset

@@ -2,7 +2,7 @@
 
 #include "engine/trace/voxels/cell_mask.hpp"
 #include "engine/trace/voxels/ray_block.hpp"
-#include "engine/trace/voxels/ray_cubic.hpp"
+#include "engine/trace/voxels/spline_ray.hpp"
 #include "engine/volume/volume.hpp"
 
 #include <algorithm>
@@ -15,14 +15,17 @@
 
 namespace zeroset {
 
-/// A grid of samples and a level: where a trilinear function comes nearer to it than `error`.
-/// Samples are float, or whole numbers that are exact in float.
-template <class Sample>
+/// A grid of samples and a level: where a trilinear function, or a cubic spline of which they are
+/// the coefficients, comes nearer to it than `error`. In a cell it lies between the `support`^3
+/// samples from the cell's first one on. Samples are float, or whole numbers that are exact in
+/// float.
+template <class Sample, std::size_t support>
 class LevelGrid {
 public:
-    LevelGrid(const VolumeData& data, const Sample* samples, double level, double error)
-        : pyramid_(data.pyramid<Sample>()), samples_(samples), level_(level), error_(error) {
-        const auto& size = data.samples().size;
+    /// `pyramid` is over these samples, `size` of them along each axis.
+    LevelGrid(const Pyramid<Sample>& pyramid, const GridSize& size, const Sample* samples,
+              double level, double error)
+        : pyramid_(pyramid), samples_(samples), level_(level), error_(error) {
         strides_ = {1, static_cast<std::ptrdiff_t>(size[0]),
                     static_cast<std::ptrdiff_t>(size[0] * size[1])};
         bounds_ = {.level = static_cast<float>(level),
@@ -33,12 +36,12 @@ public:
     [[nodiscard]] int top_level() const { return pyramid_.levels() - 1; }
     static constexpr int lowest_shift = Pyramid<Sample>::lowest_shift;
 
-    /// Whether one of the bricks of a level of the pyramid that these cells are in may hold the
-    /// level; also where they are in more than some bricks.
-    [[nodiscard]] bool bricks_may_hold(int level, const CellRectangle& cells, std::int32_t layer,
-                                       const WalkAxes& axes) const;
+    /// Whether one of the bricks of a level of the pyramid that the numbers of these cells are in
+    /// may hold the level; also where they are in more than some bricks.
+    [[nodiscard]] bool bricks_may_hold(int level, const CellRectangle& cells,
+                                       const LayerRange& layers, const WalkAxes& axes) const;
     /// The part of a slab's cells whose bricks of the lowest level may hold the level.
-    [[nodiscard]] CellRectangle in_bricks(const CellRectangle& cells, std::int32_t layer,
+    [[nodiscard]] CellRectangle in_bricks(const CellRectangle& cells, const LayerRange& layers,
                                           const WalkAxes& axes) const;
     /// Begins with a slab. At most CellMask's numbers of cells.
     void begin(const CellRectangle& cells, const LayerRange& layers, const WalkAxes& axes,
@@ -47,26 +50,31 @@ public:
     /// do not count.
     void mark(std::int32_t layer, const RayReach& reach, const WalkAxes& axes,
               CellMask& mask) const;
-    /// The corners of a cell, less the level, in the order of the grid's own axes.
-    [[nodiscard]] CellCorners corners(const std::array<std::int32_t, 3>& cell) const {
+    /// The numbers about a cell, less the level, in the order of the grid's own axes.
+    [[nodiscard]] CellNumbers<support> numbers(const std::array<std::int32_t, 3>& cell) const {
         const Sample* const base =
             samples_ + cell[0] * strides_[0] + cell[1] * strides_[1] + cell[2] * strides_[2];
-        CellCorners corners{};
-        for (std::size_t corner = 0; corner < 8; ++corner) {
-            const std::ptrdiff_t at = ((corner & 1U) != 0 ? strides_[0] : 0) +
-                                      ((corner & 2U) != 0 ? strides_[1] : 0) +
-                                      ((corner & 4U) != 0 ? strides_[2] : 0);
-            corners[corner] = static_cast<double>(base[at]) - level_;
+        CellNumbers<support> numbers{};
+        std::size_t n = 0;
+        for (std::size_t k = 0; k < support; ++k) {
+            for (std::size_t j = 0; j < support; ++j) {
+                const Sample* const row = base + static_cast<std::ptrdiff_t>(j) * strides_[1] +
+                                          static_cast<std::ptrdiff_t>(k) * strides_[2];
+                for (std::size_t i = 0; i < support; ++i)
+                    numbers[n++] = static_cast<double>(row[i]) - level_;
+            }
         }
-        return corners;
+        return numbers;
     }
 
 private:
     /// Calls `take(i, j)` for the bricks of a level that these cells are in and that may hold the
     /// level, until it returns false.
     template <class Take>
-    void visit_bricks(int level, const CellRectangle& cells, std::int32_t layer,
+    void visit_bricks(int level, const CellRectangle& cells, const LayerRange& layers,
                       const WalkAxes& axes, const Take& take) const;
+    /// The pyramid's cells are between two numbers: as many more are about a cell here.
+    static constexpr std::int32_t beyond = static_cast<std::int32_t>(support) - 2;
     /// The next float in a direction, unless the number is one.
     static float outward(double number, float towards) {
         const auto nearest = static_cast<float>(number);
@@ -87,8 +95,8 @@ private:
                          cells.j_first * strides_[axes.j] + layer * strides_[axes.k],
                 .i_stride = strides_[axes.i],
                 .j_stride = strides_[axes.j],
-                .count = static_cast<std::size_t>(cells.i_last - cells.i_first + 2),
-                .rows = static_cast<std::size_t>(cells.j_last - cells.j_first + 2)};
+                .count = static_cast<std::size_t>(cells.i_last - cells.i_first) + support,
+                .rows = static_cast<std::size_t>(cells.j_last - cells.j_first) + support};
     }
     /// Copies a slab's samples.
     static void copy(const Patch& patch, std::ptrdiff_t k_stride, std::size_t slices,
@@ -124,64 +132,70 @@ private:
     std::array<std::ptrdiff_t, 3> strides_{};
 };
 
-template <class Sample>
+template <class Sample, std::size_t support>
 template <class Take>
-void LevelGrid<Sample>::visit_bricks(int level, const CellRectangle& cells, std::int32_t layer,
-                                     const WalkAxes& axes, const Take& take) const {
+void LevelGrid<Sample, support>::visit_bricks(int level, const CellRectangle& cells,
+                                              const LayerRange& layers, const WalkAxes& axes,
+                                              const Take& take) const {
     const int shift = lowest_shift + level;
     std::array<std::int32_t, 3> at{};
-    at[axes.k] = layer >> shift;
-    for (std::int32_t j = cells.j_first >> shift; j <= cells.j_last >> shift; ++j) {
-        for (std::int32_t i = cells.i_first >> shift; i <= cells.i_last >> shift; ++i) {
-            at[axes.i] = i;
-            at[axes.j] = j;
-            const auto& brick = pyramid_.brick(level, at[0], at[1], at[2]);
-            const bool may_hold = (static_cast<float>(brick.lo) < bounds_.above) &&
-                                  (static_cast<float>(brick.hi) > bounds_.below);
-            if (may_hold && !take(i, j)) return;
+    for (std::int32_t k = layers.low >> shift; k <= (layers.high + beyond) >> shift; ++k) {
+        for (std::int32_t j = cells.j_first >> shift; j <= (cells.j_last + beyond) >> shift; ++j) {
+            for (std::int32_t i = cells.i_first >> shift; i <= (cells.i_last + beyond) >> shift;
+                 ++i) {
+                at[axes.i] = i;
+                at[axes.j] = j;
+                at[axes.k] = k;
+                const auto& brick = pyramid_.brick(level, at[0], at[1], at[2]);
+                const bool may_hold = (static_cast<float>(brick.lo) < bounds_.above) &&
+                                      (static_cast<float>(brick.hi) > bounds_.below);
+                if (may_hold && !take(i, j)) return;
+            }
         }
     }
 }
 
-template <class Sample>
-bool LevelGrid<Sample>::bricks_may_hold(int level, const CellRectangle& cells, std::int32_t layer,
-                                        const WalkAxes& axes) const {
+template <class Sample, std::size_t support>
+bool LevelGrid<Sample, support>::bricks_may_hold(int level, const CellRectangle& cells,
+                                                 const LayerRange& layers,
+                                                 const WalkAxes& axes) const {
     constexpr std::int32_t most_bricks = 16;
     const int shift = lowest_shift + level;
     const std::int32_t cols = (cells.i_last >> shift) - (cells.i_first >> shift) + 1;
     const std::int32_t rows = (cells.j_last >> shift) - (cells.j_first >> shift) + 1;
     if (cols > most_bricks || rows > most_bricks || cols * rows > most_bricks) return true;
     bool any = false;
-    visit_bricks(level, cells, layer, axes, [&any](std::int32_t, std::int32_t) {
+    visit_bricks(level, cells, layers, axes, [&any](std::int32_t, std::int32_t) {
         any = true;
         return false;
     });
     return any;
 }
 
-template <class Sample>
-CellRectangle LevelGrid<Sample>::in_bricks(const CellRectangle& cells, std::int32_t layer,
-                                           const WalkAxes& axes) const {
+template <class Sample, std::size_t support>
+CellRectangle LevelGrid<Sample, support>::in_bricks(const CellRectangle& cells,
+                                                    const LayerRange& layers,
+                                                    const WalkAxes& axes) const {
     CellRectangle held{.i_first = cells.i_last + 1,
                        .i_last = cells.i_first - 1,
                        .j_first = cells.j_last + 1,
                        .j_last = cells.j_first - 1};
-    visit_bricks(0, cells, layer, axes, [&](std::int32_t i, std::int32_t j) {
+    visit_bricks(0, cells, layers, axes, [&](std::int32_t i, std::int32_t j) {
         const std::int32_t i_low = i << lowest_shift;
         const std::int32_t j_low = j << lowest_shift;
         constexpr std::int32_t width = std::int32_t{1} << lowest_shift;
-        held.i_first = std::min(held.i_first, std::max(i_low, cells.i_first));
+        held.i_first = std::min(held.i_first, std::max(i_low - beyond, cells.i_first));
         held.i_last = std::max(held.i_last, std::min(i_low + width - 1, cells.i_last));
-        held.j_first = std::min(held.j_first, std::max(j_low, cells.j_first));
+        held.j_first = std::min(held.j_first, std::max(j_low - beyond, cells.j_first));
         held.j_last = std::max(held.j_last, std::min(j_low + width - 1, cells.j_last));
         return true;
     });
     return held;
 }
 
-template <class Sample>
-void LevelGrid<Sample>::copy(const Patch& patch, std::ptrdiff_t k_stride, std::size_t slices,
-                             SlabSamples& slab) {
+template <class Sample, std::size_t support>
+void LevelGrid<Sample, support>::copy(const Patch& patch, std::ptrdiff_t k_stride,
+                                      std::size_t slices, SlabSamples& slab) {
     if (patch.i_stride == 1) {
         for (std::size_t slice = 0; slice < slices; ++slice) {
             Patch of = patch;
@@ -202,8 +216,8 @@ void LevelGrid<Sample>::copy(const Patch& patch, std::ptrdiff_t k_stride, std::s
     }
 }
 
-template <class Sample>
-void LevelGrid<Sample>::find_bits(const Patch& patch, CellMask::FaceBits& bits) const {
+template <class Sample, std::size_t support>
+void LevelGrid<Sample, support>::find_bits(const Patch& patch, CellMask::FaceBits& bits) const {
     if constexpr (std::is_same_v<Sample, float>) {
         if (patch.i_stride == 1) {
             return sample_bits(patch.first, patch.j_stride, patch.rows, patch.count, bounds_,
@@ -217,65 +231,74 @@ void LevelGrid<Sample>::find_bits(const Patch& patch, CellMask::FaceBits& bits) 
     }
 }
 
-template <class Sample>
-void LevelGrid<Sample>::begin(const CellRectangle& cells, const LayerRange& layers,
-                              const WalkAxes& axes, CellMask& mask) const {
+template <class Sample, std::size_t support>
+void LevelGrid<Sample, support>::begin(const CellRectangle& cells, const LayerRange& layers,
+                                       const WalkAxes& axes, CellMask& mask) const {
     mask.cells = cells;
     mask.layers = layers;
     mask.known = {};
     if (!mask.is_small()) return;
     const Patch patch = patch_of(cells, layers.low, axes);
     mask.samples.begin(patch.count, patch.rows);
-    const auto slices = static_cast<std::size_t>(layers.high - layers.low + 2);
+    const auto slices = static_cast<std::size_t>(layers.high - layers.low) + support;
     if (!is_row(patch)) copy(patch, strides_[axes.k], slices, mask.samples);
 }
 
 /// Finds the bits of a slice's faces, where rays may be in the layers on both sides.
-template <class Sample>
-void LevelGrid<Sample>::find_face(std::size_t slice, const RayReach& reach, const WalkAxes& axes,
-                                  CellMask& mask) const {
+template <class Sample, std::size_t support>
+void LevelGrid<Sample, support>::find_face(std::size_t slice, const RayReach& reach,
+                                           const WalkAxes& axes, CellMask& mask) const {
     const std::int32_t layer = mask.layers.low + static_cast<std::int32_t>(slice);
     const Patch patch = patch_of(mask.cells, layer, axes);
     CellMask::FaceBits& face = mask.faces[slice];
     const SlabRows cells = mask.rows_of(
         reach.cells(std::max(layer - 1, mask.layers.low), std::min(layer, mask.layers.high)));
     if (mask.is_small()) {
-        take(patch, slice, {.first = cells.first, .last = cells.last + 1}, mask.samples, face);
+        take(patch, slice, {.first = cells.first, .last = cells.last + support - 1}, mask.samples,
+             face);
     } else {
         find_bits(patch, face);
     }
     for (std::size_t row = cells.first; row <= cells.last; ++row) {
-        const std::uint64_t above = face[row].above & face[row + 1].above;
-        const std::uint64_t below = face[row].below & face[row + 1].below;
-        face[row] = {.above = above & above >> 1U, .below = below & below >> 1U};
+        SampleBits all = face[row];
+        for (std::size_t n = 1; n < support; ++n) {
+            all.above &= face[row + n].above;
+            all.below &= face[row + n].below;
+        }
+        face[row] = all;
+        for (std::size_t n = 1; n < support; ++n) {
+            face[row].above &= all.above >> n;
+            face[row].below &= all.below >> n;
+        }
     }
     mask.known[slice] = true;
 }
 
-template <class Sample>
-void LevelGrid<Sample>::mark(std::int32_t layer, const RayReach& reach, const WalkAxes& axes,
-                             CellMask& mask) const {
+template <class Sample, std::size_t support>
+void LevelGrid<Sample, support>::mark(std::int32_t layer, const RayReach& reach,
+                                      const WalkAxes& axes, CellMask& mask) const {
     const auto lower = static_cast<std::size_t>(layer - mask.layers.low);
-    for (const std::size_t slice : {lower, lower + 1}) {
+    for (std::size_t slice = lower; slice < lower + support; ++slice) {
         if (!mask.known[slice]) find_face(slice, reach, axes, mask);
     }
     const CellRectangle& cells = mask.cells;
     const std::uint64_t valid = (std::uint64_t{2} << (cells.i_last - cells.i_first)) - 1;
-    const CellMask::FaceBits& low = mask.faces[lower];
-    const CellMask::FaceBits& high = mask.faces[lower + 1];
     mask.rows = mask.rows_of(reach.cells(layer, layer));
     mask.bits = {};
     std::uint64_t any = 0;
     for (std::size_t row = mask.rows.first; row <= mask.rows.last; ++row) {
-        const std::uint64_t free =
-            (low[row].above & high[row].above) | (low[row].below & high[row].below);
-        mask.bits[row] = ~free & valid;
+        SampleBits all = mask.faces[lower][row];
+        for (std::size_t n = 1; n < support; ++n) {
+            all.above &= mask.faces[lower + n][row].above;
+            all.below &= mask.faces[lower + n][row].below;
+        }
+        mask.bits[row] = ~(all.above | all.below) & valid;
         any |= mask.bits[row];
     }
     mask.layer = layer;
     mask.any = any != 0;
     // What places in floats make of f (block_lanes.cpp), the rounding of the level, and underflows
-    constexpr float of_places = 0x1p-11F;
+    constexpr float of_places = support == 2 ? 0x1p-11F : 0x1p-10F;
     mask.error = of_places * mask.samples.largest +
                  static_cast<float>(0x1p-22 * std::abs(level_) + error_) + 0x1p-120F;
 }

@@ -14,39 +14,92 @@ double value_at(const std::array<double, 4>& b, double t) {
     const double s = 1 - t;
     return s * s * (s * b[0] + 3 * t * b[1]) + t * t * (3 * s * b[2] + t * b[3]);
 }
-
-std::array<RayCubic, 2> halves(const RayCubic& of) {
-    const auto& b = of.b;
-    const auto mean = [](double x, double y) { return 0.5 * (x + y); };
-    const std::array first{mean(b[0], b[1]), mean(b[1], b[2]), mean(b[2], b[3])};
-    const std::array second{mean(first[0], first[1]), mean(first[1], first[2])};
-    const double middle = mean(second[0], second[1]);
-    const double at = mean(of.from, of.to);
-    return {RayCubic{.b = {b[0], first[0], second[0], middle}, .from = of.from, .to = at},
-            RayCubic{.b = {middle, second[1], first[2], b[3]}, .from = at, .to = of.to}};
+double slope_at(const std::array<double, 4>& b, double t) {
+    const double s = 1 - t;
+    return 3 * (s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) + t * t * (b[3] - b[2]));
 }
 
-/// Where a cubic that goes from one side of 0 to the other without turning is 0, by Newton's steps
-/// that stay within the bracket.
-double monotone_root(const std::array<double, 4>& b) {
+/// The sum of the coefficients times Bernstein's polynomials at t.
+template <std::size_t count>
+double bernstein_sum(const std::array<double, count>& b, double t) {
+    std::array<double, count> of_s{};
+    of_s[count - 1] = 1;
+    for (std::size_t k = count - 1; k > 0; --k)
+        of_s[k - 1] = of_s[k] * (1 - t);
+    double sum = 0;
+    double of_t = 1;  // C(n, k) t^k
+    for (std::size_t k = 0; k < count; ++k) {
+        sum += b[k] * of_t * of_s[k];
+        of_t *= t * static_cast<double>(count - 1 - k) / static_cast<double>(k + 1);
+    }
+    return sum;
+}
+double value_at(const std::array<double, 10>& b, double t) { return bernstein_sum(b, t); }
+double slope_at(const std::array<double, 10>& b, double t) {
+    std::array<double, 9> steps{};
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        steps[k] = 9 * (b[k + 1] - b[k]);
+    return bernstein_sum(steps, t);
+}
+
+/// Both halves, by de Casteljau.
+template <std::size_t count>
+std::array<RayPolynomial<count>, 2> halves(const RayPolynomial<count>& of) {
+    const double at = 0.5 * (of.from + of.to);
+    std::array<RayPolynomial<count>, 2> result{
+        RayPolynomial<count>{.b = {}, .from = of.from, .to = at},
+        RayPolynomial<count>{.b = of.b, .from = at, .to = of.to}};
+    auto& b = result[1].b;
+    for (std::size_t k = 0; k < count; ++k) {
+        result[0].b[k] = b[0];
+        for (std::size_t i = 0; i + k + 1 < count; ++i)
+            b[i] = 0.5 * (b[i] + b[i + 1]);
+    }
+    return result;
+}
+
+/// Where f that goes from one side of 0 to the other without turning is 0, by Newton's steps that
+/// stay within the bracket.
+template <std::size_t count>
+double monotone_root(const std::array<double, count>& b) {
     constexpr int most_steps = 24;
     double lo = 0;
     double hi = 1;
     const bool falls = b[0] > 0;
-    double t = b[0] / (b[0] - b[3]);
+    double t = b[0] / (b[0] - b[count - 1]);
     for (int i = 0; i < most_steps; ++i) {
         const double f = value_at(b, t);
         ((f > 0) == falls ? lo : hi) = t;
-        const double s = 1 - t;
-        const double slope =
-            3 * (s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) + t * t * (b[3] - b[2]));
-        const double next = t - f / slope;
+        const double next = t - f / slope_at(b, t);
         const double inside = next > lo && next < hi ? next : 0.5 * (lo + hi);
         // The next step would be as small as the square of this one.
         if (std::abs(inside - t) <= 1e-4) return inside;
         t = inside;
     }
     return t;
+}
+
+/// Whether the coefficients all rise, or all fall.
+template <std::size_t count>
+bool goes_one_way(const std::array<double, count>& b) {
+    bool falls = true;
+    bool rises = true;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        falls = falls && b[k] > b[k + 1];
+        rises = rises && b[k] < b[k + 1];
+    }
+    return falls || rises;
+}
+
+template <std::size_t count>
+std::array<double, 2> least_and_largest(const std::array<double, count>& b) {
+    double least = b[0];
+    double largest = b[0];
+    for (const double coefficient : b) {
+        least = std::min(least, coefficient);
+        largest = std::max(largest, coefficient);
+    }
+    return {least, largest};
 }
 
 }  // namespace
@@ -116,52 +169,53 @@ bool FirstRoot::meet(Side side, double from) {
     return end(open_from_, from, crossed && from - open_from_ <= finest_);
 }
 
-bool FirstRoot::find_monotone(const RayCubic& cubic) {
-    const double width = cubic.to - cubic.from;
-    const double t = monotone_root(cubic.b);
+template <std::size_t count>
+bool FirstRoot::find_monotone(const RayPolynomial<count>& f) {
+    const double width = f.to - f.from;
+    const double t = monotone_root(f.b);
     // As wide as is allowed, so that signs are proved where f is flat.
     const double half = 0.49 * finest_ / width;
     const double t0 = std::max(0.0, t - half);
     const double t1 = std::min(1.0, t + half);
-    const Side first = side_of(cubic.b[0]);
+    const Side first = side_of(f.b[0]);
     const bool proved = (side_ == first || side_ == Side::Unknown) && !open_ &&
-                        side_of(value_at(cubic.b, t0)) == first &&
-                        side_of(value_at(cubic.b, t1)) == side_of(cubic.b[3]);
-    const double root = cubic.from + t * width;
-    end(cubic.from + t0 * width, cubic.from + t1 * width, proved);
+                        side_of(value_at(f.b, t0)) == first &&
+                        side_of(value_at(f.b, t1)) == side_of(f.b[count - 1]);
+    const double root = f.from + t * width;
+    end(f.from + t0 * width, f.from + t1 * width, proved);
     depth_ = root;
     return true;
 }
 
-bool FirstRoot::look_at(const RayCubic& cubic, int halvings) {
-    const auto& b = cubic.b;
-    const auto [least, largest] = std::minmax({b[0], b[1], b[2], b[3]});
-    if (least > error_) return meet(Side::Above, cubic.from);
-    if (largest < -error_) return meet(Side::Below, cubic.from);
-    const Side first = side_of(b[0]);
-    const Side last = side_of(b[3]);
-    if (first != Side::Unknown && last != Side::Unknown && first != last) {
-        const bool falls = b[0] > b[1] && b[1] > b[2] && b[2] > b[3];
-        const bool rises = b[0] < b[1] && b[1] < b[2] && b[2] < b[3];
-        if (falls || rises) return meet(first, cubic.from) || find_monotone(cubic);
-    }
-    if (cubic.to - cubic.from <= 0.25 * finest_ || halvings == most_halvings) {
-        if (!open_) open_from_ = cubic.from;
+template <std::size_t count>
+bool FirstRoot::look_at(const RayPolynomial<count>& f, int halvings) {
+    const auto [least, largest] = least_and_largest(f.b);
+    if (least > error_) return meet(Side::Above, f.from);
+    if (largest < -error_) return meet(Side::Below, f.from);
+    const Side first = side_of(f.b[0]);
+    const Side last = side_of(f.b[count - 1]);
+    const bool crosses = first != Side::Unknown && last != Side::Unknown && first != last;
+    if (crosses && goes_one_way(f.b)) return meet(first, f.from) || find_monotone(f);
+    if (f.to - f.from <= 0.25 * finest_ || halvings == most_halvings) {
+        if (!open_) open_from_ = f.from;
         open_ = true;
-        open_to_ = cubic.to;
+        open_to_ = f.to;
         // An open stretch wider than a bracket ends the search.
-        return cubic.to - open_from_ > finest_ && end(open_from_, cubic.to, false);
+        return f.to - open_from_ > finest_ && end(open_from_, f.to, false);
     }
-    for (const RayCubic& half : halves(cubic)) {
+    for (const RayPolynomial<count>& half : halves(f)) {
         if (look_at(half, halvings + 1)) return true;
     }
     return false;
 }
 
-bool FirstRoot::look(const RayCubic& cubic) {
-    if (open_ && cubic.from > open_to_) return finish();
-    return look_at(cubic, 0);
+template <std::size_t count>
+bool FirstRoot::look_on(const RayPolynomial<count>& f) {
+    if (open_ && f.from > open_to_) return finish();
+    return look_at(f, 0);
 }
+bool FirstRoot::look(const RayCubic& f) { return look_on(f); }
+bool FirstRoot::look(const RayNonic& f) { return look_on(f); }
 
 bool FirstRoot::finish() { return open_ && end(open_from_, open_to_, false); }
 

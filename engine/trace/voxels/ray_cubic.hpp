@@ -1,15 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace zeroset {
 
 /// f along a stretch of a ray, less its level, by its Bernstein coefficients: f lies between the
 /// least and the largest of them, and is the first and the last at the ends.
-struct RayCubic {
-    std::array<double, 4> b{};
+template <std::size_t count>
+struct RayPolynomial {
+    std::array<double, count> b{};
     double from = 0, to = 0;  ///< depths
 };
+using RayCubic = RayPolynomial<4>;
+using RayNonic = RayPolynomial<10>;  ///< of degree 9, as a tricubic spline's is
 
 /// A trilinear cell's corners, less the level: bit 0 of a place says whether it is at the far end
 /// along the first axis, bit 1 along the second, bit 2 along the third.
@@ -33,7 +37,8 @@ public:
     FirstRoot(double error, double finest) : error_(error), finest_(finest) {}
 
     /// Looks at the next stretch; true: the search has ended in a root or a place that may be one.
-    bool look(const RayCubic& cubic);
+    bool look(const RayCubic& f);
+    bool look(const RayNonic& f);
     /// Looks at what is left open at the end of the last stretch; true as above.
     bool finish();
 
@@ -51,11 +56,15 @@ private:
     enum class Side : signed char { Below = -1, Unknown = 0, Above = 1 };
 
     [[nodiscard]] Side side_of(double value) const;
-    bool look_at(const RayCubic& cubic, int halvings);
+    template <std::size_t count>
+    bool look_on(const RayPolynomial<count>& f);
+    template <std::size_t count>
+    bool look_at(const RayPolynomial<count>& f, int halvings);
     /// Takes in that f has this sign on a stretch that begins there.
     bool meet(Side side, double from);
-    /// Finds the root of a cubic that goes from one side to the other without turning.
-    bool find_monotone(const RayCubic& cubic);
+    /// Finds the root where f goes from one side to the other without turning.
+    template <std::size_t count>
+    bool find_monotone(const RayPolynomial<count>& f);
     bool end(double from, double to, bool proved);
 
     double error_ = 0, finest_ = 0;

@@ -1,4 +1,4 @@
-// Samples of a slab on their way from the grid (engine/trace/voxels/proved_voxels.cpp).
+// Samples of a slab on their way from the grid (engine/trace/voxels/voxel_tile.hpp).
 
 #include "engine/trace/voxels/slab_lanes.hpp"
 

@@ -9,9 +9,9 @@ namespace zeroset {
 /// The samples about a slab's cells less the level, in floats: `rows` rows of `row` each, slice by
 /// slice, padded.
 struct SlabSamples {
-    static constexpr std::size_t most = 33;     ///< samples along an axis across
+    static constexpr std::size_t most = 35;     ///< samples along an axis across
     static constexpr std::size_t longest = 48;  ///< a row, padded
-    static constexpr std::size_t most_slices = 5;
+    static constexpr std::size_t most_slices = 7;
 
     alignas(64) std::array<float, longest * most * most_slices> numbers{};
     std::size_t row = 0, rows = 0;

@@ -1,6 +1,7 @@
 #include "engine/trace/voxels/proved_voxels.hpp"
 
 #include "engine/render/render.hpp"
+#include "engine/volume/spline.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/voxel_scenes.hpp"
@@ -42,7 +43,7 @@ constexpr SampleType type_of() {
 
 /// The waves, moved up by `shift` so that they are of the samples' type.
 template <class Sample>
-std::shared_ptr<const Volume> wavy_volume(double shift, double noise_of_type = 1) {
+std::shared_ptr<const VolumeData> wavy_data(double shift, double noise_of_type = 1) {
     RandomNumbers random(7);
     const auto numbers = std::make_shared<std::vector<Sample>>();
     for (std::uint64_t k = 0; k < size[2]; ++k) {
@@ -64,7 +65,16 @@ std::shared_ptr<const Volume> wavy_volume(double shift, double noise_of_type = 1
                           .size = size,
                           .data = std::shared_ptr<const void>(numbers, numbers->data())},
                          place);
-    return Volume::make(data.value(), {}, "volume(\"test\")");
+    return data.value();
+}
+
+template <class Sample>
+std::shared_ptr<const Volume> wavy_volume(double shift, double noise_of_type = 1) {
+    return Volume::make(wavy_data<Sample>(shift, noise_of_type), {}, "volume(\"test\")");
+}
+
+std::shared_ptr<const Volume> wavy_spline(SplineKind kind) {
+    return Volume::make(SplineData::of(wavy_data<float>(0), kind).value(), {}, "volume(\"test\")");
 }
 
 Framebuffer drawn(const Scene& scene, const Camera& camera, int side = 90) {
@@ -122,6 +132,32 @@ TEST(ProvedVoxels, AgreeWithBeamsFromAllSides) {
                          std::to_string(eye.x) + "," + std::to_string(eye.y));
         }
     }
+}
+
+TEST(ProvedVoxels, AgreeOnSplinesFromAllSides) {
+    for (const SplineKind kind : {SplineKind::Interpolating, SplineKind::Smoothing}) {
+        const auto volume = wavy_spline(kind);
+        const Scene scene = scene_of_level(volume, 10);
+        const Scene other = by_beams(scene, volume, 10);
+        for (const glm::dvec3& eye : {glm::dvec3(4, 0.3, 0.2),
+                                      {-3, 2.4, -0.3},
+                                      {0.2, 4, 0.1},
+                                      {0.1, 0.4, -4},
+                                      {3, 3, 2.7}}) {
+            const Camera camera{eye, {0, 0, 0}, {0, 0.1, 1}, 0.7};
+            expect_alike(drawn(scene, camera), drawn(other, camera), std::to_string(eye.x));
+        }
+    }
+}
+
+TEST(ProvedVoxels, AgreeOnSplinesFromWithinAndFromFar) {
+    const auto volume = wavy_spline(SplineKind::Interpolating);
+    const Scene scene = scene_of_level(volume, -20);
+    const Scene other = by_beams(scene, volume, -20);
+    const Camera within{{0.1, 0.2, 0.05}, {-0.9, 0.6, 0.35}, {0, 0, 1}, 1.2};
+    expect_alike(drawn(scene, within), drawn(other, within), "within");
+    const Camera far{{30, -25, 20}, {0, 0, 0}, {0, 0, 1}, 0.08};
+    expect_alike(drawn(scene, far, 60), drawn(other, far, 60), "far");
 }
 
 TEST(ProvedVoxels, AgreeFromWithinAndFromNear) {

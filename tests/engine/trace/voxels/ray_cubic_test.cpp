@@ -164,7 +164,7 @@ TEST(FirstRoot, DoesNotProveWhatTurnsBackWhereStretchesMeet) {
 
 TEST(FirstRoot, EndsAtAPlateauOfZeros) {
     FirstRoot search(1e-12, 1e-3);
-    ASSERT_TRUE(search.look({.b = {0, 0, 0, 0}, .from = 2, .to = 3}));
+    ASSERT_TRUE(search.look(RayCubic{.b = {0, 0, 0, 0}, .from = 2, .to = 3}));
     EXPECT_FALSE(search.is_proved());
     EXPECT_GE(search.depth(), 2);
     EXPECT_LE(search.depth(), 2.01);
