@@ -60,6 +60,7 @@ RayBlock::RayBlock(const IndexRays& rays, double u, double v, double u_radius, d
         }
     }
     usable_ = true;
+    last_layer_ = first_layer_ - step_;  // none
     const double last = last_cell[k];
     if (highest < -spare || lowest > last + 1 + spare) return;
     const auto layer = [&](double place) {
