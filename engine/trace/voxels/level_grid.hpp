@@ -78,9 +78,9 @@ private:
     /// The next float in a direction, unless the number is one.
     static float outward(double number, float towards) {
         const auto nearest = static_cast<float>(number);
-        const bool beyond = towards > 0 ? static_cast<double>(nearest) >= number
+        const bool passed = towards > 0 ? static_cast<double>(nearest) >= number
                                         : static_cast<double>(nearest) <= number;
-        return beyond ? nearest : std::nextafter(nearest, towards);
+        return passed ? nearest : std::nextafter(nearest, towards);
     }
     /// A rectangle of samples, across two axes.
     struct Patch {

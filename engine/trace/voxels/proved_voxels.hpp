@@ -7,8 +7,8 @@
 namespace zeroset {
 
 /// Finds and proves the first roots in a tile of a plain isosurface of a volume, trilinear or a
-/// cubic spline, voxel by voxel. False, and nothing done, where the surface is none, or the tile is asked for what only
-/// beams know: then trace_tile_beams does it. In upward rounding.
+/// cubic spline, voxel by voxel. False, and nothing done, where the surface is none, or the tile is
+/// asked for what only beams know: then trace_tile_beams does it. In upward rounding.
 bool trace_tile_proved_voxels(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                               Counters& counters);
 

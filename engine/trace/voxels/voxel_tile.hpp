@@ -120,7 +120,7 @@ private:
                 last_cell_};
     }
     /// Where rays first come to bricks that may hold the level, at most; +inf: nowhere.
-    double first_depth(const RayBlock& block) const {
+    [[nodiscard]] double first_depth(const RayBlock& block) const {
         double depth = std::numeric_limits<double>::infinity();
         walk_block(grid_, block, [&](const CellRectangle&, const LayerRange& layers) {
             depth = block.depth_at(block.step() > 0 ? layers.low : layers.high);

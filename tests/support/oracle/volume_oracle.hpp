@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace zeroset::test {
@@ -22,8 +23,8 @@ public:
     [[nodiscard]] RayAnswer answer(const RayQuestion& ray) const;
 
 private:
-    VolumeOracle(std::shared_ptr<const Volume> volume, const Node& level)
-        : volume_(std::move(volume)), level_(level) {}
+    VolumeOracle(std::shared_ptr<const Volume> volume, Node level)
+        : volume_(std::move(volume)), level_(std::move(level)) {}
 
     [[nodiscard]] std::vector<double> crossings(const RayQuestion& ray) const;
     [[nodiscard]] std::optional<Expr> polynomial(const RayQuestion& ray, double middle) const;
