@@ -175,11 +175,12 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
             hn::Max(hn::Abs(hn::Sub(i_cell, i_steps.cell)), hn::Abs(hn::Sub(j_cell, j_steps.cell)));
         const auto in_cell = [&](const Across& ray, V<float> cell) {
             const V<float> at = hn::Sub(ray.at, cell);
-            return Stretch{hn::MulAdd(ray.slope, from, at), hn::MulAdd(ray.slope, to, at)};
+            return Stretch{.from = hn::MulAdd(ray.slope, from, at),
+                           .to = hn::MulAdd(ray.slope, to, at)};
         };
         const M<float> may_be = Cell::may_be_zero(
             corners, samples, hn::ConvertTo(whole, hn::MulAdd(j_cell, row, i_cell)),
-            in_cell(i, i_cell), in_cell(j, j_cell), {from, to}, asked.error);
+            in_cell(i, i_cell), in_cell(j, j_cell), {.from = from, .to = to}, asked.error);
         found = hn::Or(found, hn::And(hn::And(open, may_be), hn::Le(far, one)));
         open = hn::And(hn::AndNot(found, open), hn::Lt(to, one));
         if (hn::AllFalse(tag, open)) return found;
@@ -194,24 +195,24 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
 class NearRays {
 public:
     NearRays(const SlabRays& rays, const AskedLayer& asked, std::uint64_t open) {
-        const V<float> layer = hn::Set(tag_, static_cast<float>(asked.layer));
+        const V<float> layer = hn::Set(tag, static_cast<float>(asked.layer));
         constexpr std::uint64_t all = (std::uint64_t{1} << lanes<float>)-1;
         for (std::size_t ray = 0; ray < block_rays; ray += lanes<float>) {
             const auto here = static_cast<LaneBits>(open >> ray & all);
             if (here == 0) continue;
             const auto across = [&](const float* at, const float* slope) {
-                const V<float> slopes = hn::LoadU(tag_, slope);
-                return Across{hn::MulAdd(slopes, layer, hn::LoadU(tag_, at)), slopes};
+                const V<float> slopes = hn::LoadU(tag, slope);
+                return Across{.at = hn::MulAdd(slopes, layer, hn::LoadU(tag, at)), .slope = slopes};
             };
             const Across i = across(&rays.i_at[ray], &rays.i_slope[ray]);
             const Across j = across(&rays.j_at[ray], &rays.j_slope[ray]);
-            const M<float> near = hn::And(near_marked(asked.marked, i, j), mask_of(tag_, here));
-            const auto bits = std::uint64_t{bits_of(tag_, near)};
+            const M<float> near = hn::And(near_marked(asked.marked, i, j), mask_of(tag, here));
+            const auto bits = std::uint64_t{bits_of(tag, near)};
             if (bits == 0) continue;
             rays_ |= bits << ray;
             const std::array<V<float>, 4> numbers{i.at, i.slope, j.at, j.slope};
             for (std::size_t column = 0; column < 4; ++column)
-                hn::StoreU(hn::Compress(numbers[column], near), tag_, &columns_[column][count_]);
+                hn::StoreU(hn::Compress(numbers[column], near), tag, &columns_[column][count_]);
             count_ += static_cast<std::size_t>(std::popcount(bits));
         }
     }
@@ -229,11 +230,11 @@ public:
 
 private:
     [[nodiscard]] Across across(std::size_t column, std::size_t first) const {
-        return {hn::LoadU(tag_, &columns_[column][first]),
-                hn::LoadU(tag_, &columns_[column + 1][first])};
+        return {.at = hn::LoadU(tag, &columns_[column][first]),
+                .slope = hn::LoadU(tag, &columns_[column + 1][first])};
     }
 
-    static constexpr Tag<float> tag_{};
+    static constexpr Tag<float> tag{};
     std::uint64_t rays_ = 0;
     std::size_t count_ = 0;
     alignas(64) std::array<std::array<float, block_rays + lanes<float>>, 4> columns_;

@@ -27,7 +27,7 @@ struct Stretch {
 
 HWY_INLINE Stretch mixed(V<float> low, V<float> high, const Stretch& share) {
     const V<float> step = hn::Sub(high, low);
-    return {hn::MulAdd(share.from, step, low), hn::MulAdd(share.to, step, low)};
+    return {.from = hn::MulAdd(share.from, step, low), .to = hn::MulAdd(share.to, step, low)};
 }
 
 using Indices = hn::Vec<hn::RebindToSigned<Tag<float>>>;
@@ -51,7 +51,8 @@ public:
         const auto* const words = reinterpret_cast<const std::uint64_t*>(from);
         const V<float> first = hn::BitCast(tag, hn::GatherOffset(pairs, words, first_));
         const V<float> second = hn::BitCast(tag, hn::GatherOffset(pairs, words, second_));
-        return {hn::ConcatEven(tag, second, first), hn::ConcatOdd(tag, second, first)};
+        return {.low = hn::ConcatEven(tag, second, first),
+                .high = hn::ConcatOdd(tag, second, first)};
     }
 
 private:
@@ -61,7 +62,8 @@ private:
     explicit HWY_INLINE Neighbours(Indices index) : index_(index) {}
     [[nodiscard]] HWY_INLINE Pair load(const float* from) const {
         const Tag<float> tag;
-        return {hn::GatherIndex(tag, from, index_), hn::GatherIndex(tag, from + 1, index_)};
+        return {.low = hn::GatherIndex(tag, from, index_),
+                .high = hn::GatherIndex(tag, from + 1, index_)};
     }
 
 private:
