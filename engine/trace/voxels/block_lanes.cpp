@@ -215,6 +215,9 @@ public:
                 hn::StoreU(hn::Compress(numbers[column], near), tag, &columns_[column][count_]);
             count_ += static_cast<std::size_t>(std::popcount(bits));
         }
+        // The rest of the last vector is no ray's, but goes to cells, too.
+        for (auto& column : columns_)
+            hn::StoreU(hn::Zero(tag), tag, &column[count_]);
     }
 
     [[nodiscard]] std::size_t count() const { return count_; }
