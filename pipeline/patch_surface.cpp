@@ -1,6 +1,7 @@
 #include "pipeline/patch_surface.hpp"
 
 #include "engine/kernel/patch_code.hpp"
+#include "engine/taylor/patch_models.hpp"
 #include "jit/compile.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Kernel patch_code(const PatchGraphs& graphs, std::size_t thickness) {
         kernel.has_double = true;
         return kernel;
     });
-    return patch_kernel(std::move(point), graphs.box);
+    return patch_kernel(std::move(point), graphs.box, patch_modeler(shown));
 }
 
 ThicknessUniforms thickness_of(PatchKind kind, const std::optional<Thickness>& chosen,

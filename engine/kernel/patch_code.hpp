@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/kernel/kernel.hpp"
+#include "engine/kernel/patch_model.hpp"
 
 #include <array>
 #include <memory>
@@ -16,12 +17,14 @@ struct PatchCode {
     std::vector<Kernel> point;  ///< empty: the kernel is that of an f
     /// The patch is cut to this box, too: from and to in x, in y and in z.
     std::optional<std::array<double, 6>> box = std::nullopt;
+    std::shared_ptr<const PatchModeler> modeler = nullptr;  ///< nullptr: there is none
 };
 
 /// The kernel of a surface that is drawn by its patch. Its functions know nothing of any place, so
 /// that whoever asks them for an f finds no root and proves nothing.
 Kernel patch_kernel(std::array<Kernel, 3> point,
-                    const std::optional<std::array<double, 6>>& box = std::nullopt);
+                    const std::optional<std::array<double, 6>>& box = std::nullopt,
+                    std::shared_ptr<const PatchModeler> modeler = nullptr);
 
 /// The code of a kernel made by patch_kernel; nullptr for other kernels.
 std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel);

@@ -118,18 +118,37 @@ void ask_ranges(const Kernel& kernel, const Uniforms& uniforms, const PatchForms
 
 }  // namespace
 
+namespace {
+
+/// More than rounding may move the ends of a clip box.
+double spare_of(const Box& clip, int k) {
+    return 0x1p-40 * (std::abs(clip.lo[k]) + std::abs(clip.hi[k]));
+}
+
+bool is_beside(const PatchForm& form, const Box& clip, int k) {
+    const double spare = spare_of(clip, k);
+    const double spread = std::abs(form.ku[k]) + std::abs(form.kv[k]) + form.e[k];
+    return form.c[k] - spread > clip.hi[k] + spare || form.c[k] + spread < clip.lo[k] - spare;
+}
+
+/// Whether no place of a known form is in a clip box.
+bool is_beside(const PatchForm& form, const Box& clip) {
+    return is_beside(form, clip, 0) || is_beside(form, clip, 1) || is_beside(form, clip, 2);
+}
+
+}  // namespace
+
 std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip) {
     if (form.nowhere) return std::nullopt;
     PatchForm within = form;
     for (int k = 0; k < 3; ++k) {
-        const double spare = 0x1p-40 * (std::abs(clip.lo[k]) + std::abs(clip.hi[k]));
-        const double clip_lo = clip.lo[k] - spare;
-        const double clip_hi = clip.hi[k] + spare;
         if (form.e[k] < unbounded) {
-            const double spread = std::abs(form.ku[k]) + std::abs(form.kv[k]) + form.e[k];
-            if (form.c[k] - spread > clip_hi || form.c[k] + spread < clip_lo) return std::nullopt;
+            if (is_beside(form, clip, k)) return std::nullopt;
             continue;
         }
+        const double spare = spare_of(clip, k);
+        const double clip_lo = clip.lo[k] - spare;
+        const double clip_hi = clip.hi[k] + spare;
         const bool is_between = form.lo[k] <= form.hi[k];
         if (!is_between && form.hi[k] < clip_lo && form.lo[k] > clip_hi) return std::nullopt;
         const double lo = is_between ? std::max(form.lo[k], clip_lo) : clip_lo;
@@ -140,6 +159,74 @@ std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip) {
         within.e[k] = 0.5 * (hi - lo) * (1.0 + 0x1p-20) + spare;
     }
     return within;
+}
+
+PatchForm form_of(const PatchModel& model) {
+    PatchForm form{};
+    form.continuous = true;
+    form.lo = glm::dvec3(-unbounded);
+    form.hi = glm::dvec3(unbounded);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = static_cast<int>(k);
+        const auto& terms = model.terms[k];
+        double size = std::abs(terms[0]) + std::abs(terms[1]) + std::abs(terms[2]);
+        double middle = terms[0];
+        double spread = 0.0;
+        double by_u = 0.0;
+        double by_v = 0.0;
+        for (std::size_t i = patch_term(2, 0); i < patch_terms; ++i) {
+            const double term = std::abs(terms[i]);
+            size += term;
+            by_u += patch_powers[i].p * term;
+            by_v += patch_powers[i].q * term;
+            // Powers that are even run from 0 to 1.
+            const bool is_even = patch_powers[i].p % 2 == 0 && patch_powers[i].q % 2 == 0;
+            if (is_even) middle += 0.5 * terms[i];
+            spread += is_even ? 0.5 * term : term;
+        }
+        form.c[at] = middle;
+        form.ku[at] = form.du[at] = terms[patch_term(1, 0)];
+        form.kv[at] = form.dv[at] = terms[patch_term(0, 1)];
+        form.e[at] = spread + model.error[k] + 0x1p-47 * size;
+        form.du_radius[at] = by_u;
+        form.dv_radius[at] = by_v;
+        form.value_error[at] = model.error[k] + 0x1p-47 * size;
+    }
+    return form;
+}
+
+PatchPoint value_of(const PatchModel& model, double p, double q) {
+    std::array<double, std::size_t{patch_degree} + 1> p_powers{1.0};
+    std::array<double, std::size_t{patch_degree} + 1> q_powers{1.0};
+    for (std::size_t i = 1; i < p_powers.size(); ++i) {
+        p_powers[i] = p_powers[i - 1] * p;
+        q_powers[i] = q_powers[i - 1] * q;
+    }
+    PatchPoint point{.s = glm::dvec3(0.0), .su = glm::dvec3(0.0), .sv = glm::dvec3(0.0)};
+    for (std::size_t i = 0; i < patch_terms; ++i) {
+        const glm::dvec3 term(model.terms[0][i], model.terms[1][i], model.terms[2][i]);
+        const auto by_p = static_cast<std::size_t>(patch_powers[i].p);
+        const auto by_q = static_cast<std::size_t>(patch_powers[i].q);
+        point.s += term * (p_powers[by_p] * q_powers[by_q]);
+        if (by_p > 0) point.su += term * (patch_powers[i].p * p_powers[by_p - 1] * q_powers[by_q]);
+        if (by_q > 0) point.sv += term * (patch_powers[i].q * p_powers[by_p] * q_powers[by_q - 1]);
+    }
+    return point;
+}
+
+FormWithin::FormWithin(const PatchForm& form, const Box& clip) {
+    if (!form.known()) {
+        changed_ = form_within(form, clip);
+        if (changed_) form_ = &*changed_;
+        return;
+    }
+    if (!form.nowhere && !is_beside(form, clip)) form_ = &form;
+}
+
+bool PatchForms::make_models(std::span<const UvBox> boxes, std::span<PatchModel> models) const {
+    if (code_->modeler == nullptr) return false;
+    code_->modeler->make_models(boxes, uniforms_, models);
+    return true;
 }
 
 void PatchForms::evaluate(const Boxes& boxes, Forms& forms) const {

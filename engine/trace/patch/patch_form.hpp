@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,24 +15,15 @@
 
 namespace zeroset {
 
-/// The (u, v) with |u - u_i| <= u_radius and |v - v_i| <= v_radius.
-struct UvBox {
-    double u, v, u_radius, v_radius;
-
-    /// The box with radii times `factor`.
-    [[nodiscard]] UvBox grown(double factor) const {
-        return {.u = u, .v = v, .u_radius = factor * u_radius, .v_radius = factor * v_radius};
-    }
-};
-
 /// What is known of a patch over a box:
 ///   S is in c + ku eu + kv ev + [-e, e]  for eu, ev in [-1, 1], which run over the box,
-/// and the derivatives of S by eu and ev are within their radii of du and dv. Where nothing is
-/// known radii and e are +inf.
+/// and the derivatives by eu and ev of what is evaluated in place of S, from which S differs by
+/// value_error at most, are within their radii of du and dv. Where nothing is known radii and e are
+/// +inf.
 struct PatchForm {
     glm::dvec3 c, ku, kv, e;
     glm::dvec3 du, dv, du_radius, dv_radius;
-    glm::dvec3 value_error;  ///< of an evaluation of S at a point of the box
+    glm::dvec3 value_error;  ///< of an evaluation at a point of the box
     /// Of coordinates whose e is +inf: they are at least lo and at most hi; or one of both where lo
     /// is above hi.
     glm::dvec3 lo, hi;
@@ -40,16 +32,44 @@ struct PatchForm {
 
     /// The most by which S differs from c.
     [[nodiscard]] glm::dvec3 spread() const { return glm::abs(ku) + glm::abs(kv) + e; }
+    /// Whether something is known of each coordinate.
+    [[nodiscard]] bool known() const {
+        constexpr double unbounded = std::numeric_limits<double>::infinity();
+        return e.x < unbounded && e.y < unbounded && e.z < unbounded;
+    }
 };
 
 /// The form of those places of a box that are in a clip box: where nothing is known of a
 /// coordinate, it is known to be there. Nothing where no place of the box is. In upward rounding.
 std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip);
 
+/// Such a form, which is not copied where all of it is known.
+class FormWithin {
+public:
+    FormWithin(const PatchForm& form, const Box& clip);
+    FormWithin(const FormWithin&) = delete;
+    FormWithin& operator=(const FormWithin&) = delete;
+    ~FormWithin() = default;
+
+    explicit operator bool() const { return form_ != nullptr; }
+    const PatchForm& operator*() const { return *form_; }
+
+private:
+    const PatchForm* form_ = nullptr;
+    std::optional<PatchForm> changed_;
+};
+
+/// What a model tells; what is evaluated is its polynomials. The model knows all coordinates. In
+/// upward rounding.
+PatchForm form_of(const PatchModel& model);
+
 /// S and its derivatives by u and v, as they are computed.
 struct PatchPoint {
     glm::dvec3 s, su, sv;
 };
+
+/// The polynomials of a model and their derivatives by p and q, at a place in [-1, 1]^2.
+PatchPoint value_of(const PatchModel& model, double p, double q);
 
 /// Asks the code of a patch, for some values of the uniforms. Read-only; any thread. All in upward
 /// rounding.
@@ -62,8 +82,11 @@ public:
     PatchForms(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
         : code_(std::move(code)), uniforms_(std::move(uniforms)) {}
 
-    /// The forms over boxes that all have the radii of the first.
+    /// The forms over boxes that all have the radii of the first; S itself is evaluated.
     void evaluate(const Boxes& boxes, Forms& forms) const;
+    /// The model of each box; false: there are none.
+    [[nodiscard]] bool make_models(std::span<const UvBox> boxes,
+                                   std::span<PatchModel> models) const;
     /// S at (u, v) of each pair.
     void evaluate(std::span<const glm::dvec2> places, std::span<PatchPoint> points) const;
 

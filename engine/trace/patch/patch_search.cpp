@@ -74,17 +74,13 @@ UvBox place_in(const UvBox& box, double p, double q, double radius) {
 
 void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole,
                        PatchNode* node) {
-    const auto within = form_within(whole, quest.clip);
+    const FormWithin within(whole, quest.clip);
     if (!within) return;
-    const PatchForm& form = *within;
-    const double middle = glm::dot(quest.axes.forward, form.c - quest.axes.base);
-    const double radius = glm::dot(glm::abs(quest.axes.forward), form.spread());
-    const double spare = quest.axes.error + 0x1p-46 * (std::abs(middle) + radius);
-    const double near = radius < std::numeric_limits<double>::infinity()
-                            ? std::max(middle - radius - spare, quest.from)
-                            : quest.from;
-    if (near >= std::min(best_.s, quest.to) || middle + radius + spare < quest.from) return;
-    open_.push_back({.box = box, .form = form, .node = node, .near = near});
+    const PatchSight sight = place_of(*within, quest.axes);
+    const SightDepths depths = sight.depths();
+    const double near = std::max(depths.near, quest.from);
+    if (near >= std::min(best_.s, quest.to) || depths.far < quest.from) return;
+    open_.push_back({.box = box, .form = *within, .sight = sight, .node = node, .near = near});
 }
 
 void PatchSearch::take(const PatchQuest& quest, const Item& item, const ZeroTest& test,
@@ -99,40 +95,48 @@ void PatchSearch::take(const PatchQuest& quest, const Item& item, const ZeroTest
     best_.normal = glm::cross(point.su, point.sv);
 }
 
+PatchPoint PatchSearch::evaluate(const Item& item, double p, double q) {
+    ++counters_.value;
+    if (item.node != nullptr && item.node->model != nullptr)
+        return value_of(*item.node->model, p, q);
+    const UvBox place = place_in(item.box, p, q, 0.0);
+    const std::array<glm::dvec2, 1> places{glm::dvec2(place.u, place.v)};
+    std::array<PatchPoint, 1> points;
+    tree_.forms().evaluate(places, points);
+    points[0].su *= form_growth * item.box.u_radius;
+    points[0].sv *= form_growth * item.box.v_radius;
+    return points[0];
+}
+
 PatchSearch::Outcome PatchSearch::certify(const PatchQuest& quest, const Item& item,
                                           const PatchSight& sight, const LinearZeros& zeros) {
     constexpr double most_norm = 0.5;
     constexpr int most_steps = 6;
     if (!item.form.continuous || !zeros.known) return Outcome::Open;
+    // A hit cannot be narrower than what is evaluated.
+    if (sight.value_error > quest.tolerance) return Outcome::Open;
     const Contraction contraction = contraction_of(sight, {.middle = quest.ray});
     if (!(contraction.norm < most_norm)) return Outcome::Open;
     double p = std::clamp(zeros.p, -1.0, 1.0);
     double q = std::clamp(zeros.q, -1.0, 1.0);
     for (int step = 0; step < most_steps; ++step) {
-        const UvBox place = place_in(item.box, p, q, 0.0);
-        const std::array<glm::dvec2, 1> places{glm::dvec2(place.u, place.v)};
-        std::array<PatchPoint, 1> points;
-        tree_.forms().evaluate(places, points);
-        ++counters_.value;
-        const ZeroTest test = zero_test(sight, quest.axes, quest.ray, contraction,
-                                        quest.axes.place(points[0].s), p, q, inner);
+        const PatchPoint point = evaluate(item, p, q);
+        const glm::dvec3 at = quest.axes.place(point.s);
+        const ZeroTest test = zero_test(sight, quest.axes, quest.ray, contraction, at, p, q, inner);
         if (test.found == ZeroTest::Found::None) return Outcome::Done;
         const bool is_last = step + 1 == most_steps;
         if (test.found == ZeroTest::Found::One && 2.0 * test.s_radius <= quest.tolerance) {
             const InSquare where =
                 both(in_square(place_in(item.box, test.p, test.q, test.radius)),
-                     in_own_box(tree_, item.form, test, {.p = p, .q = q}, points[0]));
+                     in_own_box(tree_, item.form, test, {.p = p, .q = q}, point));
             if (where != InSquare::Unknown || is_last) {
-                take(quest, item, test, {.p = p, .q = q}, points[0]);
+                take(quest, item, test, {.p = p, .q = q}, point);
                 return Outcome::Done;
             }
         }
-        const double by_p = form_growth * item.box.u_radius;
-        const double by_q = form_growth * item.box.v_radius;
         const BoxPlace next =
-            newton_place(test, quest.axes, quest.ray, quest.axes.place(points[0].s),
-                         by_p * quest.axes.turned(points[0].su),
-                         by_q * quest.axes.turned(points[0].sv), {.p = p, .q = q});
+            newton_place(test, quest.axes, quest.ray, at, quest.axes.turned(point.su),
+                         quest.axes.turned(point.sv), {.p = p, .q = q});
         p = next.p;
         q = next.q;
     }
@@ -144,12 +148,11 @@ void PatchSearch::give_up(const PatchQuest& quest, const Item& item) {
         best_.unsettled = std::min(best_.unsettled, item.near);
         return;
     }
-    const double s = glm::dot(quest.axes.forward, item.form.c - quest.axes.base);
-    const double radius = glm::dot(glm::abs(quest.axes.forward), item.form.spread());
+    const double s = item.sight.c.z;
     const double at = std::clamp(s, item.near, std::max(item.near, quest.to));
     if (!(at < best_.s) || !std::isfinite(at)) return;
     best_.s = at;
-    best_.s_radius = radius;
+    best_.s_radius = item.sight.spread().z;
     best_.is_proved = false;
     best_.normal = glm::cross(item.form.du, item.form.dv);
 }
@@ -203,14 +206,15 @@ PatchHit PatchSearch::search(const PatchQuest& quest, PatchNode& node, const Pat
     int divisions = 0;
     while (!open_.empty() && !limit_.over()) {
         const auto first = std::ranges::min_element(open_, {}, &Item::near);
-        const Item item = *first;
+        Item item = *first;
         *first = open_.back();
         open_.pop_back();
         if (item.near >= best_.s) break;
         if (quest.any && best_.is_hit() && best_.is_proved) break;
-        const PatchSight sight = sight_of(item.form, quest.axes);
+        const PatchSight& sight = item.sight;
         const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
         if (!zeros.any || zeros.beyond(inner)) continue;
+        add_slopes(item.sight, item.form, quest.axes);
         if (certify(quest, item, sight, zeros) == Outcome::Done) continue;
         const glm::dvec3 spread = sight.spread();
         const double least = item.form.continuous ? least_radius : least_of_jumps;

@@ -64,8 +64,9 @@ private:
     struct Item {
         UvBox box;
         PatchForm form;
-        PatchNode* node;  ///< in the tree; nullptr: not in it
-        double near;      ///< no place of it is before this depth
+        PatchSight sight;  ///< of the form; without slopes
+        PatchNode* node;   ///< in the tree; nullptr: not in it
+        double near;       ///< no place of it is before this depth
     };
     enum class Outcome : std::uint8_t { Done, Open };
 
@@ -77,6 +78,8 @@ private:
     void push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole, PatchNode* node);
     Outcome certify(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                     const LinearZeros& zeros);
+    /// What is evaluated at a place of an item, with its derivatives by p and q.
+    PatchPoint evaluate(const Item& item, double p, double q);
     void take(const PatchQuest& quest, const Item& item, const ZeroTest& test, const BoxPlace& at,
               const PatchPoint& point);
     void give_up(const PatchQuest& quest, const Item& item);

@@ -8,28 +8,39 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// More than is lost by the rounding of some tens of operations, relative to the sizes that go in.
-constexpr double rounding = 0x1p-46;
+constexpr double rounding = sight_rounding;
 
 double most(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
-PatchSight sight_of(const PatchForm& form, const SightAxes& axes) {
+PatchSight place_of(const PatchForm& form, const SightAxes& axes) {
+    const glm::dvec3 sizes = glm::abs(form.c - axes.base) + form.spread();
+    const double lost = axes.error + rounding * most(sizes);
+    PatchSight sight;
+    sight.c = axes.place(form.c);
+    sight.kp = axes.turned(form.ku);
+    sight.kq = axes.turned(form.kv);
+    sight.e = axes.turned_size(form.e) + lost;
+    sight.value_error = lost;
+    return sight;
+}
+
+void add_slopes(PatchSight& sight, const PatchForm& form, const SightAxes& axes) {
     const auto turned_radius = [&](const glm::dvec3& radius, const glm::dvec3& middle) {
         return axes.turned_size(radius + rounding * glm::abs(middle));
     };
-    const glm::dvec3 sizes = glm::abs(form.c - axes.base) + form.spread();
-    const double lost = axes.error + rounding * most(sizes);
-    return {.c = axes.place(form.c),
-            .kp = axes.turned(form.ku),
-            .kq = axes.turned(form.kv),
-            .e = axes.turned_size(form.e) + lost,
-            .dp = axes.turned(form.du),
-            .dq = axes.turned(form.dv),
-            .dp_radius = turned_radius(form.du_radius, form.du),
-            .dq_radius = turned_radius(form.dv_radius, form.dv),
-            .value_error = 2.0 * most(form.value_error) + lost};
+    sight.dp = axes.turned(form.du);
+    sight.dq = axes.turned(form.dv);
+    sight.dp_radius = turned_radius(form.du_radius, form.du);
+    sight.dq_radius = turned_radius(form.dv_radius, form.dv);
+    sight.value_error += 2.0 * most(form.value_error);
+}
+
+PatchSight sight_of(const PatchForm& form, const SightAxes& axes) {
+    PatchSight sight = place_of(form, axes);
+    add_slopes(sight, form, axes);
+    return sight;
 }
 
 LinearZeros linear_zeros(const PatchSight& sight, const SightAxes& axes, const SightRay& ray) {

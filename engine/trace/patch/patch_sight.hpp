@@ -16,6 +16,9 @@
 
 namespace zeroset {
 
+/// More than is lost by the rounding of some tens of operations, relative to the sizes that go in.
+inline constexpr double sight_rounding = 0x1p-46;
+
 /// The axes of a view, or of a single ray.
 struct SightAxes {
     glm::dvec3 right, up, forward, base;
@@ -45,16 +48,30 @@ struct SightRays {
     double u_radius = 0.0, v_radius = 0.0;
 };
 
+/// What is at which depths.
+struct SightDepths {
+    double near, far;
+};
+
 /// A form in the axes of a view: as PatchForm, of (a, b, s).
 struct PatchSight {
     glm::dvec3 c, kp, kq, e;
     glm::dvec3 dp, dq, dp_radius, dq_radius;
-    double value_error;  ///< of (a, b, s) of an evaluation
+    double value_error = 0.0;  ///< of (a, b, s) of an evaluation
 
     [[nodiscard]] glm::dvec3 spread() const { return glm::abs(kp) + glm::abs(kq) + e; }
+    /// Depths between which the part is.
+    [[nodiscard]] SightDepths depths() const {
+        const double radius = spread().z;
+        return {.near = c.z - radius, .far = c.z + radius};
+    }
 };
 
 PatchSight sight_of(const PatchForm& form, const SightAxes& axes);
+/// As above, but for the derivatives and value_error.
+PatchSight place_of(const PatchForm& form, const SightAxes& axes);
+/// Adds these to `place_of`.
+void add_slopes(PatchSight& sight, const PatchForm& form, const SightAxes& axes);
 
 /// A 2 x 2 matrix.
 struct Matrix2 {

@@ -13,10 +13,12 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double inner = 1.0 / form_growth;
 /// Leaves are so flat that two or three steps of Newton's method find a zero.
 constexpr double flat_norm = 0.4;
+/// Leaves with a model are halved further until they are as flat.
+constexpr double model_norm = 1.0;
+/// Parts with a model that are as small as this, in pixels, are leaves.
+constexpr double small_pixels = 24.0;
 /// Parts as small as this, in pixels, are leaves, whatever they are like.
 constexpr double least_pixels = 5.0;
-/// No part is divided further for many rays at once.
-constexpr int most_levels = 14;
 /// Nor where S is not continuous: such parts may be as many as there are along a line.
 constexpr int most_levels_of_jumps = 4;
 /// Krawczyk's test says enough below this.
@@ -88,6 +90,14 @@ void PatchTile::find_bounds() {
                   .v_hi = std::max(bounds.v_hi, v)};
     };
     bounds_ = none;
+    if (wish_ == Wish::FirstHits) {
+        bounds_ = {.u_lo = rays_.u(0.0),
+                   .u_hi = rays_.u(cols_ - 1),
+                   .v_lo = rays_.v(rows_ - 1),
+                   .v_hi = rays_.v(0.0)};
+        limit_ = *std::ranges::max_element(room_.to);
+        return;
+    }
     blocks_.fill(none);
     for (int row = 0; row < rows_; ++row) {
         for (int col = 0; col < cols_; ++col) {
@@ -96,7 +106,7 @@ void PatchTile::find_bounds() {
             limit_ = std::max(limit_, room_.to[pixel]);
             const auto at =
                 static_cast<std::size_t>(row / block * (tile_size / block) + col / block);
-            if (wish_ == Wish::AnyHits) widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
+            widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
             widen(bounds_, room_.u[pixel], room_.v[pixel]);
         }
     }
@@ -104,29 +114,41 @@ void PatchTile::find_bounds() {
 
 void PatchTile::run() {
     if (!(depths_.near <= limit_)) return;
-    visit(tree_.root());
+    if (Part root; look_at(tree_.root(), root)) visit(root);
     solve();
     search_rest();
 }
 
-PatchTile::Depths PatchTile::depths_of(const PatchForm& form) const {
-    const double middle = glm::dot(axes_.forward, form.c - axes_.base);
-    const double radius = glm::dot(glm::abs(axes_.forward), form.e) +
-                          std::abs(glm::dot(axes_.forward, form.ku)) +
-                          std::abs(glm::dot(axes_.forward, form.kv));
-    if (!(radius < unbounded)) return {.near = -unbounded, .far = unbounded};
-    const double spare = axes_.error + 0x1p-44 * (std::abs(middle) + radius);
-    return {.near = middle - radius - spare, .far = middle + radius + spare};
-}
-
-bool PatchTile::is_hidden(const Depths& depths) const {
+bool PatchTile::is_hidden(const SightDepths& depths) const {
     return depths.near > limit_ || depths.far < depths_.near;
 }
 
-PatchTile::Rect PatchTile::pixels_of(const PatchSight& sight, const Depths& depths) const {
+bool PatchTile::is_covered(const Rect& rect, double near) {
+    for (int row = rect.row / block; row * block < rect.end_row; ++row) {
+        for (int col = rect.col / block; col * block < rect.end_col; ++col) {
+            const auto at = static_cast<std::size_t>(row * (tile_size / block) + col);
+            const std::uint64_t bit = std::uint64_t{1} << at;
+            if ((changed_blocks_ & bit) != 0) {
+                double reach = -unbounded;
+                for (int i = 0; i < block; ++i) {
+                    const double* const first =
+                        room_.reach.data() + index_of(col * block, row * block + i);
+                    reach = std::max(reach, *std::max_element(first, first + block));
+                }
+                block_reach_[at] = reach;
+                changed_blocks_ &= ~bit;
+            }
+            if (near <= block_reach_[at]) return false;
+        }
+    }
+    return true;
+}
+
+PatchTile::Rect PatchTile::pixels_of(const Part& part) const {
     const Rect all{.col = 0, .row = 0, .end_col = cols_, .end_row = rows_};
-    const double near = axes_.distance + depths.near;
-    const double far = axes_.distance + depths.far;
+    const PatchSight& sight = part.sight;
+    const double near = axes_.distance + part.depths.near;
+    const double far = axes_.distance + part.depths.far;
     if (wish_ == Wish::AnyHits || !(near > 0.0) || !(far < unbounded)) return all;
     const glm::dvec3 spread = sight.spread();
     const auto quotients = [&](double middle, double radius) {
@@ -142,19 +164,23 @@ PatchTile::Rect PatchTile::pixels_of(const PatchSight& sight, const Depths& dept
         return static_cast<int>(std::clamp(pixels, -1.0, static_cast<double>(size)));
     };
     const double per_pixel = 1.0 / rays_.pixel();
-    return {.col = pixel(std::ceil((u_lo - rays_.u(0.0)) * per_pixel - spare), cols_),
-            .row = pixel(std::ceil((rays_.v(0.0) - v_hi) * per_pixel - spare), rows_),
+    const auto from = [&](double pixels, int size) { return std::max(pixel(pixels, size), 0); };
+    return {.col = from(std::ceil((u_lo - rays_.u(0.0)) * per_pixel - spare), cols_),
+            .row = from(std::ceil((rays_.v(0.0) - v_hi) * per_pixel - spare), rows_),
             .end_col = pixel(std::floor((u_hi - rays_.u(0.0)) * per_pixel + spare) + 1.0, cols_),
             .end_row = pixel(std::floor((rays_.v(0.0) - v_lo) * per_pixel + spare) + 1.0, rows_)};
 }
 
-bool PatchTile::is_leaf(const PatchNode& node, const PatchSight& sight, const Rect& rect) const {
-    if (node.level >= (node.form.continuous ? most_levels : most_levels_of_jumps)) return true;
+bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {
+    const auto& [node, depths, sight] = part;
+    if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps)) return true;
     const glm::dvec3 spread = sight.spread();
-    const double pixel = pixel_at(sight.c.z);
-    if (2.0 * std::max(spread.x, spread.y) < least_pixels * pixel) return true;
-    if (!node.form.continuous) return false;
-    return contraction_of(sight, rays_of(rect)).norm <= flat_norm;
+    const double pixels = 2.0 * std::max(spread.x, spread.y) / pixel_at(sight.c.z);
+    if (pixels < least_pixels) return true;
+    if (!node->form.continuous || !is_fine(*node, sight)) return false;
+    if (node->model != nullptr && pixels < small_pixels) return true;
+    return contraction_of(sight, rays_of(rect)).norm <=
+           (node->model != nullptr ? model_norm : flat_norm);
 }
 
 SightRays PatchTile::rays_of(const Rect& rect) const {
@@ -172,46 +198,75 @@ SightRays PatchTile::rays_of(const Rect& rect) const {
             .v_radius = 0.5 * (rect.end_row - rect.row) * rays_.pixel()};
 }
 
-void PatchTile::visit(PatchNode& node) {
-    if (frame_.stopped()) return;
-    const auto form = form_within(node.form, clip_);
-    if (!form) return;
-    const Depths depths = depths_of(*form);
-    if (is_hidden(depths)) return;
-    const PatchSight sight = sight_of(*form, axes_);
-    if (is_beside(sight, axes_, bounds_)) return;
-    Rect rect = pixels_of(sight, depths);
-    rect.col = std::max(rect.col, 0);
-    rect.row = std::max(rect.row, 0);
-    if (rect.empty()) return;
-    if (!is_leaf(node, sight, rect)) {
+bool PatchTile::look_at(PatchNode& node, Part& part) const {
+    const FormWithin form(node.form, clip_);
+    if (!form) return false;
+    part.node = &node;
+    part.sight = place_of(*form, axes_);
+    part.depths = part.sight.depths();
+    return !is_hidden(part.depths) && !is_beside(part.sight, axes_, bounds_);
+}
+
+void PatchTile::visit(Part& part) {
+    if (frame_.stopped() || is_hidden(part.depths)) return;
+    PatchNode& node = *part.node;
+    const Rect rect = pixels_of(part);
+    if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
+    add_slopes(part.sight, node.form, axes_);
+    if (!is_leaf(part, rect)) {
         const bool is_new = node.children.load(std::memory_order_acquire) == nullptr;
         if (PatchNode::Children* const parts = tree_.parts(node)) {
             if (is_new) counters_.form += parts->nodes.size();
             return visit_parts(*parts);
         }
     }
-    scan(node, sight, rect, depths.near);
+    if (node.model == nullptr || !is_fine(node, part.sight)) return scan(part, rect);
+    room_.rects.clear();
+    for_each_rect(part.sight, rect, [&](const Rect& some) { room_.rects.push_back(some); });
+    trace_model(part, {.rects = room_.rects, .others = {}});
 }
 
-void PatchTile::visit_parts(PatchNode::Children& parts) {
-    std::array<std::pair<double, PatchNode*>, PatchForms::at_once> order;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = {glm::dot(axes_.forward, parts.nodes[i].form.c), &parts.nodes[i]};
-    std::ranges::sort(order, {}, &std::pair<double, PatchNode*>::first);
-    for (const auto& [near, node] : order)
-        visit(*node);
-}
-
-void PatchTile::scan(PatchNode& node, const PatchSight& sight, const Rect& rect, double near) {
-    const std::size_t leaf = room_.leaves.size();
-    room_.leaves.push_back(
-        {.node = &node, .sight = sight, .contraction = contraction_of(sight, rays_of(rect))});
-    if (wish_ == Wish::FirstHits) {
-        scan_rect(leaf, rect, near);
-    } else {
-        scan_blocks(leaf, near);
+std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
+                                   Order& order) const {
+    std::size_t count = 0;
+    for (PatchNode& node : children.nodes) {
+        if (!look_at(node, parts[count])) continue;
+        order[count] = {parts[count].sight.c.z, count};
+        ++count;
     }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+}
+
+void PatchTile::visit_parts(PatchNode::Children& children) {
+    Parts parts;
+    Order order;
+    const std::size_t count = order_parts(children, parts, order);
+    for (std::size_t i = 0; i < count; ++i)
+        visit(parts[order[i].second]);
+}
+
+template <class Scan>
+void PatchTile::for_each_rect(const PatchSight& sight, const Rect& rect, Scan scan) const {
+    if (wish_ == Wish::FirstHits) return scan(rect);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (is_beside(sight, axes_, blocks_[i])) continue;
+        const int col = static_cast<int>(i) % (tile_size / block) * block;
+        const int row = static_cast<int>(i) / (tile_size / block) * block;
+        scan(Rect{.col = col,
+                  .row = row,
+                  .end_col = std::min(col + block, cols_),
+                  .end_row = std::min(row + block, rows_)});
+    }
+}
+
+void PatchTile::scan(const Part& part, const Rect& rect) {
+    const std::size_t leaf = room_.leaves.size();
+    room_.leaves.push_back({.node = part.node,
+                            .sight = part.sight,
+                            .contraction = contraction_of(part.sight, rays_of(rect))});
+    for_each_rect(part.sight, rect,
+                  [&](const Rect& some) { scan_rect(leaf, some, part.depths.near); });
     if (room_.candidates.size() >= candidates_at_once) solve();
 }
 
@@ -222,27 +277,14 @@ void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
     }
 }
 
-void PatchTile::scan_blocks(std::size_t leaf, double near) {
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (is_beside(room_.leaves[leaf].sight, axes_, blocks_[i])) continue;
-        const int col = static_cast<int>(i) % (tile_size / block) * block;
-        const int row = static_cast<int>(i) / (tile_size / block) * block;
-        scan_rect(leaf,
-                  {.col = col,
-                   .row = row,
-                   .end_col = std::min(col + block, cols_),
-                   .end_row = std::min(row + block, rows_)},
-                  near);
-    }
-}
-
 void PatchTile::scan_pixel(std::size_t pixel, std::size_t leaf, double near) {
     if (near > room_.reach[pixel]) return;
     const auto& [node, sight, contraction] = room_.leaves[leaf];
     const SightRay ray = ray_of(pixel);
     const LinearZeros zeros = linear_zeros(sight, axes_, ray);
     if (!zeros.any || zeros.beyond(inner)) return;
-    if (node->form.continuous && zeros.known && contraction.norm < most_norm) {
+    const bool may_solve = node->model == nullptr && node->form.continuous;
+    if (may_solve && zeros.known && contraction.norm < most_norm) {
         room_.candidates.push_back(
             {.pixel = pixel,
              .leaf = leaf,
@@ -253,15 +295,21 @@ void PatchTile::scan_pixel(std::size_t pixel, std::size_t leaf, double near) {
 }
 
 void PatchTile::solve() {
+    if (room_.candidates.empty()) return;
     for (int step = 1; step <= most_steps && !room_.candidates.empty(); ++step)
         advance(step == most_steps);
     for (const Candidate& candidate : room_.candidates) {
-        PatchNode* const node = room_.leaves[candidate.leaf].node;
+        const Leaf& leaf = room_.leaves[candidate.leaf];
         room_.rest.push_back(
-            {.pixel = candidate.pixel, .node = node, .near = depths_of(node->form).near});
+            {.pixel = candidate.pixel, .node = leaf.node, .near = leaf.sight.depths().near});
     }
     room_.candidates.clear();
     room_.leaves.clear();
+    find_limit();
+}
+
+void PatchTile::find_limit() {
+    new_hits_ = 0;
     double farthest = -unbounded;
     for (int row = 0; row < rows_; ++row) {
         for (int col = 0; col < cols_; ++col)
@@ -320,6 +368,7 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.to[candidate.pixel]) ||
         test.s < rays_.first_depth())
         return true;
+    changed_blocks_ = ~std::uint64_t{0};
     room_.set(candidate.pixel, {.s = test.s,
                                 .s_radius = test.s_radius,
                                 .is_proved = where == InSquare::Inside,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/trace/patch/patch_leaf.hpp"
 #include "engine/trace/patch/patch_search.hpp"
 #include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -28,11 +29,14 @@ struct RayBounds {
 /// Whether a part of the patch is on one side of a plane through the eye that bounds rays.
 bool is_beside(const PatchSight& sight, const SightAxes& axes, const RayBounds& bounds);
 
+/// No part is divided further for many rays at once.
+inline constexpr int most_levels = 14;
+
 /// A tile whose patch is searched: parts of the patch that are flat enough, from front to back, and
 /// in each the pixels that it may cover; what that leaves open, ray by ray.
-class PatchTile {
+class PatchTile final : private LeafTaker {
 public:
-    /// A part of the patch as this tile sees it.
+    /// A part of the patch without a model as this tile sees it.
     struct Leaf {
         PatchNode* node;
         PatchSight sight;
@@ -67,6 +71,9 @@ public:
             is_set[pixel] = 1;
             reach[pixel] = std::min(hit.s, to[pixel]);
         }
+        LeafLists lists;
+        std::vector<TileRect> rects;
+        std::vector<std::size_t> left;  ///< pixels for which a leaf's model is too coarse
         std::vector<Leaf> leaves;
         std::vector<Candidate> candidates;
         std::vector<Rest> rest;
@@ -87,36 +94,56 @@ public:
     void run();
 
 private:
-    /// A rectangle of pixels of the tile: up to, but not including, the last ones.
-    struct Rect {
-        int col, row, end_col, end_row;
-
-        [[nodiscard]] bool empty() const { return col >= end_col || row >= end_row; }
+    using Rect = TileRect;
+    /// A part of the patch that rays of the tile may meet.
+    struct Part {
+        PatchNode* node;
+        SightDepths depths;
+        PatchSight sight;
     };
-    /// What of a part of the patch is at which depths.
-    struct Depths {
-        double near, far;
-    };
+    using Parts = std::array<Part, PatchForms::at_once>;
+    using Order = std::array<std::pair<double, std::size_t>, PatchForms::at_once>;
 
     void find_bounds();
-    void visit(PatchNode& node);
-    void visit_parts(PatchNode::Children& parts);
-    [[nodiscard]] Depths depths_of(const PatchForm& form) const;
-    [[nodiscard]] bool is_hidden(const Depths& depths) const;
-    [[nodiscard]] Rect pixels_of(const PatchSight& sight, const Depths& depths) const;
-    [[nodiscard]] bool is_leaf(const PatchNode& node, const PatchSight& sight,
-                               const Rect& rect) const;
+    /// Sets a part; false where no ray meets it.
+    bool look_at(PatchNode& node, Part& part) const;
+    void visit(Part& part);
+    void visit_parts(PatchNode::Children& children);
+    [[nodiscard]] bool is_hidden(const SightDepths& depths) const;
+    /// Whether all pixels of a rectangle have hits before a depth.
+    [[nodiscard]] bool is_covered(const Rect& rect, double near);
+    [[nodiscard]] Rect pixels_of(const Part& part) const;
+    /// Whether a part is not to be divided, whose pixels are in a rectangle.
+    [[nodiscard]] bool is_leaf(const Part& part, const Rect& rect) const;
+    /// Whether a node's model is so good that its hits are as narrow as they should be.
+    [[nodiscard]] bool is_fine(const PatchNode& node, const PatchSight& sight) const;
     /// The rays of a rectangle's pixels; of AnyHits all rays.
     [[nodiscard]] SightRays rays_of(const Rect& rect) const;
-    void scan(PatchNode& node, const PatchSight& sight, const Rect& rect, double near);
+    /// Calls a function for those pixels of a rectangle whose rays may meet a leaf.
+    template <class Scan>
+    void for_each_rect(const PatchSight& sight, const Rect& rect, Scan scan) const;
+    /// Finds the hits on a part that is known by its model.
+    void trace_model(const Part& part, const LeafPixels& pixels);
+    /// As above on the parts of a node for which its model is too coarse on some rays.
+    void trace_parts(PatchNode& node, std::span<const std::size_t> pixels);
+    void take(const LeafHit& hit) override;
+    void leave(std::size_t pixel, double near, LeafLeft why) override;
+    /// Whether a hit is in the box that the patch itself is cut to.
+    [[nodiscard]] InSquare side_of_own_box(const LeafHit& hit) const;
+    /// The parts that rays of the tile may meet, with their order from front to back.
+    std::size_t order_parts(PatchNode::Children& children, Parts& parts, Order& order) const;
+    /// Whether all of a part is where hits are wanted, whatever the pixel.
+    [[nodiscard]] bool is_inside(const PatchForm& form, const SightDepths& depths) const;
+    void scan(const Part& part, const Rect& rect);
     void scan_rect(std::size_t leaf, const Rect& rect, double near);
-    void scan_blocks(std::size_t leaf, double near);
     void scan_pixel(std::size_t pixel, std::size_t leaf, double near);
     /// Evaluates at all candidates until each is known.
     void solve();
     void advance(bool is_last);
     bool settle(const Candidate& candidate, const ZeroTest& test, const PatchPoint& point,
                 bool is_last);
+    /// Finds behind which depth nothing is wanted any more.
+    void find_limit();
     void search_rest();
     /// The width of a pixel at a depth.
     [[nodiscard]] double pixel_at(double s) const {
@@ -137,8 +164,15 @@ private:
     Box clip_;            ///< what of the scene's clip box is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted
     static constexpr int block = 8;
-    std::array<RayBounds, std::size_t{tile_size / block} * (tile_size / block)> blocks_{};
-    Depths depths_{};  ///< of all rays, within the clip box and the region
+    static constexpr std::size_t block_count = std::size_t{tile_size / block} * (tile_size / block);
+    std::array<RayBounds, block_count> blocks_{};
+    /// The largest reach of each block's pixels, but for those with new hits: a bit for each block.
+    std::array<double, block_count> block_reach_{};
+    std::uint64_t changed_blocks_ = ~std::uint64_t{0};
+    std::size_t new_hits_ = 0;   ///< since limit_ was found
+    PatchNode* leaf_ = nullptr;  ///< the one with a model that is looked at
+    bool is_leaf_inside_ = false;
+    SightDepths depths_{};  ///< of all rays, within the clip box and the region
     double limit_ = -std::numeric_limits<double>::infinity();  ///< behind it nothing is wanted
     PatchSearch search_;
 };

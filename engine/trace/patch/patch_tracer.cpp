@@ -18,16 +18,21 @@ std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * t
 
 /// Sets the rays of a tile of the image.
 void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
-    room.u.assign(tile_pixels, 0.0);
-    room.v.assign(tile_pixels, 0.0);
+    room.u.resize(tile_pixels);
+    room.v.resize(tile_pixels);
     room.to.assign(tile_pixels, -unbounded);
-    for (int row = 0; row < tile.rows; ++row) {
-        for (int col = 0; col < tile.cols; ++col) {
-            const std::size_t pixel = index_of(col, row);
-            room.u[pixel] = rays.u(col);
-            room.v[pixel] = rays.v(row);
-            room.to[pixel] = rays.limit(pixel);
+    for (int row = 0; row < tile_size; ++row) {
+        const std::size_t first = index_of(0, row);
+        for (int col = 0; col < tile_size; ++col)
+            room.u[first + static_cast<std::size_t>(col)] = rays.u(col);
+        std::fill_n(room.v.begin() + static_cast<std::ptrdiff_t>(first), tile_size, rays.v(row));
+        if (row >= tile.rows) continue;
+        if (tile.limits == nullptr) {
+            std::fill_n(room.to.begin() + static_cast<std::ptrdiff_t>(first), tile.cols, unbounded);
+            continue;
         }
+        for (int col = 0; col < tile.cols; ++col)
+            room.to[index_of(col, row)] = rays.limit(index_of(col, row));
     }
 }
 
@@ -53,7 +58,7 @@ std::array<float, 3> normal_of(const PatchHit& hit, const ViewFrame& view, doubl
     const double size = glm::dot(hit.normal, hit.normal);
     const bool is_known = size > 0.0 && size < unbounded;
     const glm::dvec3 normal =
-        is_known ? hit.normal / std::sqrt(size) : -(view.forward + u * view.right + v * view.up);
+        is_known ? hit.normal : -(view.forward + u * view.right + v * view.up);
     return float_gradient({normal.x, normal.y, normal.z});
 }
 

@@ -2,7 +2,9 @@
 
 #include "engine/real/rounding.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -37,6 +39,20 @@ PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
                     .v_radius = v_radius};
     }
     return parts;
+}
+
+/// Whether little of a form's error is what its model does not know.
+bool is_good(const PatchModel& model, const PatchForm& form) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = static_cast<int>(k);
+        const double size = std::abs(form.c[at]) + form.spread()[at];
+        if (model.error[k] > std::max(0.25 * form.e[at], 0x1p-30 * size)) return false;
+    }
+    return true;
+}
+
+bool is_tighter(const PatchForm& form, const PatchForm& other) {
+    return form.nowhere || form.e.x + form.e.y + form.e.z < other.e.x + other.e.y + other.e.z;
 }
 
 /// A bound of the length of what is between -radius and radius of a middle; of what is known.
@@ -77,6 +93,31 @@ PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
     root_.form = forms.front();
 }
 
+void PatchTree::make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const {
+    auto models = std::make_unique<PatchNode::Children::Models>();
+    const bool has_models = forms_.make_models(boxes, *models);
+    bool are_good = has_models;
+    for (std::size_t i = 0; i < boxes.size() && has_models; ++i) {
+        const PatchModel& model = (*models)[i];
+        if (model.known()) {
+            parts.nodes[i].form = form_of(model);
+            parts.nodes[i].model = &model;
+        }
+        are_good = are_good && model.known() && is_good(model, parts.nodes[i].form);
+    }
+    if (!are_good) {
+        PatchForms::Forms forms;
+        forms_.evaluate(boxes, forms);
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            PatchNode& node = parts.nodes[i];
+            if (node.model != nullptr && !is_tighter(forms[i], node.form)) continue;
+            node.form = forms[i];
+            node.model = nullptr;
+        }
+    }
+    if (has_models) parts.models = std::move(models);
+}
+
 PatchNode::Children* PatchTree::parts(PatchNode& node) const {
     if (PatchNode::Children* const known = node.children.load(std::memory_order_acquire))
         return known;
@@ -86,13 +127,11 @@ PatchNode::Children* PatchTree::parts(PatchNode& node) const {
     const Division division =
         division_of(length_of(form.du, form.du_radius), length_of(form.dv, form.dv_radius));
     const PatchForms::Boxes boxes = parts_of(node.box, division);
-    PatchForms::Forms forms;
-    forms_.evaluate(grown_boxes(boxes), forms);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         made->nodes[i].box = boxes[i];
-        made->nodes[i].form = forms[i];
         made->nodes[i].level = node.level + 1;
     }
+    make_forms(grown_boxes(boxes), *made);
     // Where two threads make the same parts, those of the first one count.
     PatchNode::Children* before = nullptr;
     if (!node.children.compare_exchange_strong(before, made.get(), std::memory_order_acq_rel))

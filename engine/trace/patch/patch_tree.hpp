@@ -29,8 +29,9 @@ Division division_of(double width, double height);
 struct PatchNode {
     struct Children;
 
-    UvBox box;       ///< what it stands for
-    PatchForm form;  ///< over box.grown(form_growth)
+    UvBox box;                          ///< what it stands for
+    PatchForm form;                     ///< over box.grown(form_growth)
+    const PatchModel* model = nullptr;  ///< what the form is of; nullptr: of S itself
     int level = 0;
     std::atomic<Children*> children = nullptr;
 
@@ -41,7 +42,10 @@ struct PatchNode {
 };
 
 struct PatchNode::Children {
+    using Models = std::array<PatchModel, PatchForms::at_once>;
+
     std::array<PatchNode, PatchForms::at_once> nodes;
+    std::unique_ptr<const Models> models;  ///< of the nodes that have one; else nullptr
 };
 
 /// What is known of a patch for some values of the uniforms, whatever the view: a tree of boxes in
@@ -67,7 +71,9 @@ public:
     [[nodiscard]] std::size_t size() const { return nodes_; }
 
 private:
-    static constexpr std::size_t most_nodes = std::size_t{1} << 19;
+    static constexpr std::size_t most_nodes = std::size_t{1} << 18;
+
+    void make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const;
 
     std::optional<Box> box_;
     PatchForms forms_;

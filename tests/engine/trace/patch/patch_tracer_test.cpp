@@ -1,15 +1,18 @@
 #include "engine/interpret/interpret.hpp"
 #include "engine/kernel/patch_code.hpp"
 #include "engine/render/render.hpp"
+#include "engine/taylor/patch_models.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +23,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+enum class Way { ByModels, WithoutModels };
+
 /// A surface by the texts of its coordinates, where (x, y) runs over the unit square.
-Scene patch_scene(const std::array<std::string, 3>& texts, const Box& clip,
+Scene patch_scene(const std::array<std::string, 3>& texts, Way way, const Box& clip,
                   const Region& region = {}) {
     std::array<Kernel, 3> point;
+    std::array<Expr, 3> graphs;
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const auto expr = parse(texts.at(i));
         if (!expr) {
@@ -32,8 +38,10 @@ Scene patch_scene(const std::array<std::string, 3>& texts, const Box& clip,
         }
         point.at(i) = interpret(*expr);
         point.at(i).has_double = true;
+        graphs.at(i) = *expr;
     }
-    Scene scene{{patch_kernel(std::move(point))}, clip, {}};
+    const auto modeler = way == Way::ByModels ? patch_modeler(graphs) : nullptr;
+    Scene scene{{patch_kernel(std::move(point), std::nullopt, modeler)}, clip, {}};
     scene.region = region;
     scene.uniforms.set(0, 0.0);
     return scene;
@@ -156,9 +164,8 @@ std::vector<PatchCase> cases() {
 
 class PatchTracer : public testing::TestWithParam<PatchCase> {};
 
-TEST_P(PatchTracer, FindsTheFirstHits) {
-    const PatchCase& c = GetParam();
-    const Scene scene = patch_scene(c.texts, c.clip, c.region);
+void expect_first_hits(const PatchCase& c, Way way) {
+    const Scene scene = patch_scene(c.texts, way, c.clip, c.region);
     Framebuffer frame(96, 82);
     render_frame(scene, c.camera, settings_at("beams", 22), frame);
     int hits = 0;
@@ -188,6 +195,37 @@ TEST_P(PatchTracer, FindsTheFirstHits) {
     }
     EXPECT_GT(hits, 300);
     EXPECT_LE(undecided, 2);
+}
+
+TEST_P(PatchTracer, FindsTheFirstHits) { expect_first_hits(GetParam(), Way::ByModels); }
+TEST_P(PatchTracer, FindsThemWithoutModels) { expect_first_hits(GetParam(), Way::WithoutModels); }
+
+/// The colours of a floor below a ball do not depend on how their shadows are searched.
+TEST(PatchShadows, AreThoseWithoutModels) {
+    const std::array<std::string, 3> floor{"2.4*x-1.2", "2.4*y-1.2", "-0.8"};
+    const std::array<std::string, 3> ball{"0.6*cos(pi*(x-1/2))*cos(2*pi*y)",
+                                          "0.6*cos(pi*(x-1/2))*sin(2*pi*y)", "0.6*sin(pi*(x-1/2))"};
+    const Box clip = Box::cube(1.2);
+    const auto picture = [&](Way way, bool shadows) {
+        TraceSettings settings = settings_at("beams", 22);
+        settings.shadows = shadows;
+        Framebuffer frame(96, 82);
+        Scene scene = patch_scene(floor, way, clip);
+        scene.surfaces.push_back(patch_scene(ball, way, clip).surfaces.front());
+        render_frame(scene, default_camera(clip), settings, frame);
+        return frame.color;
+    };
+    const auto by_models = picture(Way::ByModels, true);
+    const auto without_models = picture(Way::WithoutModels, true);
+    const auto unshadowed = picture(Way::ByModels, false);
+    int differ = 0;
+    int dark = 0;
+    for (std::size_t i = 0; i < unshadowed.size(); ++i) {
+        differ += by_models[i] == without_models[i] ? 0 : 1;
+        dark += by_models[i] == unshadowed[i] ? 0 : 1;
+    }
+    EXPECT_LE(differ, 6);
+    EXPECT_GT(dark, 50);
 }
 
 std::string name_of_case(const testing::TestParamInfo<PatchCase>& info) {
