@@ -27,7 +27,8 @@ enum class Way { ByModels, WithoutModels };
 
 /// A surface by the texts of its coordinates, where (x, y) runs over the unit square.
 Scene patch_scene(const std::array<std::string, 3>& texts, Way way, const Box& clip,
-                  const Region& region = {}) {
+                  const Region& region = {},
+                  const std::optional<std::array<double, 6>>& own_box = std::nullopt) {
     std::array<Kernel, 3> point;
     std::array<Expr, 3> graphs;
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -41,7 +42,7 @@ Scene patch_scene(const std::array<std::string, 3>& texts, Way way, const Box& c
         graphs.at(i) = *expr;
     }
     const auto modeler = way == Way::ByModels ? patch_modeler(graphs) : nullptr;
-    Scene scene{{patch_kernel(std::move(point), std::nullopt, modeler)}, clip, {}};
+    Scene scene{{patch_kernel(std::move(point), own_box, modeler)}, clip, {}};
     scene.region = region;
     scene.uniforms.set(0, 0.0);
     return scene;
@@ -57,9 +58,24 @@ struct PatchCase {
     Camera camera;
     Box clip = Box::cube(2);
     Region region = {};
+    std::optional<std::array<double, 6>> own_box = std::nullopt;
 };
 
 std::vector<double> unit_sphere_roots(const Ray& ray) { return sphere_roots(ray, 1.0); }
+
+/// The box that a sphere is cut to by itself.
+constexpr std::array<double, 6> own_box{-0.7, 2.0, -2.0, 0.3, -0.8, 2.0};
+
+std::vector<double> cut_sphere_roots(const Ray& ray) {
+    std::vector<double> roots;
+    for (const double t : unit_sphere_roots(ray)) {
+        const glm::dvec3 at = ray.at(t);
+        if (at.x >= own_box[0] && at.x <= own_box[1] && at.y >= own_box[2] && at.y <= own_box[3] &&
+            at.z >= own_box[4] && at.z <= own_box[5])
+            roots.push_back(t);
+    }
+    return roots;
+}
 
 /// The square -1 < x, y < 1 of the plane z = 0.3 x.
 std::vector<double> square_roots(const Ray& ray) {
@@ -151,6 +167,7 @@ std::vector<PatchCase> cases() {
              unit_sphere_roots,
              usual,
              {{-0.7, -2, -0.8}, {2, 0.3, 2}}},
+            {"sphere cut by a box of its own", sphere, cut_sphere_roots, usual, cube, {}, own_box},
             {"sphere in a ball", sphere, unit_sphere_roots, usual, cube, ball},
             {"half a sphere", sphere, unit_sphere_roots, usual, cube, half},
             {"square", square, square_roots, usual},
@@ -165,7 +182,7 @@ std::vector<PatchCase> cases() {
 class PatchTracer : public testing::TestWithParam<PatchCase> {};
 
 void expect_first_hits(const PatchCase& c, Way way) {
-    const Scene scene = patch_scene(c.texts, way, c.clip, c.region);
+    const Scene scene = patch_scene(c.texts, way, c.clip, c.region, c.own_box);
     Framebuffer frame(96, 82);
     render_frame(scene, c.camera, settings_at("beams", 22), frame);
     int hits = 0;
