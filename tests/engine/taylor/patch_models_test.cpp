@@ -125,7 +125,7 @@ TEST_P(PatchModels, EncloseTheFunction) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Functions, PatchModels, testing::ValuesIn(cases()),
-                         [](const auto& info) { return "f" + std::to_string(info.index); });
+                         [](const auto& made) { return "f" + std::to_string(made.index); });
 
 TEST(PatchModels, AreNarrowInSmallBoxes) {
     const auto error_at = [](double radius) {
