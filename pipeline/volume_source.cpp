@@ -1,6 +1,8 @@
 #include "pipeline/volume_source.hpp"
 
 #include "engine/base/translation.hpp"
+#include "engine/blobs/blob_file.hpp"
+#include "engine/blobs/blobs.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/volume_file.hpp"
@@ -154,6 +156,7 @@ public:
 
     [[nodiscard]] std::expected<std::shared_ptr<const Field>, FieldError> open(
         const FieldCall& call) const override {
+        if (call.word != "volume") return blobs(call);
         const auto wanted = ArgumentReader::read(call);
         if (!wanted) return std::unexpected(wanted.error());
         const std::scoped_lock lock(mutex_);
@@ -173,15 +176,49 @@ private:
         return std::unexpected(FieldError{
             .reason = quoted(call.file) + ": " + data.error(), .hint = {}, .at = call.file});
     }
-    [[nodiscard]] Data read(const FieldCall& call, const Wanted& wanted) const {
+    /// The file's path, if it may be read.
+    [[nodiscard]] std::expected<fs::path, FieldError> allowed_path(const FieldCall& call) const {
         const fs::path file = folder_.folder / fs::path(call.file);
-        if (folder_.closed && !may_read(file)) {
-            return std::unexpected(FieldError{
-                .reason = filled(tr("{0} lies outside the document's folder"), {quoted(call.file)}),
-                .hint = tr("open that file itself to allow it, or put it beside the "
-                           "document"),
-                .at = call.file});
+        if (!folder_.closed || may_read(file)) return file;
+        return std::unexpected(FieldError{
+            .reason = filled(tr("{0} lies outside the document's folder"), {quoted(call.file)}),
+            .hint = tr("open that file itself to allow it, or put it beside the "
+                       "document"),
+            .at = call.file});
+    }
+    /// The soft balls of a file.
+    [[nodiscard]] std::expected<std::shared_ptr<const Field>, FieldError> blobs(
+        const FieldCall& call) const {
+        double radius = 1;
+        if (!call.arguments.empty()) {
+            const auto number = number_from<double>(call.arguments.front());
+            if (!number || !(*number > 0 && *number < 1e100) || call.arguments.size() > 1) {
+                return std::unexpected(FieldError{
+                    .reason = filled(tr("behind the file {0} takes the radius of its balls"),
+                                     {std::string(call.word)}),
+                    .hint = filled(tr("type {0}"), {std::string(call.word) + "(\"" +
+                                                    std::string(call.file) + "\", 0.5)"}),
+                    .at = call.arguments.back()});
+            }
+            radius = *number;
         }
+        const auto file = allowed_path(call);
+        if (!file) return std::unexpected(file.error());
+        const auto read = read_blobs(*file, radius);
+        if (!read) {
+            return std::unexpected(FieldError{.reason = quoted(call.file) + ": " + read.error(),
+                                              .hint = {},
+                                              .at = call.file.empty() ? call.text : call.file});
+        }
+        const BlobKind kind = call.word == "metaballs" ? BlobKind::Metaball
+                              : call.word == "blinn"   ? BlobKind::Blinn
+                                                       : BlobKind::Wyvill;
+        return blobs_field(kind, *read, std::string(call.text));
+    }
+    [[nodiscard]] Data read(const FieldCall& call, const Wanted& wanted) const {
+        const auto allowed = allowed_path(call);
+        if (!allowed) return std::unexpected(allowed.error());
+        const fs::path& file = *allowed;
         auto data = open_volume(file, wanted.layout);
         if (data) return std::move(*data);
         std::string hint;

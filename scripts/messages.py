@@ -39,6 +39,8 @@ DEFINITIONS = {
     "engine/language/vocabulary/functions.def":
         r'ZEROSET_FUNCTION\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/library.def": r'ZEROSET_LIBRARY\("\w+", "[^"]*", ',
+    "engine/language/vocabulary/noises.def":
+        r'ZEROSET_NOISE\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/shapes.def": r'ZEROSET_WORD\(\w+, "\w+", "[^"]*", "\w+", ',
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'

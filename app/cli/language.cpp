@@ -22,12 +22,13 @@ std::string cell(std::string_view text) {
     return result;
 }
 
-/// The picture of a shape, which is in resources/docs/shapes; empty for other entries.
+/// The picture of a shape or noise, which is in resources/docs/shapes; empty for other entries.
 std::string picture(const HelpEntry& entry) {
     const std::string name = entry.typed.substr(0, entry.typed.find('('));
     const Function* const function = find_function(name);
-    const bool is_shape = function != nullptr && function->section == WordSection::Shapes &&
-                          entry.typed.size() > name.size();
+    const bool is_shape = function != nullptr && entry.typed.size() > name.size() &&
+                          !entry.typed.contains('"') &&
+                          (function->section == WordSection::Shapes || function->is_noise());
     return is_shape ? " ![" + name + "](shapes/" + name + ".png)" : std::string();
 }
 

@@ -209,15 +209,22 @@ private:
         return Atom;
     }
 
-    /// A derivative, which is never read, with the axes that it is by.
+    /// Prints a derivative, which is never read, with the axes that it is by. What the text of a
+    /// field without parentheses has from a comma on stands behind the operands: "noise, 7".
     static int lookup(const Node& node, std::vector<Piece>& pieces) {
         std::string text = node.field->text();
+        std::string last;
+        if (const std::size_t comma = text.find(','); comma < text.find('(')) {
+            last = text.substr(comma);
+            text.resize(comma);
+        }
         if (node.number != 0) text += "_";
         const std::array<int, 3> times = times_of(node.number);
         for (std::size_t axis = 0; axis < times.size(); ++axis)
             text.append(static_cast<std::size_t>(times[axis]), "xyz"[axis]);
-        pieces = {{.text = text + "("}, operand(node.a, Or), {.text = ", "}, operand(node.b, Or),
-                  {.text = ", "},       operand(node.c, Or), {.text = ")"}};
+        pieces = {{.text = text + "("}, operand(node.a, Or), {.text = ", "},
+                  operand(node.b, Or),  {.text = ", "},      operand(node.c, Or),
+                  {.text = last + ")"}};
         return Atom;
     }
 

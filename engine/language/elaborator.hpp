@@ -6,6 +6,7 @@
 #include "engine/language/syntax/syntax.hpp"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -224,6 +225,29 @@ private:
     bool fits(const Syntax& syntax, Values& arguments);
     bool make_point(char kind, Value& argument, const Syntax& syntax, std::size_t index);
     Built iterated(const Syntax& syntax, const Binding* scope);
+
+    // elaborator_fields.cpp, elaborator_blobs.cpp: noise, soft balls
+    Built noise(const Syntax& syntax, const Binding* scope);
+    std::optional<std::array<NodeId, 3>> leading_point(const Syntax& syntax, Values& arguments);
+    /// An argument behind the point, which is a whole number.
+    struct WholeArgument {
+        std::size_t place;
+        double otherwise;  ///< where it is left out
+        double least, most;
+        std::string rule;  ///< the reason of the error
+    };
+    std::optional<double> whole_argument(const Syntax& syntax, const Values& rest,
+                                         const WholeArgument& argument);
+    Built blobs(const Syntax& syntax, const Binding* scope);
+    std::optional<std::array<NodeId, 3>> point_of_blobs(const Syntax& syntax, Values before);
+    bool add_blob(const Syntax& syntax, const Value& from, const Values& radius,
+                  std::vector<std::array<NodeId, 4>>& blobs);
+    Built blobs_field_of(const Syntax& syntax, const std::array<NodeId, 3>& point,
+                         const std::vector<std::array<NodeId, 4>>& balls);
+    Built blobs_formula(const Syntax& syntax, const std::array<NodeId, 3>& point,
+                        const std::vector<std::array<NodeId, 4>>& balls);
+    Built octaves(const Syntax& syntax, std::array<NodeId, 3> point, const Values& rest,
+                  std::uint32_t seed);
     Built volume(const Syntax& syntax, const Binding* scope);
     std::shared_ptr<const Field> field_of(const Syntax& syntax);
     Built kept_value(const Syntax& syntax, const Binding* scope);

@@ -38,6 +38,7 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     if (syntax.function->is_thing()) return refuse_thing(syntax);
     if (syntax.function->repeats() && syntax.operands.size() > 1) return repeated(syntax, scope);
     if (syntax.function->is_of_library()) return library_call(syntax, scope);
+    if (syntax.function->is_noise()) return noise(syntax, scope);
     const std::optional<Composed> composed = syntax.function->composed;
     if (composed == Composed::Iterate) return iterated(syntax, scope);
     if (composed == Composed::Keep || composed == Composed::Kept) return kept_value(syntax, scope);

@@ -308,7 +308,8 @@ void DefinitionTable::note_repetitions(const Lists& lists, Notes& notes) const {
         }
         const Function* const function = find_function(name);
         const bool is_value = &lists == &values_;
-        if (function == nullptr || (is_value && function->is_of_library())) continue;
+        if (function == nullptr || (is_value && (function->is_of_library() || function->is_word())))
+            continue;
         notes.add(offset_of(indices[0]),
                   filled(tr("{0} is what this line defines, not the built-in function"), {name}));
     }

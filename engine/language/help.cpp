@@ -37,6 +37,8 @@ constexpr Line statements[] = {
      marked("samples from a file, as a function of the point: scan(x, y, z) = 400")},
     {R"(scan = volume("ct.nrrd", cubic))",
      marked("a spline through the samples, else trilinear; with smooth in its place: beside them")},
+    {R"(blobs("atoms.xyz", 0.8) = 1)",
+     marked("soft balls from a file with x y z, or x y z r, in each line; also metaballs, blinn")},
     {"a = 2; a = a + 1", marked("defined again: for what follows and for all surfaces")},
     {"a = 2; z = a x",
      marked("between statements; a line goes on in brackets, behind an operator and before one")},
@@ -166,8 +168,9 @@ std::vector<HelpSection> language_help() {
         {.title = marked("Moved shapes"), .entries = {}},
         {.title = marked("Blends and walls"), .entries = {}},
         {.title = marked("Things made of points"), .entries = {}},
+        {.title = marked("Noise and blobs"), .entries = {}},
         {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
-    const std::size_t fixed = help.size() - 7;
+    const std::size_t fixed = help.size() - 8;
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";

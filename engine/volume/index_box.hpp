@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/real/field_answers.hpp"
 #include "engine/volume/geometry.hpp"
 #include "engine/volume/pyramid.hpp"
 
@@ -10,10 +11,6 @@
 #include <cstdint>
 
 namespace zeroset {
-
-/// The relative error of one operation, in any rounding mode.
-template <class Real>
-inline constexpr Real unit_of = std::numeric_limits<Real>::epsilon();
 
 /// A bound of the terms of which index `i` of a point is made, for coordinates of these sizes.
 inline double terms_of(const IndexMap& map, std::size_t i, const std::array<double, 3>& sizes) {

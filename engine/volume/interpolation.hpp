@@ -1,25 +1,13 @@
 #pragma once
 
-#include <algorithm>
+#include "engine/real/field_answers.hpp"
+
 #include <array>
-#include <cmath>
 #include <limits>
 
 // What the ways to interpolate between samples tell of points and boxes.
 
 namespace zeroset {
-
-/// [lo, hi].
-struct ValueBounds {
-    double lo = 0, hi = 0;
-
-    [[nodiscard]] double size() const { return std::max(std::abs(lo), std::abs(hi)); }
-    void add(const ValueBounds& other) {
-        lo = std::min(lo, other.lo);
-        hi = std::max(hi, other.hi);
-    }
-    [[nodiscard]] ValueBounds widened(double by) const { return {.lo = lo - by, .hi = hi + by}; }
-};
 
 /// Second derivatives by the indices.
 template <class Number>

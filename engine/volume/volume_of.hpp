@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/real/field_answers.hpp"
 #include "engine/real/rounding.hpp"
-#include "engine/real/scalar.hpp"
 #include "engine/volume/spline.hpp"
 #include "engine/volume/trilinear.hpp"
 #include "engine/volume/volume.hpp"
@@ -14,38 +14,6 @@
 // The questions to a volume of samples of one type.
 
 namespace zeroset {
-
-/// Columns of an answer for one lane; bounds are stored as (-lo, hi), rounded outward.
-template <class Real>
-class AnswerLane {
-public:
-    AnswerLane(Real* out, int lanes, int lane) : out_(out + lane), lanes_(lanes) {}
-
-    void set(std::size_t column, double value) { place(column) = static_cast<Real>(value); }
-    void set_above(std::size_t column, double bound) { place(column) = upper_end(Real{}, bound); }
-    void set(std::size_t column, const ValueBounds& bounds) {
-        set_above(column, -bounds.lo);
-        set_above(column + 1, bounds.hi);
-    }
-    void set_mask(std::size_t column, bool holds) { place(column) = holds ? Real{1} : Real{0}; }
-
-private:
-    Real& place(std::size_t column) { return out_[column * static_cast<std::size_t>(lanes_)]; }
-
-    Real* out_;
-    int lanes_;
-};
-
-/// Numbers from `column` of a question for one lane; with `sign` -1 their negatives.
-template <class Real>
-std::array<double, 3> question_lane(const Real* in, std::size_t column, int lanes, int lane,
-                                    double sign = 1) {
-    const auto number = [&](std::size_t i) {
-        const auto at = (column + i) * static_cast<std::size_t>(lanes);
-        return sign * static_cast<double>(in[at + static_cast<std::size_t>(lane)]);
-    };
-    return {number(0), number(1), number(2)};
-}
 
 /// `Between` says what it is between the samples: Trilinear, CubicSpline.
 template <class Between>
@@ -132,18 +100,6 @@ private:
     Outside outside_;
     double constant_;
 };
-
-/// The axes of a derivative of first or second order.
-inline std::array<std::size_t, 2> axes_of(int derivative) {
-    std::array<std::size_t, 2> axes{};
-    std::size_t found = 0;
-    const auto times = times_of(derivative);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (int n = 0; n < times[axis] && found < 2; ++n)
-            axes[found++] = axis;
-    }
-    return axes;
-}
 
 /// a + b, where both are sums of products that were rounded: widened by that.
 inline ValueBounds scaled_sum(const ValueBounds& sum, double factor, const ValueBounds& term) {

@@ -123,6 +123,21 @@ TEST(Jit, HasTheInterpretersBitsOnFormulasWithConstants) {
     }
 }
 
+TEST(Jit, HasTheInterpretersBitsOnNoiseAndBlobs) {
+    RandomNumbers random(16);
+    const Batches batches(random, 256);
+    for (const char* const text :
+         {"noise(x, y, z)", "noise(3x + w, y, z, 7) - 0.1", "value_noise(x, y, z)*y",
+          "cellular(2x, y, z)", "cellular2(x, y, z, 3) - cellular(x, y, z, 3)",
+          "fbm(x, y, z, 3) + z", "turbulence(x, y, z, 2)", "noise(1/x, sqrt(y), z)",
+          "blobs([(0, 0, 0, 1), (1, 1, 0, 0.7), (-1, 0.5, 1, -0.6)]) - 1",
+          "metaballs(x + y, y, z, [(0, 0, 0, 1), (1, 1, 0, 0.7), (3, 0, 0, 0.1)]) - 1",
+          "blinn([(0, 0, 0, 1), (1, 1, 0, 0.7), (30, 0, 0, 0.1)]) - 1"}) {
+        SCOPED_TRACE(text);
+        expect_same_bits(parsed(text), batches);
+    }
+}
+
 TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
     RandomNumbers random(13);
     const Batches batches(random, 64);

@@ -195,6 +195,7 @@ Outcome<double> block_range(const Node& node, const Inputs<double>& in) {
 
 Node random_operator_node(const OpInfo& info, RandomNumbers& random) {
     Node node = node_of(info.op);
+    if (node.field) node.field = sample_fields()[random.below(sample_fields().size())];
     if (info.notation == Notation::Power) {
         node.number = random.one_in(9) ? 16 : random.between(2, 9);
     }
@@ -213,12 +214,15 @@ void check_operator(OperatorRange<Real> range, const Node& node, const Inputs<Re
     const Outcome<Real> outcome = in_tested_mode(range, node, in);
     std::optional<double> first_piece;
     for (const auto& [x, y, z] : in.points(info, random)) {
-        const Reference truth =
-            reference(node.op, node.number, MpfrNumber(x), MpfrNumber(y), MpfrNumber(z));
+        const std::array<MpfrNumber, 3> point{MpfrNumber(x), MpfrNumber(y), MpfrNumber(z)};
+        const Reference truth = node.field
+                                    ? field_reference(*node.field, point[0], point[1], point[2])
+                                    : reference(node.op, node.number, point[0], point[1], point[2]);
         const auto place = [&] {
             return "operator " + std::string(info.name) + ", number " +
-                   std::to_string(node.number) + "\n  a " + a.text() + "\n  b " + b.text() +
-                   "\n  c " + c.text() + "\n  at (" + hex(x) + ", " + hex(y) + ", " + hex(z) + ")";
+                   std::to_string(node.number) + (node.field ? " of " + node.field->text() : "") +
+                   "\n  a " + a.text() + "\n  b " + b.text() + "\n  c " + c.text() + "\n  at (" +
+                   hex(x) + ", " + hex(y) + ", " + hex(z) + ")";
         };
         tally.note(complaint(outcome, truth, tally, node.op == Op::Angle), place);
         if (!outcome.continuous || !truth.defined) continue;

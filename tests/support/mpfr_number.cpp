@@ -235,8 +235,7 @@ Reference of_operator(const Node& node, const std::vector<Reference>& values) {
         return a.value.sign() > 0 ? b : c;
     }
     if (!a.defined || !b.defined || !c.defined) return undefined();
-    if (const auto* const volume = dynamic_cast<const Volume*>(node.field.get()))
-        return field_reference(*volume, a.value, b.value, c.value);
+    if (node.field) return field_reference(*node.field, a.value, b.value, c.value);
     return reference(node.op, node.number, a.value, b.value, c.value);
 }
 

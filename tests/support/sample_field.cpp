@@ -1,7 +1,14 @@
 #include "tests/support/sample_field.hpp"
 
+#include "engine/noise/cellular.hpp"
+#include "engine/noise/lattice_noise.hpp"
+#include "engine/noise/noise.hpp"
 #include "engine/volume/spline.hpp"
+#include "tests/support/blob_reference.hpp"
+#include "tests/support/noise_reference.hpp"
 #include "tests/support/random_numbers.hpp"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -59,6 +66,37 @@ Reference spline_reference(const SplineData& spline, const std::array<std::uint6
 const std::shared_ptr<const Volume>& sample_field() {
     static const std::shared_ptr<const Volume> field = made_field();
     return field;
+}
+
+const std::vector<std::shared_ptr<const Field>>& sample_fields() {
+    static const std::vector<std::shared_ptr<const Field>> fields{
+        sample_field(),
+        noise_field(NoiseWord::Noise, 0),
+        noise_field(NoiseWord::ValueNoise, 7),
+        noise_field(NoiseWord::Cellular, 0),
+        noise_field(NoiseWord::Cellular2, 4294967295U),
+        sample_blobs(BlobKind::Wyvill),
+        sample_blobs(BlobKind::Metaball),
+        sample_blobs(BlobKind::Blinn)};
+    return fields;
+}
+
+Reference field_reference(const Field& field, const MpfrNumber& x, const MpfrNumber& y,
+                          const MpfrNumber& z) {
+    if (const auto* const volume = dynamic_cast<const Volume*>(&field))
+        return field_reference(*volume, x, y, z);
+    if (const auto* const noise = dynamic_cast<const LatticeNoiseField*>(&field)) {
+        const LatticeNoise& of = noise->function();
+        return {.defined = true, .value = lattice_noise_reference(of.kind(), of.seed(), x, y, z)};
+    }
+    if (const auto* const cells = dynamic_cast<const CellularField*>(&field)) {
+        const Cellular& of = cells->function();
+        return {.defined = true, .value = cellular_reference(of.rank(), of.seed(), x, y, z)};
+    }
+    if (const auto* const balls = dynamic_cast<const BlobsField*>(&field))
+        return {.defined = true, .value = blobs_reference(balls->function(), x, y, z)};
+    ADD_FAILURE() << "the reference does not know the field " << field.text();
+    return {};
 }
 
 Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrNumber& y,

@@ -6,6 +6,7 @@
 #include "tests/support/mpfr_number.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace zeroset::test {
 
@@ -13,6 +14,12 @@ namespace zeroset::test {
 /// spaced grid about the origin, that goes on beyond it as at its edge. The same object each time.
 const std::shared_ptr<const Volume>& sample_field();
 
+/// Fields of all kinds, that among them. The same objects each time.
+const std::vector<std::shared_ptr<const zeroset::Field>>& sample_fields();
+
+/// The value of a field of any kind at a point, but for the rounding of MpfrNumber.
+Reference field_reference(const zeroset::Field& field, const MpfrNumber& x, const MpfrNumber& y,
+                          const MpfrNumber& z);
 /// The value of a volume at a point, but for the rounding of MpfrNumber.
 Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrNumber& y,
                           const MpfrNumber& z);

@@ -47,9 +47,16 @@ SyntaxParser::Parsed SyntaxParser::operand() {
     return refuse(missing_operand());
 }
 
-/// Reads the point behind a volume: volume("ct.nrrd")(x, y, z).
+/// Reads the point behind a volume, volume("ct.nrrd")(x, y, z), or behind blobs.
 SyntaxParser::Parsed SyntaxParser::volume(const Token& token) {
     const std::string example = "scan = " + std::string(token.text);
+    const bool is_volume = token.text.starts_with("volume");
+    if (!next_is("(") && !is_volume) {  // blobs("atoms.xyz") is at (x, y, z)
+        std::vector<SyntaxId> point;
+        for (const char* const axis : {"x", "y", "z"})
+            point.push_back(add(SyntaxKind::Name, token.offset, {}, {}, axis));
+        return add(SyntaxKind::Volume, token.offset, std::move(point), {}, token.text);
+    }
     if (!next_is("(")) {
         return fail(token, tr("a volume is a function of a point"),
                     filled(tr("give it a name in a row of its own, {0}, and type {1}"),
@@ -97,7 +104,8 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
     const bool is_letter = !called && function != nullptr && may_be_letter(*function, full);
-    const bool hides = function != nullptr && function->is_of_library() && defined;
+    const bool hides =
+        function != nullptr && (function->is_of_library() || function->is_word()) && defined;
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);

@@ -1,5 +1,6 @@
 #include "engine/language/vocabulary/field_source.hpp"
 
+#include <algorithm>
 #include <array>
 #include <mutex>
 #include <utility>
@@ -35,12 +36,18 @@ constexpr std::array quotes{std::pair<std::string_view, std::string_view>{"\"", 
                             std::pair<std::string_view, std::string_view>{"\u201C", "\u201D"},
                             std::pair<std::string_view, std::string_view>{"\u201E", "\u201C"}};
 
+/// The words before a file's name.
+constexpr std::array<std::string_view, 4> words{"volume", "blobs", "metaballs", "blinn"};
+
 }  // namespace
 
 FieldCallStart read_field_call(std::string_view text) {
-    constexpr std::string_view word = "volume";
     FieldCallStart start;
-    if (!text.starts_with(word)) return start;
+    const auto* const found = std::ranges::find_if(
+        words, [&](std::string_view candidate) { return text.starts_with(candidate); });
+    if (found == words.end()) return start;
+    const std::string_view word = *found;
+    start.call.word = word;
     std::size_t at = after_spaces(text, word.size());
     if (at == text.size() || text[at] != '(') return start;
     at = after_spaces(text, at + 1);

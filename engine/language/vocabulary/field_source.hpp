@@ -9,19 +9,20 @@
 #include <string_view>
 #include <vector>
 
-// Fields that a text names by files: volume("ct.nrrd", edge). The language knows how they are
-// typed, not how files are read.
+// Fields that a text names by files: volume("ct.nrrd", edge), blobs("atoms.xyz"). The language
+// knows how they are typed, not how files are read.
 
 namespace zeroset {
 
 /// Such a name, in views of the text.
 struct FieldCall {
     std::string_view text;                    ///< all of it
+    std::string_view word;                    ///< volume, blobs, metaballs or blinn
     std::string_view file;                    ///< between the quotes
     std::vector<std::string_view> arguments;  ///< behind it, without the spaces around them
 };
 
-/// The call that starts at the beginning of `text`: from `volume` to its closing parenthesis.
+/// The call that starts at the beginning of `text`: from its word to its closing parenthesis.
 /// `text` is empty where none starts there; `file` has no data where its quotes are not closed, and
 /// `text` ends before a missing parenthesis.
 struct FieldCallStart {

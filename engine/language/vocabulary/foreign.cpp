@@ -73,11 +73,13 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
         is_one_of(word, {"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
                          "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted",
                          "f_waves", "f_wrinkles"});
-    if (is_noise) {
+    const Function* const known = is_noise ? find_function(name) : nullptr;
+    if (is_noise && known == nullptr) {
         return ParseError{
             .offset = offset,
-            .reason = filled(tr("there is no noise here: {0} is not known"), {quoted(name)}),
-            .hint = tr("leave it out, or type waves such as sin(5x) sin(5y) sin(5z)")};
+            .reason = filled(tr("{0} is not among the noises here"), {quoted(name)}),
+            .hint = filled(tr("type {0}, which have values of their own"),
+                           {"noise(p), value_noise(p), cellular(p), fbm(p), turbulence(p)"})};
     }
     if (is_one_of(word, {"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
         return ParseError{

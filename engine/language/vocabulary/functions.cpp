@@ -65,6 +65,12 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"difference", "subtract"},
     {"product", "prod"},
     {"nthroot", "root"},
+    {"perlin", "noise"},
+    {"gradient_noise", "noise"},
+    {"worley", "cellular"},
+    {"wyvill", "blobs"},
+    {"soft_objects", "blobs"},
+    {"metaball", "metaballs"},
     {"surd", "root"},
     {"√", "sqrt"},
     {"∛", "cbrt"},
@@ -134,6 +140,17 @@ std::vector<Function> make_table() {
                      .section = WordSection::part});
 #include "engine/language/vocabulary/shapes.def"
 #undef ZEROSET_WORD
+#define ZEROSET_NOISE(id, word, fewest, greatest, list, about) \
+    table.push_back({.name = (word),                           \
+                     .least = (fewest),                        \
+                     .most = (greatest),                       \
+                     .arguments = (list),                      \
+                     .meaning = (about),                       \
+                     .op = std::nullopt,                       \
+                     .composed = Composed::id,                 \
+                     .section = WordSection::Noise});
+#include "engine/language/vocabulary/noises.def"
+#undef ZEROSET_NOISE
     return table;
 }
 
@@ -354,7 +371,16 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Least:
         case Composed::Greatest:
         case Composed::Sum:
-        case Composed::Product: break;
+        case Composed::Product:
+        case Composed::Noise:
+        case Composed::ValueNoise:
+        case Composed::Cellular:
+        case Composed::Cellular2:
+        case Composed::Fbm:
+        case Composed::Turbulence:
+        case Composed::Blobs:
+        case Composed::Metaballs:
+        case Composed::Blinn: break;
     }
     assert(false);  // the elaborator writes these functions out
     return a[0];

@@ -1,7 +1,8 @@
 #include "tests/support/oracle/volume_oracle.hpp"
 
 #include "tests/support/oracle/cell_signs.hpp"
-#include "tests/support/oracle/polynomial_oracle.hpp"
+#include "tests/support/oracle/field_level.hpp"
+#include "tests/support/oracle/piece_roots.hpp"
 #include "tests/support/sample_field.hpp"
 
 #include <algorithm>
@@ -47,27 +48,13 @@ std::optional<CellLevel> cell_at(const Volume& volume, const Node& level, const 
 }  // namespace
 
 std::optional<VolumeOracle> VolumeOracle::of(const Expr& expr) {
-    const Node& root = expr.node(expr.root());
-    Node level{.op = Op::Constant};
-    if (root.op == Op::Subtract || root.op == Op::Add) {
-        const Node& number = expr.node(root.b);
-        if (number.op != Op::Constant) return std::nullopt;
-        const bool adds = root.op == Op::Add;
-        level.lo = adds ? -number.hi : number.lo;
-        level.hi = adds ? -number.lo : number.hi;
-    }
-    const Node& field = root.op == Op::Field ? root : expr.node(root.a);
-    if (field.op != Op::Field || field.number != 0) return std::nullopt;
-    int axis = 0;
-    for (const NodeId id : {field.a, field.b, field.c}) {
-        const Node& operand = expr.node(id);
-        if (operand.op != Op::Variable || operand.number != axis++) return std::nullopt;
-    }
-    auto volume = std::dynamic_pointer_cast<const Volume>(field.field);
+    const auto found = field_level(expr);
+    if (!found) return std::nullopt;
+    auto volume = std::dynamic_pointer_cast<const Volume>(found->field);
     const bool usable =
         volume && volume->options().outside != Outside::Constant && !volume->data().range().holes;
     if (!usable) return std::nullopt;
-    return VolumeOracle(std::move(volume), level);
+    return VolumeOracle(std::move(volume), found->level);
 }
 
 /// Where the ray meets the planes of the grid, and its ends, in order.
@@ -140,46 +127,18 @@ std::vector<NodeId> VolumeOracle::cell_weights(ExprBuilder& builder, NodeId abov
 
 /// The sign of f at a point of the ray; 0 where it is 0 or not defined.
 int VolumeOracle::sign_at(const RayQuestion& ray, double t) const {
-    std::array<MpfrNumber, 3> point;
-    for (std::size_t i = 0; i < 3; ++i)
-        point[i] = MpfrNumber(ray.eye[i]) + MpfrNumber(ray.direction[i]) * MpfrNumber(t);
-    const Reference value = field_reference(*volume_, point[0], point[1], point[2]);
-    if (!value.defined) return 0;
-    const MpfrNumber level = (MpfrNumber(level_.lo) + MpfrNumber(level_.hi)) / MpfrNumber(2.0);
-    return (value.value - level).sign();
+    return sign_on_ray(*volume_, level_, ray, t);
 }
 
 RayAnswer VolumeOracle::answer(const RayQuestion& ray) const {
-    const std::vector<double> ends = crossings(ray);
-    const double near = 1e-12 * (std::abs(ray.outer_from) + std::abs(ray.outer_to));
-    for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
-        const double from = ends[n];
-        const double to = ends[n + 1];
-        if (to - from < 4 * near) {
-            // Too short a way through a cell: its neighbours tell of roots here.
-            continue;
-        }
-        const double middle = from + 0.5 * (to - from);
-        const auto cell = cell_at(*volume_, level_, ray, middle);
-        if (!cell || sign_in_cell(*cell, ray, from, to) != StretchSign::Unknown) continue;
-        const auto f = polynomial(ray, middle);
-        const auto oracle = PolynomialOracle::of(*f, {});
-        RayQuestion part = ray;
-        part.outer_from = from;
-        part.outer_to = to;
-        const auto roots = oracle->roots(part, 1);
-        if (!roots) return hit_between(ray, from - near, from + near, false);
-        if (roots->empty()) continue;
-        const RayRoot& root = roots->front();
-        if (root.from > from + near && root.to < to - near)
-            return hit_between(ray, root.from, root.to, root.crosses);
-        // Beside a border, where this cell's polynomial is not surely the one that counts.
-        const int before = sign_at(ray, root.from - 4 * near);
-        const int after = sign_at(ray, root.to + 4 * near);
-        if (before * after >= 0) return {};
-        return hit_between(ray, root.from - 4 * near, root.to + 4 * near, true);
-    }
-    return {RayTruth::Empty, 0.0, 0.0, false};
+    const auto surely_empty = [&](double from, double to) {
+        const auto cell = cell_at(*volume_, level_, ray, from + 0.5 * (to - from));
+        return !cell || sign_in_cell(*cell, ray, from, to) != StretchSign::Unknown;
+    };
+    return first_root(ray, {.ends = crossings(ray),
+                            .polynomial = [&](double middle) { return polynomial(ray, middle); },
+                            .sign_at = [&](double t) { return sign_at(ray, t); },
+                            .surely_empty = surely_empty});
 }
 
 }  // namespace zeroset::test

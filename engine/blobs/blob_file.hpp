@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/blobs/blob_set.hpp"
+
+#include <expected>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace zeroset {
+
+/// Reads balls from a text: in each line x y z, or x y z r, or x y z r strength, apart by spaces,
+/// tabs, commas or semicolons. `radius` is that of balls without one. A first line without numbers,
+/// empty lines and those that start with # or // are passed over; so are the first two lines of an
+/// XYZ file and the names of its atoms. An error is one line that says which line is wrong.
+std::expected<std::vector<Blob>, std::string> blobs_of_text(std::string_view text, double radius);
+
+/// The same of a file.
+std::expected<std::vector<Blob>, std::string> read_blobs(const std::filesystem::path& file,
+                                                         double radius);
+
+}  // namespace zeroset

@@ -1,0 +1,252 @@
+// Sums over blobs in vectors of doubles; blob after blob, and the lanes a vector at a time.
+
+#include "engine/blobs/blob_lanes.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/blobs/blob_lanes.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr D d;
+constexpr std::size_t width = hn::MaxLanes(D());
+
+HWY_INLINE V number(double x) { return hn::Set(d, x); }
+HWY_INLINE V minimum(V a, V b) { return hn::IfThenElse(hn::Lt(a, b), a, b); }
+HWY_INLINE V maximum(V a, V b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
+
+/// h and h' at q.
+struct Height {
+    V value, slope;
+};
+
+/// exp(y) for -50 <= y <= 2, within some last places.
+HWY_INLINE V exponential(V y) {
+    const V n = hn::Floor(hn::Add(hn::Mul(y, number(1.4426950408889634)), number(0.5)));
+    const V r = hn::Sub(hn::Sub(y, hn::Mul(n, number(0x1.62e42fee00000p-1))),
+                        hn::Mul(n, number(0x1.a39ef35793c76p-33)));
+    V sum = number(1.0 / 6227020800);
+    for (const double factor :
+         {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040,
+          1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
+        sum = hn::Add(hn::Mul(sum, r), number(factor));
+    // The last bits of n + 1.5 2^52 are those of the whole number n.
+    const hn::RebindToUnsigned<D> bits;
+    const auto shifted = hn::ShiftLeft<52>(hn::BitCast(bits, hn::Add(n, number(0x1.8p52))));
+    const auto one = hn::BitCast(bits, number(1));
+    return hn::Mul(sum, hn::BitCast(d, hn::Add(one, shifted)));
+}
+
+template <BlobKind kind>
+HWY_INLINE Height height_at(V q) {
+    if constexpr (kind == BlobKind::Wyvill) {
+        const V value = hn::Add(
+            number(2),
+            hn::Mul(q,
+                    hn::Add(number(-11.0 / 9),
+                            hn::Mul(q, hn::Sub(number(17.0 / 72), hn::Mul(q, number(1.0 / 72)))))));
+        const V slope =
+            hn::Add(number(-11.0 / 9),
+                    hn::Mul(q, hn::Sub(number(17.0 / 36), hn::Mul(q, number(1.0 / 24)))));
+        return {.value = value, .slope = slope};
+    } else if constexpr (kind == BlobKind::Metaball) {
+        const V root = hn::Sqrt(q);
+        const V rest = hn::Sub(number(2), root);
+        const M near = hn::Le(q, number(4.0 / 9));
+        const V inner = hn::Sub(number(8.0 / 3), hn::Mul(number(2), q));
+        const V far = hn::Sub(number(1), hn::Div(number(2), maximum(root, number(0.5))));
+        return {.value = hn::IfThenElse(near, inner, hn::Mul(rest, rest)),
+                .slope = hn::IfThenElse(near, number(-2), far)};
+    } else {
+        const V value = exponential(hn::Mul(number(2), hn::Sub(number(1), q)));
+        return {.value = value, .slope = hn::Mul(number(-2), value)};
+    }
+}
+
+HWY_INLINE V square(V x) { return hn::Mul(x, x); }
+
+/// A blob's numbers in all lanes.
+struct BlobVector {
+    HWY_INLINE BlobVector(const BlobSet& set, std::size_t at)
+        : center{number(set.center(0)[at]), number(set.center(1)[at]), number(set.center(2)[at])},
+          per_square(number(set.per_square()[at])),
+          strength(number(set.strength()[at])),
+          size(number(std::abs(set.strength()[at]))),
+          size_per_radius(number(std::abs(set.strength()[at]) / set.radius()[at])),
+          is_hollow(set.strength()[at] < 0) {}
+
+    V center[3];
+    V per_square, strength, size, size_per_radius;
+    bool is_hollow;
+};
+
+/// Calls visit(blob) for all of a run.
+HWY_INLINE void each_blob(const BlobRun& run, const auto& visit) {
+    for (const BlobRange& range : run.ranges) {
+        for (std::size_t n = range.first; n < range.last; ++n)
+            visit(BlobVector(run.set, n));
+    }
+}
+
+template <BlobKind kind>
+void add_to_points(const BlobRun& run, BlobPoints& points) {
+    const V reach = number(blob_facts(kind).reach);
+    for (std::size_t at = 0; at < points.count; at += width) {
+        const V place[3] = {hn::Load(d, points.at[0] + at), hn::Load(d, points.at[1] + at),
+                            hn::Load(d, points.at[2] + at)};
+        V value = hn::Load(d, points.value + at);
+        V slope[3] = {hn::Load(d, points.slope[0] + at), hn::Load(d, points.slope[1] + at),
+                      hn::Load(d, points.slope[2] + at)};
+        each_blob(run, [&](const BlobVector& blob) {
+            V from[3];
+            for (std::size_t i = 0; i < 3; ++i)
+                from[i] = hn::Sub(place[i], blob.center[i]);
+            const V squares = hn::Add(hn::Add(square(from[0]), square(from[1])), square(from[2]));
+            const V q = hn::Mul(squares, blob.per_square);
+            const M inside = hn::Lt(q, reach);
+            if (hn::AllFalse(d, inside)) return;
+            const Height h = height_at<kind>(minimum(q, reach));
+            value = hn::Add(value, hn::IfThenElseZero(inside, hn::Mul(blob.strength, h.value)));
+            const V steep =
+                hn::Mul(hn::Mul(number(2), hn::Mul(blob.strength, blob.per_square)), h.slope);
+            for (std::size_t i = 0; i < 3; ++i) {
+                slope[i] = hn::Add(slope[i], hn::IfThenElseZero(inside, hn::Mul(steep, from[i])));
+            }
+        });
+        hn::Store(value, d, points.value + at);
+        for (std::size_t i = 0; i < 3; ++i)
+            hn::Store(slope[i], d, points.slope[i] + at);
+    }
+}
+
+/// A vector of boxes, and the sums over blobs in them.
+template <BlobKind kind>
+class BoxVector {
+public:
+    HWY_INLINE BoxVector(BlobBoxes& boxes, std::size_t at) : boxes_(boxes), at_(at) {
+        for_each([&](V& sum, double* numbers) { sum = hn::Load(d, numbers + at); });
+        for (std::size_t i = 0; i < 3; ++i) {
+            lo_[i] = hn::Load(d, boxes.lo[i] + at);
+            hi_[i] = hn::Load(d, boxes.hi[i] + at);
+        }
+    }
+    HWY_INLINE void store() {
+        for_each([&](const V& sum, double* numbers) { hn::Store(sum, d, numbers + at_); });
+    }
+    HWY_INLINE void add(const BlobVector& blob) {
+        const V reach = number(blob_facts(kind).reach);
+        const V zero = hn::Zero(d);
+        V lo[3];
+        V hi[3];
+        V near = zero;
+        V far = zero;
+        for (std::size_t i = 0; i < 3; ++i) {
+            lo[i] = hn::Sub(lo_[i], blob.center[i]);
+            hi[i] = hn::Sub(hi_[i], blob.center[i]);
+            near = hn::Add(near, square(maximum(maximum(lo[i], hn::Neg(hi[i])), zero)));
+            far = hn::Add(far, square(maximum(hn::Neg(lo[i]), hi[i])));
+        }
+        const V nearest = hn::Mul(near, blob.per_square);
+        const M reached = hn::Lt(nearest, reach);
+        if (hn::AllFalse(d, reached)) return;
+        const V farthest = hn::Mul(far, blob.per_square);
+        const M inside = hn::Lt(farthest, reach);
+        const Height top = height_at<kind>(minimum(nearest, reach));
+        const Height end = height_at<kind>(minimum(farthest, reach));
+        const V low = hn::IfThenElseZero(inside, end.value);
+        const V slope_end = hn::IfThenElseZero(inside, end.slope);
+        const auto add_to = [&](V& sum, V term) {
+            sum = hn::Add(sum, hn::IfThenElseZero(reached, term));
+        };
+        add_to(value_lo_, hn::Mul(blob.strength, blob.is_hollow ? top.value : low));
+        add_to(value_hi_, hn::Mul(blob.strength, blob.is_hollow ? low : top.value));
+        const V steep = hn::Mul(number(2), hn::Mul(blob.strength, blob.per_square));
+        for (std::size_t i = 0; i < 3; ++i) {
+            // h' is not above 0, and rises with q.
+            const V least =
+                hn::Mul(hi[i], hn::IfThenElse(hn::Gt(hi[i], zero), top.slope, slope_end));
+            const V greatest =
+                hn::Mul(lo[i], hn::IfThenElse(hn::Lt(lo[i], zero), top.slope, slope_end));
+            add_to(slope_lo_[i], hn::Mul(steep, blob.is_hollow ? greatest : least));
+            add_to(slope_hi_[i], hn::Mul(steep, blob.is_hollow ? least : greatest));
+        }
+        add_to(reached_, number(1));
+        add_to(size_, blob.size);
+        add_to(size_per_radius_, blob.size_per_radius);
+    }
+
+private:
+    HWY_INLINE void for_each(const auto& visit) {
+        visit(value_lo_, boxes_.value_lo);
+        visit(value_hi_, boxes_.value_hi);
+        for (std::size_t i = 0; i < 3; ++i) {
+            visit(slope_lo_[i], boxes_.slope_lo[i]);
+            visit(slope_hi_[i], boxes_.slope_hi[i]);
+        }
+        visit(reached_, boxes_.reached);
+        visit(size_, boxes_.size);
+        visit(size_per_radius_, boxes_.size_per_radius);
+    }
+
+    BlobBoxes& boxes_;
+    std::size_t at_;
+    V lo_[3], hi_[3];
+    V value_lo_, value_hi_, slope_lo_[3], slope_hi_[3];
+    V reached_, size_, size_per_radius_;
+};
+
+template <BlobKind kind>
+void add_to_boxes(const BlobRun& run, BlobBoxes& boxes) {
+    for (std::size_t at = 0; at < boxes.count; at += width) {
+        BoxVector<kind> box(boxes, at);
+        each_blob(run, [&](const BlobVector& blob) { box.add(blob); });
+        box.store();
+    }
+}
+
+void add_points(const BlobRun& run, BlobPoints& points) {
+    if (run.kind == BlobKind::Wyvill) return add_to_points<BlobKind::Wyvill>(run, points);
+    if (run.kind == BlobKind::Metaball) return add_to_points<BlobKind::Metaball>(run, points);
+    add_to_points<BlobKind::Blinn>(run, points);
+}
+
+void add_boxes(const BlobRun& run, BlobBoxes& boxes) {
+    if (run.kind == BlobKind::Wyvill) return add_to_boxes<BlobKind::Wyvill>(run, boxes);
+    if (run.kind == BlobKind::Metaball) return add_to_boxes<BlobKind::Metaball>(run, boxes);
+    add_to_boxes<BlobKind::Blinn>(run, boxes);
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+namespace {
+
+HWY_EXPORT(add_points);
+HWY_EXPORT(add_boxes);
+
+}  // namespace
+
+void add_blobs(const BlobRun& run, BlobPoints& points) {
+    HWY_DYNAMIC_DISPATCH(add_points)(run, points);
+}
+void add_blobs(const BlobRun& run, BlobBoxes& boxes) {
+    HWY_DYNAMIC_DISPATCH(add_boxes)(run, boxes);
+}
+
+}  // namespace zeroset
+
+#endif
