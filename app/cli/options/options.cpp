@@ -45,11 +45,8 @@ OrInputError<InputDocument> imported_document(const std::string& path) {
     if (!imported) return wrong_input(imported.error());
     for (const ImportNote& note : imported->notes)
         std::cerr << "zeroset: " << note_text(path, note) << "\n";
-    return InputDocument{read_document(std::move(imported->document)),
-                         {},
-                         notes_listed(imported->notes),
-                         {},
-                         true};
+    return InputDocument{
+        read_document(std::move(imported->document)), {}, notes_listed(imported->notes), {}, true};
 }
 
 /// Reads the document without applying the view options.

@@ -11,8 +11,8 @@
 
 namespace zeroset::test {
 
-/// The exact oracle where a formula is a polynomial, or a volume, noise or blobs less a number; else
-/// the one by subdivision.
+/// The exact oracle where a formula is a polynomial, or a volume, noise or blobs less a number;
+/// else the one by subdivision.
 class RayOracle {
 public:
     RayOracle(const Expr& expr, std::span<const double> uniforms)
