@@ -35,18 +35,18 @@ bool is_in(const Region& region, const glm::dvec3& at) {
 
 }  // namespace
 
-std::vector<ShownPoint> shown_points(const Formula& formula, const Document& document,
+std::vector<ShownPoint> shown_points(const Formula* formula, const Document& document,
                                      const Camera& camera, int height_px) {
     std::vector<ShownPoint> points;
-    if (formula.points.empty()) return points;
+    if (formula == nullptr || formula->points.empty()) return points;
     std::vector<double> values;
-    for (const std::string& name : formula.program->parameters)
+    for (const std::string& name : formula->program->parameters)
         values.push_back(slider_of(document, name).value);
-    for (const PointRow& of : formula.points) {
-        const int id = formula.surface_rows[of.surface];
+    for (const PointRow& of : formula->points) {
+        const int id = formula->surface_rows[of.surface];
         const auto row = std::ranges::find(document.statements, id, &Statement::id);
         if (row == document.statements.end() || !row->visible) continue;
-        ShownPoint point{.row = id, .name = formula.program->names[of.surface], .sliders = {}};
+        ShownPoint point{.row = id, .name = formula->program->names[of.surface], .sliders = {}};
         bool is_somewhere = true;
         for (std::size_t k = 0; k < 3; ++k) {
             const Expr& coordinate = of.graphs.point.at(k);

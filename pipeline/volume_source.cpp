@@ -178,7 +178,7 @@ private:
     }
     /// The file's path, if it may be read.
     [[nodiscard]] std::expected<fs::path, FieldError> allowed_path(const FieldCall& call) const {
-        const fs::path file = folder_.folder / fs::path(call.file);
+        fs::path file = folder_.folder / fs::path(call.file);
         if (!folder_.closed || may_read(file)) return file;
         return std::unexpected(FieldError{
             .reason = filled(tr("{0} lies outside the document's folder"), {quoted(call.file)}),

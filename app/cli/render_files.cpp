@@ -155,8 +155,9 @@ std::expected<void, FileError> RenderFiles::finish() {
 std::expected<void, std::string> add_whole(const RenderCommand& command,
                                            const std::shared_ptr<const RenderedPicture>& made,
                                            RenderFiles& files) {
-    const std::vector<ShownPoint> points = shown_points(
-        *made->request.formula, made->plan.document, made->request.camera, made->request.size_px.y);
+    const std::vector<ShownPoint> points =
+        shown_points(made->request.formula.get(), made->plan.document, made->request.camera,
+                     made->request.size_px.y);
     const FrameSubject subject{.document = made->plan.document,
                                .camera = made->request.camera,
                                .coloring = made->scene.coloring,

@@ -144,7 +144,7 @@ void draw_bands(Drawing& drawing) {
                         .settings = picture.request.settings,
                         .size = plan.picture.size,
                         .document = plan.document,
-                        .points = shown_points(*picture.request.formula, plan.document,
+                        .points = shown_points(picture.request.formula.get(), plan.document,
                                                picture.request.camera, plan.size.height),
                         .legend = plan.legend,
                         .keeps_light = needs_light(plan.picture),

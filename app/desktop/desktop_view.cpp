@@ -100,7 +100,7 @@ void Desktop::show_points() {
     const std::optional<Camera>& camera = state_.edited.document.camera;
     state_.shown.points.clear();
     if (formula == nullptr || !camera || state_.input.viewport_px.y <= 0) return;
-    state_.shown.points = shown_points(*formula, state_.edited.document,
+    state_.shown.points = shown_points(formula.get(), state_.edited.document,
                                        state_.shown.picture.camera, state_.input.viewport_px.y);
 }
 

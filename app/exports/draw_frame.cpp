@@ -25,7 +25,7 @@ std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Documen
     render_frame(scene, request.camera, request.settings, *frame, {.limit = limit});
     if (news.cancel) return std::nullopt;
     const std::vector<ShownPoint> points =
-        shown_points(*request.formula, document, request.camera, size_px.y);
+        shown_points(request.formula.get(), document, request.camera, size_px.y);
     const auto painted = finish_picture(frame, {.document = document,
                                                 .camera = request.camera,
                                                 .coloring = scene.coloring,

@@ -48,15 +48,15 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
     options.camera = request.camera;
     auto writer = begin_picture(*format, path, options);
     if (!writer) return std::unexpected(writer.error().message);
-    const Poster poster{
-        .scene = finished_scene(request, {.cancel = &news.cancel}),
-        .camera = request.camera,
-        .settings = request.settings,
-        .size = options.size,
-        .document = subject.document,
-        .points = shown_points(*request.formula, subject.document, request.camera, wish.size_px.y),
-        .keeps_light = needs_light(options),
-        .keeps_normals = needs_normals(options)};
+    const Poster poster{.scene = finished_scene(request, {.cancel = &news.cancel}),
+                        .camera = request.camera,
+                        .settings = request.settings,
+                        .size = options.size,
+                        .document = subject.document,
+                        .points = shown_points(request.formula.get(), subject.document,
+                                               request.camera, wish.size_px.y),
+                        .keeps_light = needs_light(options),
+                        .keeps_normals = needs_normals(options)};
     const auto pixels =
         static_cast<std::uint64_t>(wish.size_px.x) * static_cast<std::uint64_t>(wish.size_px.y);
     news.enter(tr("drawing"), pixels);

@@ -48,7 +48,7 @@ std::string text_of_numbers(const std::vector<double>& numbers) {
 /// Draws a document and keeps its picture.
 std::optional<RgbaImage> drawn(const ReadDocument& read, glm::ivec2 size_px, const std::string& key,
                                const ThumbnailCache& cache, const std::atomic<bool>& cancel) {
-    const RgbaImage empty = halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
+    RgbaImage empty = halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
     if (!read.rows) return empty;
     const auto prepared = prepare(read.document, *read.rows, Preparation::Quickest);
     if (cancel) return std::nullopt;

@@ -86,7 +86,7 @@ struct BlobVector {
           size_per_radius(number(std::abs(set.strength()[at]) / set.radius()[at])),
           is_hollow(set.strength()[at] < 0) {}
 
-    V center[3];
+    V center[3];  // NOLINT(modernize-use-default-member-init): goes by the arguments
     V per_square, strength, size, size_per_radius;
     bool is_hollow;
 };

@@ -161,7 +161,7 @@ void FrameDrawer::draw_moment(int number, const Document& document, Framebuffer&
     coloring_ = scene.coloring;
     section_values_ = scene.section_values;
     uniforms_ = scene.uniforms;
-    points_ = shown_points(*request.formula, document, request.camera, request.size_px.y);
+    points_ = shown_points(request.formula.get(), document, request.camera, request.size_px.y);
     frame_ranges_.add_to(scene, number);
     work.counters += render_frame(scene, request.camera, request.settings, frame,
                                   {.limit = limit_for(film_, watch_)});

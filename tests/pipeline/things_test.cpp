@@ -231,7 +231,7 @@ TEST(ShownPoints, AreWhereTheSlidersTakeThem) {
         document.w.value = 0.75;
     });
     const auto points =
-        shown_points(*drawn.request.formula, drawn.document, drawn.request.camera, side);
+        shown_points(drawn.request.formula.get(), drawn.document, drawn.request.camera, side);
     ASSERT_EQ(points.size(), 2U) << "Q is outside of the clip box";
     EXPECT_EQ(points[0].name, "P");
     EXPECT_EQ(points[0].at, glm::dvec3(1.0, 0.25, -0.5));

@@ -15,8 +15,8 @@ struct Arguments {
     double x, y, z;
     std::array<double, 10> p;
 };
-using Reference = std::function<double(Arguments)>;
-using References = std::map<std::string, Reference>;
+using FunctionReference = std::function<double(Arguments)>;
+using References = std::map<std::string, FunctionReference>;
 
 /// The references by the names of the functions.
 References library_references();

@@ -81,6 +81,15 @@ SyntaxParser::Parsed SyntaxParser::refuse_call(const Token& token, const std::st
                 filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
 }
 
+/// Remarks where a letter that often names a function is a factor.
+void SyntaxParser::note_product(const Token& token, const std::string& name) {
+    const bool means_call = std::string_view("fghFGH").contains(name) && next_is("(");
+    if (!means_call || defined_.defines_value(name) || !adjacent(token, next())) return;
+    tree_.notes.add(token.offset,
+                    filled(tr("{0} is read as {1}; to make it a function define it, as in {2}"),
+                           {name + "(...)", name + "*(...)", name + "(u, v) = u^2 + v^2"}));
+}
+
 SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (token.text == "and" || token.text == "or") return refuse(missing_operand());
     if (token.text == "not")
@@ -110,12 +119,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
     if (called && !defined && !is_letter_name) return refuse_call(token, full);
-    const bool means_call = std::string_view("fghFGH").contains(full) && next_is("(");
-    if (means_call && !defined_.defines_value(full) && adjacent(token, next())) {
-        tree_.notes.add(token.offset,
-                        filled(tr("{0} is read as {1}; to make it a function define it, as in {2}"),
-                               {full + "(...)", full + "*(...)", full + "(u, v) = u^2 + v^2"}));
-    }
+    note_product(token, full);
     return add(SyntaxKind::Name, token.offset, {}, {}, full);
 }
 

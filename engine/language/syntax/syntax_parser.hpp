@@ -96,6 +96,7 @@ private:
     Parsed operand();
     Parsed name(const Token& token);
     Parsed refuse_call(const Token& token, const std::string& full);
+    void note_product(const Token& token, const std::string& name);
     Parsed volume(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);

@@ -89,6 +89,7 @@ std::string_view arguments_of(Op op, int arity) {
     return arity == 1 ? "a" : "a, b";
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Function> make_table() {
     std::vector<Function> table;
     for (const OpInfo& info : operators()) {
@@ -319,6 +320,7 @@ NodeId make_ellipsoid(ExprBuilder& builder, std::span<const NodeId> a) {
     return length_of(builder, scaled);
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const NodeId> a) {
     const NodeId one = builder.constant(1.0);
     const auto reciprocal = [&](NodeId of) { return make_divide(builder, one, of); };

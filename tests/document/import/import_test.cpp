@@ -221,13 +221,13 @@ TEST(Imports, PovTurnsAxisByAxis) {
 TEST(Imports, RowsThatTheLanguageRefusesBecomeRemarks) {
     const Imported imported =
         read("a.pov",
-             "isosurface { function { x + f_noise3d(x, y, z) } }\nisosurface { function { y } }");
+             "isosurface { function { x + f_crackle(x, y, z) } }\nisosurface { function { y } }");
     const ImportedDocument& half = imported.documents[0];
     EXPECT_EQ(half.refusal, "");
-    EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_noise3d"));
+    EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_crackle"));
     EXPECT_TRUE(half.document.statements.front().text.starts_with("# "));
     EXPECT_LT(value(half, 0, 0.0, 0.0, -0.5), 0.0);
-    const Imported none = read("a.pov", "isosurface { function { f_noise3d(x, y, z) } }");
+    const Imported none = read("a.pov", "isosurface { function { f_crackle(x, y, z) } }");
     EXPECT_NE(none.documents[0].refusal, "");
     EXPECT_TRUE(none.documents[0].document.statements.front().text.starts_with("shape"));
 }

@@ -21,6 +21,10 @@ namespace {
 /// Returns a random value for a parameter; some parameters choose a case.
 double parameter(RandomNumbers& random, const std::string& function, std::size_t index) {
     if (function == "f_polytubes" && index == 0) return random.between(1, 7);
+    const bool counts_octaves =
+        (function == "NoiseP" && index == 0) || (function == "f_ridged_mf" && index == 2);
+    if (counts_octaves) return random.between(1, 7);
+    if (function == "NoiseW") return random.between(0, 1);
     const bool helix = function.contains("helix");
     const bool chooses = (helix || function == "f_spiral") && index == 5;
     if (chooses) return std::array{0.0, 0.5, 1.0, 2.0}[random.below(4)];
