@@ -111,6 +111,7 @@ WRONG_COMMANDS = [
     (["render", "x"], ["-o"]),
     (["render", "x", "-o"], ["output"]),
     (["render", "x", "-o", "picture.bmp"], ["picture.bmp", ".png", ".exr"]),
+    (["render", "./", "-o", "picture.png"], ["folder", "zeroset ./"]),
     (["render", "x", "-o", ""], [".png"]),
     (["render", "x", "--stats", "-", "--alpha"], ["--alpha", "-o"]),
     (["render", "x", "-o", "a.jpg", "--alpha"], ["JPEG", ".webp"]),

@@ -19,8 +19,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 
 namespace zeroset {
 namespace {
@@ -66,6 +68,12 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         auto volume = document_of_volume(equation);
         if (!volume) return std::unexpected(volume.error());
         return InputDocument{read_document(std::move(*volume))};
+    }
+    std::error_code ignored;
+    if (equation.contains('/') && std::filesystem::is_directory(equation, ignored)) {
+        return wrong_input("'" + equation +
+                           "' is a folder: the window shows what is in it, with zeroset " +
+                           equation + "; for a picture type one of its files");
     }
     if (is_share_text(equation)) {
         auto shared = document_from(equation);
