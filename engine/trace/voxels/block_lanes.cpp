@@ -129,11 +129,11 @@ HWY_INLINE M<float> near_marked(const NearCells& cells, const Across& i, const A
 }
 
 /// A ray's way from cell to cell along one axis across.
-struct CellSteps {
+struct CellWay {
     V<float> cell, step;
     V<float> next, per_cell;  ///< where it leaves the cell, in parts of the layer
 
-    explicit HWY_INLINE CellSteps(const Across& ray) {
+    explicit HWY_INLINE CellWay(const Across& ray) {
         const Tag<float> tag;
         const V<float> one = hn::Set(tag, 1.0F);
         cell = hn::Floor(ray.at);
@@ -163,8 +163,8 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
     const V<float> j_last = hn::Set(tag, static_cast<float>(asked.rows.last));
     const V<float> row = hn::Set(tag, static_cast<float>(samples.row));
     const float* const corners = &samples.numbers[asked.layer * samples.rows * samples.row];
-    CellSteps i_steps(i);
-    CellSteps j_steps(j);
+    CellWay i_steps(i);
+    CellWay j_steps(j);
     M<float> found = hn::Lt(one, zero);  // none
     V<float> from = zero;
     for (;;) {

@@ -244,15 +244,16 @@ void LevelGrid<Sample, support>::begin(const CellRectangle& cells, const LayerRa
     if (!is_row(patch)) copy(patch, strides_[axes.k], slices, mask.samples);
 }
 
-/// Finds the bits of a slice's faces, where rays may be in the layers on both sides.
+/// Finds the bits of a slice's faces, where rays may be in the layers whose cells lie on its
+/// samples.
 template <class Sample, std::size_t support>
 void LevelGrid<Sample, support>::find_face(std::size_t slice, const RayReach& reach,
                                            const WalkAxes& axes, CellMask& mask) const {
     const std::int32_t layer = mask.layers.low + static_cast<std::int32_t>(slice);
     const Patch patch = patch_of(mask.cells, layer, axes);
     CellMask::FaceBits& face = mask.faces[slice];
-    const SlabRows cells = mask.rows_of(
-        reach.cells(std::max(layer - 1, mask.layers.low), std::min(layer, mask.layers.high)));
+    const SlabRows cells = mask.rows_of(reach.cells(std::max(layer - beyond - 1, mask.layers.low),
+                                                    std::min(layer, mask.layers.high)));
     if (mask.is_small()) {
         take(patch, slice, {.first = cells.first, .last = cells.last + support - 1}, mask.samples,
              face);
