@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// What is so of a front, or not. A byte each: vectors of fronts have them in words.
+/// The state of a front and its flags, a byte each: vectors of fronts hold all eight in a word.
 struct FrontMarks {
     enum class State : std::uint8_t {
         Going,   ///< before `at` there is no root

@@ -40,7 +40,7 @@ struct FrontBlock {
             (*column)[to_place] = (*column)[from];
         marks[to_place] = marks[from];
     }
-    /// What steps may change.
+    /// Writes to the front what a step may have changed: all but where its rays are inside.
     void store(std::size_t i, Front& front) const {
         front.at = at[i];
         front.to = to[i];

@@ -160,7 +160,7 @@ inline constexpr double most_rough_lengths = 1.5;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
 inline constexpr double most_fair_lengths = 8.0;
 
-/// What is done with cells; in no two of these a lane is set.
+/// The step that each front takes, as masks: a lane is set in exactly one of them.
 struct CellSteps {
     M<double> free;         ///< go on behind the cell
     M<double> free_behind;  ///< it ends a stretch

@@ -63,11 +63,11 @@ private:
     void load_rays(const TileRays& rays, std::span<const RayStretch> stretches, std::size_t size);
     void store_rays(std::span<RayStretch> stretches) const;
     /// Takes f at the ends; whether df/ds changes its sign in any of a vector's stretches.
-    HWY_INLINE bool begin(std::size_t i, const RayLines& lines, std::size_t far_end);
+    HWY_INLINE bool begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end);
     /// Chooses the next places.
     [[nodiscard]] HWY_INLINE V<double> choose(std::size_t i, int step) const;
     /// Takes f there; whether any of a vector's searches goes on.
-    HWY_INLINE bool take(std::size_t i, const RayLines& lines, std::size_t point);
+    HWY_INLINE bool take(std::size_t i, const LinesOfRays& lines, std::size_t point);
     [[nodiscard]] HWY_INLINE Places lo_at(std::size_t i) const {
         return {.s = load(lo_s_ + i), .f = load(lo_f_ + i), .slope = load(lo_slope_ + i)};
     }
@@ -123,7 +123,7 @@ HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double>
     store_in(lanes, hn::Mul(sign, gradient.z), gradient_[2] + i);
 }
 
-HWY_INLINE bool LeastSearch::begin(std::size_t i, const RayLines& lines, std::size_t far_end) {
+HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end) {
     const V<double> zero = hn::Zero(d<double>);
     const V<double> near = points_.f_at(i);
     const V<double> far = points_.f_at(far_end + i);
@@ -156,7 +156,7 @@ HWY_INLINE V<double> LeastSearch::choose(std::size_t i, int step) const {
                          : least_of_cubic(lo_at(i), hi_at(i));
 }
 
-HWY_INLINE bool LeastSearch::take(std::size_t i, const RayLines& lines, std::size_t point) {
+HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::size_t point) {
     const M<double> open = flags_at(open_ + i);
     const V<double> sign = load(sign_ + i);
     const Vectors3 gradient = points_.gradient_at(point);

@@ -38,7 +38,7 @@ HWY_INLINE Vectors3 along(const Vectors3& a, V<double> s, const Vectors3& b) {
 }
 
 /// Rays: the point at depth s is origin + s direction.
-struct RayLines {
+struct LinesOfRays {
     Vectors3 origin, direction;
 };
 
@@ -54,7 +54,7 @@ public:
           pixel_(number(rays.pixel())),
           least_error_(number(2.0 * rays.depth_error())) {}
 
-    [[nodiscard]] HWY_INLINE RayLines at(V<double> u, V<double> v) const {
+    [[nodiscard]] HWY_INLINE LinesOfRays at(V<double> u, V<double> v) const {
         const Vectors3 zero{
             .x = hn::Zero(d<double>), .y = hn::Zero(d<double>), .z = hn::Zero(d<double>)};
         const Vectors3 across = along(along(zero, v, up_), u, right_);
@@ -91,7 +91,7 @@ struct RayPoints {
 
     alignas(64) double x[3][room], f[room], gradient[3][room];
 
-    HWY_INLINE void ask(std::size_t i, const RayLines& lines, V<double> s) {
+    HWY_INLINE void ask(std::size_t i, const LinesOfRays& lines, V<double> s) {
         const Vectors3 at = along(lines.origin, s, lines.direction);
         hn::StoreU(at.x, d<double>, x[0] + i);
         hn::StoreU(at.y, d<double>, x[1] + i);

@@ -23,7 +23,7 @@ namespace zeroset::HWY_NAMESPACE {
 class RootSearch {
 public:
     static constexpr std::size_t room = 64;
-    /// Of a stretch that may hold several roots.
+    /// So many samples show the roots of a stretch that may hold several.
     static constexpr std::size_t several_samples = 8;
 
     /// For the roots of these indices; `samples`: of each stretch.
@@ -37,10 +37,10 @@ private:
                                                  std::size_t samples) const;
     /// Takes f at the next places, and goes on by Newton's method; where that leaves the bracket,
     /// or one end has stood still, to its middle. Whether any of a vector's searches goes on.
-    HWY_INLINE bool take(std::size_t i, const TileLines& tile, const RayLines& lines,
+    HWY_INLINE bool take(std::size_t i, const TileLines& tile, const LinesOfRays& lines,
                          std::size_t point);
     /// Takes the gradients right before the roots.
-    HWY_INLINE void end(std::size_t i, const TileLines& tile, const RayLines& lines);
+    HWY_INLINE void end(std::size_t i, const TileLines& tile, const LinesOfRays& lines);
     void write(std::span<RayRoot> roots, std::span<const std::uint32_t> some) const;
 
     using Column = double[room];
@@ -100,7 +100,7 @@ HWY_INLINE bool RootSearch::bracket(std::size_t i, std::size_t size, std::size_t
     return !hn::AllFalse(d<double>, found);
 }
 
-HWY_INLINE bool RootSearch::take(std::size_t i, const TileLines& tile, const RayLines& lines,
+HWY_INLINE bool RootSearch::take(std::size_t i, const TileLines& tile, const LinesOfRays& lines,
                                  std::size_t point) {
     const V<double> zero = hn::Zero(d<double>);
     const M<double> open = flags_at(open_ + i);
@@ -133,7 +133,7 @@ HWY_INLINE bool RootSearch::take(std::size_t i, const TileLines& tile, const Ray
     return !hn::AllFalse(d<double>, still);
 }
 
-HWY_INLINE void RootSearch::end(std::size_t i, const TileLines& tile, const RayLines& lines) {
+HWY_INLINE void RootSearch::end(std::size_t i, const TileLines& tile, const LinesOfRays& lines) {
     const V<double> zero = hn::Zero(d<double>);
     const V<double> s = load(s_ + i);
     Vectors3 gradient = points_.gradient_at(i);

@@ -16,7 +16,7 @@ namespace zeroset {
 /// XYZ file and the names of its atoms. An error is one line that says which line is wrong.
 std::expected<std::vector<Blob>, std::string> blobs_of_text(std::string_view text, double radius);
 
-/// The same of a file.
+/// Reads balls from a file, as blobs_of_text does.
 std::expected<std::vector<Blob>, std::string> read_blobs(const std::filesystem::path& file,
                                                          double radius);
 

@@ -6,6 +6,8 @@
 #define HWY_TARGET_INCLUDE "engine/blobs/blob_lanes.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
+#include "engine/real/double_vectors-inl.hpp"
+
 #include <hwy/highway.h>
 
 #include <cmath>
@@ -13,18 +15,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D d;
-constexpr std::size_t width = hn::MaxLanes(D());
-
-HWY_INLINE V number(double x) { return hn::Set(d, x); }
-HWY_INLINE V minimum(V a, V b) { return hn::IfThenElse(hn::Lt(a, b), a, b); }
-HWY_INLINE V maximum(V a, V b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
 
 /// h and h' at q.
 struct Height {

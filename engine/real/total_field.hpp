@@ -20,7 +20,7 @@ struct PointAnswer {
     std::array<std::array<double, 3>, 3> bend{};  ///< second derivatives; only if asked for
 };
 
-/// What encloses a function over a box.
+/// Bounds of a function over a box.
 struct BoxAnswer {
     ValueBounds value{};
     std::array<ValueBounds, 3> slopes{};

@@ -7,6 +7,7 @@
 #define HWY_TARGET_INCLUDE "engine/volume/lanes.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
+#include "engine/real/double_vectors-inl.hpp"
 #include "engine/volume/index_box.hpp"
 #include "engine/volume/trilinear.hpp"
 
@@ -18,17 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D d;
-constexpr std::size_t width = hn::MaxLanes(D());
-
-HWY_INLINE V number(double x) { return hn::Set(d, x); }
-HWY_INLINE V minimum(V a, V b) { return hn::IfThenElse(hn::Lt(a, b), a, b); }
-HWY_INLINE V maximum(V a, V b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
 HWY_INLINE V size_of(V lo, V hi) { return maximum(hn::Abs(lo), hn::Abs(hi)); }
 /// A bit for each lane.
 HWY_INLINE std::uint32_t bits_of(M mask) {
