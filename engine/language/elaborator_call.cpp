@@ -123,10 +123,6 @@ Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* 
                          .value = (*arguments)[i],
                          .outer = i == 0 ? nullptr : &names[i - 1]});
     }
-    if (is_noise_elsewhere(syntax.function->name))
-        notes_.add(syntax.offset,
-                   tr("the noise is Zeroset's own: its bumps lie elsewhere than in the "
-                      "program that the formula is from"));
     const auto outer = library_offset_;
     library_offset_ = outer.value_or(syntax.offset);
     const Built value = build(function.body, &names.back());

@@ -79,6 +79,10 @@ Elaborator::Built Elaborator::noise(const Syntax& syntax, const Binding* scope) 
     if (!arguments) return std::nullopt;
     const auto point = leading_point(syntax, *arguments);
     if (!point) return std::nullopt;
+    if (library_offset_)
+        notes_.add(*library_offset_,
+                   tr("the noise is Zeroset's own: its bumps lie elsewhere than in the "
+                      "program that the formula is from"));
     const bool has_octaves = function == Composed::Fbm || function == Composed::Turbulence;
     const std::size_t most = has_octaves ? 4 : 1;
     if (arguments->size() > most) {

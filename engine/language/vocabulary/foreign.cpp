@@ -96,10 +96,6 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
     return error_for_word_of_programs(word, name, offset);
 }
 
-bool is_noise_elsewhere(std::string_view function) {
-    return is_one_of(function, {"f_noise3d", "f_snoise3d", "f_ridged_mf", "NoiseP", "NoiseW"});
-}
-
 std::optional<std::string> nearest_known_name(std::string_view name) {
     std::vector<std::string_view> words = function_spellings();
     constexpr std::size_t shortest_of_library = 5;  // shorter library names, such as f_r, are near

@@ -15,9 +15,6 @@ namespace zeroset {
 /// for other names.
 std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset);
 
-/// Whether a function is noise of another program, which is read as our own.
-bool is_noise_elsewhere(std::string_view function);
-
 /// The known name that an unknown one is near to; nullopt: it is near to none.
 std::optional<std::string> nearest_known_name(std::string_view name);
 

@@ -66,7 +66,7 @@ Done Lexer::step() {
     }
     if (starts_remark()) return remark();
     line_start_ = c == '\n' || c == '\v';
-    if ((c == 'v' || c == 'b' || c == 'm') && starts_volume()) return volume();
+    if (starts_volume()) return volume();
     if (c == '&' && peek(1) == '&') {
         push(TokenKind::Name, "and", 2);
     } else if (line_start_ || c == ';') {
