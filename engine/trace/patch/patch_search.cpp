@@ -41,6 +41,15 @@ InSquare in_square(const UvBox& box) {
                                                                       : InSquare::Unknown;
 }
 
+InSquare in_box(const Box& box, const glm::dvec3& at, const glm::dvec3& error) {
+    const auto below = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::all(glm::lessThanEqual(a, b));
+    };
+    if (below(box.lo + error, at) && below(at, box.hi - error)) return InSquare::Inside;
+    const bool may_be = below(box.lo - error, at) && below(at, box.hi + error);
+    return may_be ? InSquare::Unknown : InSquare::Outside;
+}
+
 InSquare in_own_box(const PatchTree& tree, const PatchForm& form, const ZeroTest& test,
                     const BoxPlace& at, const PatchPoint& point) {
     if (!tree.box()) return InSquare::Inside;
@@ -49,13 +58,7 @@ InSquare in_own_box(const PatchTree& tree, const PatchForm& form, const ZeroTest
     const glm::dvec3 moved =
         by_p * (glm::abs(form.du) + form.du_radius) + by_q * (glm::abs(form.dv) + form.dv_radius);
     const glm::dvec3 error = moved * (1.0 + 0x1p-40) + form.value_error;
-    const auto below = [](const glm::dvec3& a, const glm::dvec3& b) {
-        return glm::all(glm::lessThanEqual(a, b));
-    };
-    const auto [lo, hi] = *tree.box();
-    if (below(lo + error, point.s) && below(point.s, hi - error)) return InSquare::Inside;
-    const bool may_be = below(lo - error, point.s) && below(point.s, hi + error);
-    return may_be ? InSquare::Unknown : InSquare::Outside;
+    return in_box(*tree.box(), point.s, error);
 }
 
 InSquare both(InSquare a, InSquare b) {
@@ -83,10 +86,8 @@ void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchFor
     open_.push_back({.box = box, .form = *within, .sight = sight, .node = node, .near = near});
 }
 
-void PatchSearch::take(const PatchQuest& quest, const Item& item, const ZeroTest& test,
-                       const BoxPlace& at, const PatchPoint& point) {
-    const InSquare where = both(in_square(place_in(item.box, test.p, test.q, test.radius)),
-                                in_own_box(tree_, item.form, test, at, point));
+void PatchSearch::take(const PatchQuest& quest, const ZeroTest& test, InSquare where,
+                       const PatchPoint& point) {
     if (where == InSquare::Outside) return;
     if (test.s < quest.from || test.s > quest.to || !(test.s < best_.s)) return;
     best_.s = test.s;
@@ -130,7 +131,7 @@ PatchSearch::Outcome PatchSearch::certify(const PatchQuest& quest, const Item& i
                 both(in_square(place_in(item.box, test.p, test.q, test.radius)),
                      in_own_box(tree_, item.form, test, {.p = p, .q = q}, point));
             if (where != InSquare::Unknown || is_last) {
-                take(quest, item, test, {.p = p, .q = q}, point);
+                take(quest, test, where, point);
                 return Outcome::Done;
             }
         }

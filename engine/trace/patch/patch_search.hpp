@@ -35,18 +35,20 @@ struct PatchHit {
     [[nodiscard]] bool is_hit() const { return s < std::numeric_limits<double>::infinity(); }
 };
 
-/// Whether an interval is in [0, 1], beside it, or neither is known.
+/// Whether a place is surely in the unit square or in a box, surely beside it, or neither is known.
 enum class InSquare : std::uint8_t { Inside, Outside, Unknown };
 InSquare in_square(const UvBox& box);
 
 /// The (u, v) that p and q of a node's form stand for, and how far they may be from them.
 UvBox place_in(const UvBox& box, double p, double q, double radius);
 
+/// Whether a place that is known but for an error is in a box.
+InSquare in_box(const Box& box, const glm::dvec3& at, const glm::dvec3& error);
 /// Whether the zero that a test has found in the box of a form is in the box that the patch is cut
 /// to; `point` is S at a place of the former.
 InSquare in_own_box(const PatchTree& tree, const PatchForm& form, const ZeroTest& test,
                     const BoxPlace& at, const PatchPoint& point);
-/// What both say of the same place.
+/// Whether a place is inside of both, by what is known of each.
 InSquare both(InSquare a, InSquare b);
 
 /// Searches single rays, box by box from front to back. A thread's keep their room from one to the
@@ -80,7 +82,7 @@ private:
                     const LinearZeros& zeros);
     /// What is evaluated at a place of an item, with its derivatives by p and q.
     PatchPoint evaluate(const Item& item, double p, double q);
-    void take(const PatchQuest& quest, const Item& item, const ZeroTest& test, const BoxPlace& at,
+    void take(const PatchQuest& quest, const ZeroTest& test, InSquare where,
               const PatchPoint& point);
     void give_up(const PatchQuest& quest, const Item& item);
     void divide(const PatchQuest& quest, const Item& item, const PatchSight& sight,

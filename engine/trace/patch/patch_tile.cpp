@@ -13,7 +13,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double inner = 1.0 / form_growth;
 /// Leaves are so flat that two or three steps of Newton's method find a zero.
 constexpr double flat_norm = 0.4;
-/// Leaves with a model are halved further until they are as flat.
+/// Leaves with a model need not be flatter than this: trace_leaf halves them.
 constexpr double model_norm = 1.0;
 /// Parts with a model that are as small as this, in pixels, are leaves.
 constexpr double small_pixels = 24.0;

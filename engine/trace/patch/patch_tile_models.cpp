@@ -84,13 +84,7 @@ InSquare PatchTile::side_of_own_box(const LeafHit& hit) const {
     const glm::dvec3 along = axes_.forward + across;
     const glm::dvec3 at = axes_.base + axes_.distance * across + hit.s * along;
     const glm::dvec3 error = (hit.s_radius * (1.0 + 0x1p-40)) * glm::abs(along) + 8.0 * axes_.error;
-    const auto below = [](const glm::dvec3& a, const glm::dvec3& b) {
-        return glm::all(glm::lessThanEqual(a, b));
-    };
-    const auto [lo, hi] = *tree_.box();
-    if (below(lo + error, at) && below(at, hi - error)) return InSquare::Inside;
-    const bool may_be = below(lo - error, at) && below(at, hi + error);
-    return may_be ? InSquare::Unknown : InSquare::Outside;
+    return in_box(*tree_.box(), at, error);
 }
 
 void PatchTile::take(const LeafHit& hit) {

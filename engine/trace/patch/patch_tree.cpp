@@ -94,7 +94,7 @@ PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
 }
 
 void PatchTree::make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const {
-    auto models = std::make_unique<PatchNode::Children::Models>();
+    auto models = std::make_unique_for_overwrite<PatchNode::Children::Models>();
     const bool has_models = forms_.make_models(boxes, *models);
     bool are_good = has_models;
     for (std::size_t i = 0; i < boxes.size() && has_models; ++i) {
