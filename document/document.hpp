@@ -40,9 +40,9 @@ struct Statement {
     std::optional<std::uint32_t> color;  ///< 0xRRGGBB of a surface's front; none: not chosen yet
     SolidSide solid = SolidSide::Automatic;        ///< which side of its surface is solid
     std::optional<double> opacity = std::nullopt;  ///< of its surface, 0 to 1; none: the look's
-    /// Of its curve or point; none: as suits the clip box.
+    /// How thick its curve or point is drawn; none: as suits the clip box.
     std::optional<Thickness> thickness = std::nullopt;
-    /// What of its surface is shown, beside what is shown of all; none: as much.
+    /// A clip box of its own, within the document's; none: the document's alone.
     std::optional<Box> box = std::nullopt;
 
     bool operator==(const Statement&) const = default;
@@ -130,7 +130,7 @@ struct JoinedRows {
     explicit JoinedRows(const std::vector<std::string>& rows);
     /// The row that holds a byte of the text; a byte between two rows belongs to the first of them.
     [[nodiscard]] std::size_t row_at(std::size_t offset) const;
-    /// What cuts the statements of rows that have a box.
+    /// For each row that has a box: the part of the text that the row is, and the box that cuts it.
     [[nodiscard]] std::vector<CutText> cuts(std::span<const std::optional<Box>> boxes) const;
 
     std::string text;

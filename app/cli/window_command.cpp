@@ -14,14 +14,15 @@
 namespace zeroset {
 namespace {
 
-/// Whether EQUATION is a folder, or a file with several documents. A folder's name without a / may
-/// be a formula.
-bool is_to_choose_from(const std::string& equation) {
+/// The documents to choose from where EQUATION is a folder, or a file with several. A folder's name
+/// without a / may be a formula.
+std::expected<std::optional<Collection>, std::string> typed_collection(
+    const std::string& equation) {
     std::error_code error;
-    if (is_volume_file(equation)) return false;
-    const bool is_folder = std::filesystem::is_directory(equation, error);
     const bool is_path = equation.contains('/') || equation == "." || equation == "..";
-    return (!is_folder || is_path) && is_collection(equation);
+    const bool is_formula = !is_path && std::filesystem::is_directory(equation, error);
+    if (is_formula || is_volume_file(equation)) return std::nullopt;
+    return collection_at(equation);
 }
 
 }  // namespace
@@ -29,13 +30,9 @@ bool is_to_choose_from(const std::string& equation) {
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
                                                   const TraceText& trace, TextErrors errors) {
     const std::string first = "@" + gallery().front().name;
-    std::optional<Collection> collection;
-    if (is_to_choose_from(equation)) {
-        auto found = collection_of(equation);
-        if (!found) return wrong_input(found.error());
-        collection = std::move(*found);
-    }
-    auto input = read_document(equation.empty() || collection ? first : equation, view);
+    auto collection = typed_collection(equation);
+    if (!collection) return wrong_input(collection.error());
+    auto input = read_document(equation.empty() || *collection ? first : equation, view);
     if (!input) return std::unexpected(input.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());
@@ -52,7 +49,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
         options.document.light.background.reset();
     options.path = input->path;
     options.note = input->note;
-    options.collection = std::move(collection);
+    options.collection = std::move(*collection);
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
     if (const auto wrong = take_look(trace, options.document)) return std::unexpected(*wrong);
     options.is_new =

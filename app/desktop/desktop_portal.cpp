@@ -48,8 +48,8 @@ void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
     if (!dialogs.file) return;
     ui::FileChoice& choice = *dialogs.file;
     if (choice.begins && has_dialogs_) {
-        const bool saves = choice.purpose == Purpose::Save || choice.purpose == Purpose::Export;
-        portal_.ask({.saves = saves,
+        portal_.ask({.title = choice.title,
+                     .saves = choice.saves(),
                      .opens_folder = choice.purpose == Purpose::OpenFolder,
                      .folder = choice.folder,
                      .name = ui::with_ending(choice, choice.name),
@@ -72,7 +72,7 @@ void DesktopPortal::take_answer(ui::FileChoice& choice) {
     if (!answer->asked) return;
     if (answer->path.empty()) {
         choice.finished = true;
-    } else if (choice.purpose == Purpose::Save || choice.purpose == Purpose::Export) {
+    } else if (choice.saves()) {
         take_saved(choice, answer->path);
     } else {
         choice.path = answer->path;

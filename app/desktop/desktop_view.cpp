@@ -4,7 +4,6 @@
 #include "engine/measure/extent.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/picture_request.hpp"
-#include "pipeline/shown_points.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/window/window.hpp"
 
@@ -92,16 +91,6 @@ void Desktop::follow_waiting() {
     state_.shown.figures.hidden = wait_notice_.hides_figures(now);
     state_.shown.status.doing =
         exports_.doing().empty() ? wait_notice_.text(now) : exports_.doing();
-}
-
-/// Shows where the points among the rows are for the sliders as they are.
-void Desktop::show_points() {
-    const auto& formula = feed_.formula();
-    const std::optional<Camera>& camera = state_.edited.document.camera;
-    state_.shown.points.clear();
-    if (formula == nullptr || !camera || state_.input.viewport_px.y <= 0) return;
-    state_.shown.points = shown_points(formula.get(), state_.edited.document,
-                                       state_.shown.picture.camera, state_.input.viewport_px.y);
 }
 
 }  // namespace zeroset

@@ -145,8 +145,7 @@ void Session::show(Document document) {
 
 void Session::open(const std::vector<std::string>& paths) {
     if (paths.empty() || asked_ != Subject::Nothing || read_only_) return;
-    if (browse_ && !is_volume_file(paths.front()) && is_collection(paths.front()))
-        return browse(paths.front());
+    if (browse(paths.front())) return;
     attempt({.intent = Intent::OpenPath, .path = paths.front()});
 }
 
@@ -277,17 +276,25 @@ void Session::perform(const Action& action) {
 void Session::choose_file_to_open(Purpose purpose) {
     ui::FileChoice& choice = state_.pages.dialogs.file.emplace();
     choice.purpose = purpose;
-    if (purpose == Purpose::OpenFolder) choice.title = "Open a folder as a gallery";
+    choice.title =
+        purpose == Purpose::OpenFolder ? tr("Open a folder as a gallery") : tr("Open a document");
     const std::string endings = import_endings() + " " + known_endings() + " .png";
     for (const std::string_view ending : split(endings, ' '))
         choice.other_endings.emplace_back(ending);
     choice.folder = first_folder(path_);
 }
 
-void Session::browse(const std::string& path) {
-    auto collection = collection_of(path);
-    if (!collection) return say_failure(collection.error());
-    browse_(std::move(*collection));
+bool Session::browse(const std::string& path) {
+    if (!browse_ || is_volume_file(path)) return false;
+    auto collection = collection_at(path);
+    if (!collection) {
+        say_failure(collection.error());
+    } else if (*collection) {
+        browse_(std::move(**collection));
+    } else {
+        return false;
+    }
+    return true;
 }
 
 void Session::begin(Document document, const std::string& path) {
@@ -305,7 +312,6 @@ void Session::begin(Document document, const std::string& path) {
 
 void Session::load(const std::string& path) {
     if (is_volume_file(path)) return load_volume(path);
-    if (browse_ && is_collection(path)) return browse(path);
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
     use_volume_folder({.folder = std::filesystem::path(path).parent_path(), .closed = true});
@@ -387,8 +393,10 @@ void Session::follow_file_choice() {
         return;
     }
     switch (choice.purpose) {
-        case Purpose::Open: return load(choice.path);
-        case Purpose::OpenFolder: return browse(choice.path);
+        case Purpose::Open:
+        case Purpose::OpenFolder:
+            if (!browse(choice.path)) load(choice.path);
+            return;
         case Purpose::Save: return write(choice.path);
         case Purpose::Export:
             export_folder_ = first_folder(choice.path);

@@ -77,8 +77,9 @@ private:
     void perform(const Action& action);
     void begin(Document document, const std::string& path);
     void load(const std::string& path);
-    /// Shows the documents of the path to choose from, or says why there are none.
-    void browse(const std::string& path);
+    /// Shows the documents of a folder, or of a file with several, to choose from, or says why
+    /// there are none; false where the path is something else.
+    bool browse(const std::string& path);
     /// Begins a document that shows the volume.
     void load_volume(const std::string& path);
     /// Opens the dialog in which a file or a folder is chosen.

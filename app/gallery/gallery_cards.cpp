@@ -69,6 +69,7 @@ void GalleryCards::browse(Collection collection, ui::UiState& state) {
         documents.push_back(std::make_shared<const Document>(std::move(item.document)));
     }
     job_.want({}, size_px_);
+    (void)job_.take();  // they have the numbers of the last collection
     {
         const std::scoped_lock lock(browsed_->mutex);
         browsed_->documents = std::move(documents);

@@ -15,7 +15,7 @@ namespace zeroset {
 /// The gallery's page beyond its panels: its entries, and their pictures. Draws those of the cards
 /// in sight, while the large picture is at rest, and uploads them. The window's thread only.
 class GalleryCards {
-    /// What the job draws of a collection.
+    /// The documents of the collection, which the job draws.
     struct Browsed;
 
 public:

@@ -104,10 +104,10 @@ DrawThumbnail gallery_thumbnails(ThumbnailCache cache) {
 std::optional<RgbaImage> document_thumbnail(const Document& document, glm::ivec2 size_px,
                                             const ThumbnailCache& cache,
                                             const std::atomic<bool>& cancel) {
-    const bool has_volumes = std::ranges::any_of(
+    const bool names_files = std::ranges::any_of(
         document.statements,
-        [](const Statement& statement) { return statement.text.contains("volume"); });
-    if (has_volumes) return halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
+        [](const Statement& statement) { return statement.text.contains('"'); });
+    if (names_files) return halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
     const std::string key = "zeroset " ZEROSET_VERSION "\n" + std::to_string(size_px.x) + " " +
                             std::to_string(size_px.y) + "\n" + text_of(document);
     if (auto kept = cache.find(key)) return kept;

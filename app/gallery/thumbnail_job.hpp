@@ -31,8 +31,8 @@ using DrawThumbnail = std::function<std::optional<RgbaImage>(std::size_t item, g
 
 /// Draws items of the gallery; pictures drawn before come from the cache.
 DrawThumbnail gallery_thumbnails(ThumbnailCache cache);
-/// A document's picture, without those of volumes, which are large files; nothing if it was
-/// cancelled meanwhile.
+/// A document's picture; empty where its rows name files, which are of its own folder and may be
+/// large. Nothing if it was cancelled meanwhile.
 std::optional<RgbaImage> document_thumbnail(const Document& document, glm::ivec2 size_px,
                                             const ThumbnailCache& cache,
                                             const std::atomic<bool>& cancel);

@@ -14,6 +14,7 @@ enum class ColorWish : std::uint8_t { None, Dark, Light };
 
 /// A request for the desktop's file dialog.
 struct FileRequest {
+    std::string title;
     bool saves = false;
     bool opens_folder = false;  ///< and not a file
     std::string folder;         ///< folder shown first; absolute

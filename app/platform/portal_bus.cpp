@@ -182,10 +182,7 @@ bool PortalBus::send(const FileRequest& request) {
         return false;
     }
     const Message message(made);
-    sd_bus_message_append(made, "ss", request.parent.c_str(),
-                          request.saves          ? tr("Save as")
-                          : request.opens_folder ? tr("Open a folder as a gallery")
-                                                 : tr("Open a document"));
+    sd_bus_message_append(made, "ss", request.parent.c_str(), request.title.c_str());
     sd_bus_message_open_container(made, 'a', "{sv}");
     append_text(made, "handle_token", token);
     append_path(made, "current_folder", request.folder);

@@ -49,8 +49,6 @@ std::string clean_name(std::string_view name) {
 
 }  // namespace
 
-std::span<const ImportFormat> import_formats() { return formats; }
-
 const ImportFormat* import_format(std::string_view file_name) {
     const std::string name = lower_case(file_name);
     for (const ImportFormat& format : formats) {

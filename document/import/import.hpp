@@ -3,7 +3,6 @@
 #include "document/import/imported.hpp"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,7 +17,6 @@ struct ImportFormat {
     ReadImport (*read)(std::string_view bytes);
     std::size_t largest = largest_script;  ///< of its files, in bytes
 };
-std::span<const ImportFormat> import_formats();
 
 /// The format of a file of this name; nullptr where it is none of them.
 const ImportFormat* import_format(std::string_view file_name);

@@ -14,7 +14,7 @@
 
 namespace zeroset {
 
-/// What is told of an object's looks.
+/// Colour and opacity that a scene gives to an object; none where it says nothing.
 struct PovLook {
     std::optional<std::uint32_t> color;
     std::optional<double> opacity;

@@ -89,36 +89,34 @@ std::unexpected<std::string> no_collection(const fs::path& path, const std::stri
     return std::unexpected(filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
 }
 
-}  // namespace
-
-bool is_collection(const fs::path& path) {
+std::expected<Collection, std::string> folder_collection(const fs::path& folder) {
     std::error_code error;
-    if (fs::is_directory(path, error)) return true;
-    const ImportPlace place = import_place(path.string());
-    if (!place.choice.empty() || !is_import_path(path.string())) return false;
-    const auto imported = load_import(place.file);
-    return imported && imported->documents.size() > 1;
-}
-
-std::expected<Collection, std::string> collection_of(const fs::path& path) {
-    std::error_code error;
-    Collection collection{.name = path.filename().string(), .items = {}};
-    if (!fs::is_directory(path, error)) {
-        auto imported = load_import(path);
-        if (!imported) return std::unexpected(imported.error());
-        add_imported(path, std::move(*imported), collection);
-        if (!collection.items.empty()) return collection;
-        return no_collection(path, tr("it has no surface that can be drawn"));
-    }
-    const std::vector<fs::path> files = files_of(path, error);
-    if (error) return no_collection(path, error.message());
-    if (collection.name.empty()) collection.name = path.parent_path().filename().string();
+    const std::vector<fs::path> files = files_of(folder, error);
+    if (error) return no_collection(folder, error.message());
+    const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+    Collection collection{.name = named.filename().string(), .items = {}};
     for (const fs::path& file : files) {
         if (is_full(collection)) break;
         add_file(file, collection);
     }
     if (!collection.items.empty()) return collection;
-    return no_collection(path, tr("there is no document in this folder"));
+    return no_collection(folder, tr("there is no document in this folder"));
+}
+
+}  // namespace
+
+std::expected<std::optional<Collection>, std::string> collection_at(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) return folder_collection(path);
+    const std::string name = path.string();
+    if (!is_import_path(name) || !import_place(name).choice.empty()) return std::nullopt;
+    auto imported = load_import(path);
+    if (!imported) return std::unexpected(imported.error());
+    if (imported->documents.size() == 1) return std::nullopt;
+    Collection collection{.name = path.filename().string(), .items = {}};
+    add_imported(path, std::move(*imported), collection);
+    if (!collection.items.empty()) return collection;
+    return no_collection(path, tr("it has no surface that can be drawn"));
 }
 
 }  // namespace zeroset

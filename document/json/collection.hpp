@@ -4,6 +4,7 @@
 
 #include <expected>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,19 +22,17 @@ struct CollectionItem {
 struct Collection {
     std::string name;
     std::vector<CollectionItem> items;  ///< at least one
-    std::size_t unread = 0;             ///< files and documents that are none of them
+    std::size_t unread = 0;             ///< files and documents that could not be read or drawn
 };
 
 /// A folder's or file's further documents are left out of a collection.
 inline constexpr std::size_t largest_collection = 5000;
 
-/// Whether a path is a folder, or another program's file that holds several documents and chooses
-/// none of them.
-bool is_collection(const std::filesystem::path& path);
-
-/// The documents in a folder, without those in folders inside it, by their names, or those of a
-/// file in its order; surfaces that cannot be drawn are left out. The error is a predicate:
-/// "cannot open 'a': ...". The files are only read.
-std::expected<Collection, std::string> collection_of(const std::filesystem::path& path);
+/// The documents of a folder, without those in folders inside it, by their names, or of another
+/// program's file that holds several, in its order; surfaces that cannot be drawn are left out.
+/// Nothing where the path is something else, or chooses one of a file's documents. The error is a
+/// predicate: "cannot open 'a': ...". The files are only read.
+std::expected<std::optional<Collection>, std::string> collection_at(
+    const std::filesystem::path& path);
 
 }  // namespace zeroset

@@ -22,7 +22,7 @@ struct Question {
 struct FileChoice {
     enum class Purpose : std::uint8_t { Open, OpenFolder, Save, Export };
     Purpose purpose = Purpose::Open;
-    std::string title = "Open a document";
+    std::string title;
     /// Of the files that are offered, and of names without one.
     std::string ending = ".zeroset.json";
     /// Of other files that are offered; small letters.
@@ -34,6 +34,10 @@ struct FileChoice {
     bool begins = true;         ///< nobody has asked yet
     bool elsewhere = false;     ///< asked in the desktop's own dialog; here one can only give up
     bool asks_replace = false;  ///< the file exists; another press of Save replaces it
+
+    [[nodiscard]] bool saves() const {
+        return purpose == Purpose::Save || purpose == Purpose::Export;
+    }
 };
 
 /// The name, with the choice's ending where it has none: a document's ends in .json, another file's

@@ -55,21 +55,17 @@ std::vector<Entry> entries_of(const FileChoice& choice) {
     return entries;
 }
 
-bool saves(const FileChoice& choice) {
-    return choice.purpose == Purpose::Save || choice.purpose == Purpose::Export;
-}
-
 void go_to(FileChoice& choice, const fs::path& folder) {
     choice.folder = folder.lexically_normal().string();
     choice.asks_replace = false;
-    if (!saves(choice)) choice.name.clear();
+    if (!choice.saves()) choice.name.clear();
 }
 
 /// Path of the typed name in the shown folder; a file to save gets an ending if it has none.
 fs::path typed_path(const FileChoice& choice) {
     const fs::path folder(choice.folder);
     std::error_code ignored;
-    if (!saves(choice) || fs::is_directory(folder / choice.name, ignored))
+    if (!choice.saves() || fs::is_directory(folder / choice.name, ignored))
         return folder / choice.name;
     return folder / with_ending(choice, choice.name);
 }
@@ -93,7 +89,7 @@ void accept(FileChoice& choice) {
         return go_to(choice, path);
     }
     const bool exists = fs::exists(first_written(path), ignored);
-    if (saves(choice) && exists && !choice.asks_replace) {
+    if (choice.saves() && exists && !choice.asks_replace) {
         choice.asks_replace = true;
         return;
     }
@@ -158,7 +154,7 @@ void draw_buttons(FileChoice& choice, const Palette& colors) {
         ImGui::TextUnformatted(tr("This file exists. Save again to replace it."));
         ImGui::PopStyleColor();
     }
-    const char* const verb = !saves(choice)        ? tr("Open")
+    const char* const verb = !choice.saves()       ? tr("Open")
                              : choice.asks_replace ? tr("Replace")
                                                    : tr("Save");
     if (ImGui::Button(verb, ImVec2(em(7.0F), 0.0F))) accept(choice);

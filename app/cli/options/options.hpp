@@ -20,7 +20,8 @@
 
 namespace zeroset {
 
-/// What single surfaces are given, as typed: each for all, or behind N: for number N.
+/// The values of --color, --thickness and --surface-box as typed: VALUE for all surfaces, or
+/// N:VALUE for number N.
 struct SurfaceTexts {
     std::vector<std::string> colors, thicknesses, boxes;
 };

@@ -26,7 +26,7 @@ struct OpacityChoice {
     bool operator==(const OpacityChoice&) const = default;
 };
 
-/// What one surface is given, or all are.
+/// A value that an option gives to one surface, or to all.
 template <class Value>
 struct SurfaceChoice {
     std::optional<int> surface = std::nullopt;  ///< as in SolidChoice

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -51,9 +52,10 @@ TEST_F(Collections, HoldTheDocumentsOfAFolderByTheirNames) {
     write("c.zeroset.json", "{ no document");
     write("d.js", two_surfaces);
     fs::create_directory(folder_ / "inner");
-    ASSERT_TRUE(is_collection(path_of("")));
-    const auto collection = collection_of(path_of(""));
-    ASSERT_TRUE(collection) << collection.error();
+    const auto found = collection_at(path_of(""));
+    ASSERT_TRUE(found) << found.error();
+    const std::optional<Collection>& collection = *found;
+    ASSERT_TRUE(collection);
     ASSERT_EQ(collection->items.size(), 4U);
     EXPECT_EQ(collection->unread, 1U);
     EXPECT_EQ(collection->items[0].title, "a");
@@ -66,10 +68,13 @@ TEST_F(Collections, HoldTheDocumentsOfAFolderByTheirNames) {
 
 TEST_F(Collections, OfAFileOpenAsTheyAreNumbered) {
     write("two.js", two_surfaces);
-    ASSERT_TRUE(is_collection(path_of("two.js")));
-    EXPECT_FALSE(is_collection(path_of("two.js#2"))) << "it chooses one";
-    const auto collection = collection_of(path_of("two.js"));
-    ASSERT_TRUE(collection) << collection.error();
+    const auto chosen = collection_at(path_of("two.js#2"));
+    ASSERT_TRUE(chosen) << chosen.error();
+    EXPECT_FALSE(*chosen) << "it chooses one";
+    const auto found = collection_at(path_of("two.js"));
+    ASSERT_TRUE(found) << found.error();
+    const std::optional<Collection>& collection = *found;
+    ASSERT_TRUE(collection);
     EXPECT_EQ(collection->name, "two.js");
     ASSERT_EQ(collection->items.size(), 2U);
     for (const CollectionItem& item : collection->items) {
@@ -82,17 +87,21 @@ TEST_F(Collections, OfAFileOpenAsTheyAreNumbered) {
 TEST_F(Collections, AreNoFilesOfOneDocumentAndNoTexts) {
     save("one.zeroset.json", "x = 1");
     write("one.txt", "x^2 + y^2 + z^2 = 1");
-    EXPECT_FALSE(is_collection(path_of("one.zeroset.json")));
-    EXPECT_FALSE(is_collection("x^2 + y^2 = 1"));
-    EXPECT_FALSE(is_collection("nowhere/two.js"));
+    for (const std::string& path :
+         {path_of("one.zeroset.json"), path_of("one.txt"), std::string("x^2 + y^2 = 1")}) {
+        const auto found = collection_at(path);
+        ASSERT_TRUE(found) << found.error();
+        EXPECT_FALSE(*found) << path;
+    }
+    EXPECT_FALSE(collection_at("nowhere/two.js"));
 }
 
 TEST_F(Collections, SayWhyThereIsNone) {
     fs::create_directory(folder_ / "empty");
-    const auto empty = collection_of(path_of("empty"));
+    const auto empty = collection_at(path_of("empty"));
     ASSERT_FALSE(empty);
     EXPECT_TRUE(empty.error().ends_with("there is no document in this folder")) << empty.error();
-    const auto nowhere = collection_of(path_of("nowhere.js"));
+    const auto nowhere = collection_at(path_of("nowhere.js"));
     ASSERT_FALSE(nowhere);
     EXPECT_TRUE(nowhere.error().contains("there is no such file")) << nowhere.error();
 }
