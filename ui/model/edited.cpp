@@ -24,4 +24,20 @@ Document new_document(const Layout& layout) {
     return document;
 }
 
+Slider first_slider(const std::string& name) { return name == w_name ? Document().w : Slider(); }
+
+Slider slider_named(const Document& document, const std::string& name) {
+    return name == w_name ? document.w : slider_of(document, name);
+}
+
+void set_slider(Document& document, const std::string& name, const Slider& slider) {
+    if (name == w_name) {
+        document.w = slider;
+    } else if (slider == Slider()) {
+        document.parameters.erase(name);
+    } else {
+        document.parameters[name] = slider;
+    }
+}
+
 }  // namespace zeroset::ui

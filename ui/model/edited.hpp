@@ -91,4 +91,11 @@ struct Edited {
     bool read_only = false;
 };
 
+/// Returns the slider of w or of a parameter; first_slider returns its initial settings.
+Slider slider_named(const Document& document, const std::string& name);
+Slider first_slider(const std::string& name);
+/// Stores the slider in the document; a parameter's slider with its initial settings is removed
+/// from it.
+void set_slider(Document& document, const std::string& name, const Slider& slider);
+
 }  // namespace zeroset::ui

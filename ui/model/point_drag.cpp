@@ -40,14 +40,14 @@ Sliders sliders_of(const ShownPoint& point, const Document& document) {
     Sliders sliders;
     for (const std::string& name : point.sliders) {
         if (name.empty()) continue;
-        sliders[name] = name == w_name ? document.w : slider_of(document, name);
+        sliders[name] = slider_named(document, name);
     }
     return sliders;
 }
 
 void take_over(Document& document, const Sliders& sliders) {
     for (const auto& [name, slider] : sliders)
-        (name == w_name ? document.w : document.parameters[name]) = slider;
+        set_slider(document, name, slider);
 }
 
 const ShownPoint* point_under(std::span<const ShownPoint> points, const ViewFrame& view,

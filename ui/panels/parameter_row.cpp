@@ -160,22 +160,6 @@ void draw_row(Edited& edited, const ReadingFacts& reading, const std::string& na
 
 }  // namespace
 
-Slider first_slider(const std::string& name) { return name == w_name ? Document().w : Slider(); }
-
-Slider slider_named(const Document& document, const std::string& name) {
-    return name == w_name ? document.w : slider_of(document, name);
-}
-
-void set_slider(Document& document, const std::string& name, const Slider& slider) {
-    if (name == w_name) {
-        document.w = slider;
-    } else if (slider == Slider()) {
-        document.parameters.erase(name);
-    } else {
-        document.parameters[name] = slider;
-    }
-}
-
 void draw_parameter_rows(Edited& edited, const ReadingFacts& reading) {
     if (!reading.uses_w && reading.parameters.empty()) return;
     ImGui::Separator();

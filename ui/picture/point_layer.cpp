@@ -43,8 +43,6 @@ void follow_drag(UiState& state, const ViewFrame& view, const ViewPoint& cursor)
     }
     drag.last = dragged(drag, view, cursor, state.input.viewport_px.y);
     take_over(document, drag.last);
-    for (const auto& [name, slider] : drag.last)
-        state.edited.playing.erase(name);
 }
 
 /// The point as it is now.
@@ -79,8 +77,11 @@ std::optional<ShownPoint> follow_points(UiState& state, const PictureArea& area,
         point_under(points, view, cursor, static_cast<double>(em(reach_em) / area.height()));
     if (found == nullptr) return std::nullopt;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         state.input.point_drag = grabbed(*found, state.edited.document, view, cursor);
+        for (const auto& [name, slider] : state.input.point_drag->start)
+            state.edited.playing.erase(name);
+    }
     return *found;
 }
 

@@ -76,6 +76,19 @@ TEST_P(PointDrags, TakeTheMeanOfCoordinatesThatShareASlider) {
     EXPECT_EQ(document_.parameters.at("a"), sliders.at("a"));
 }
 
+TEST_P(PointDrags, LeaveNoTraceOfSlidersAsTheyBegin) {
+    document_.parameters.clear();
+    const Document before = document_;
+    Sliders moved =
+        sliders_of(ShownPoint{.row = 1, .name = "P", .sliders = {"a", "", ""}}, document_);
+    const Sliders first = moved;
+    moved["a"].value = 2.0;
+    take_over(document_, moved);
+    EXPECT_EQ(document_.parameters.at("a").value, 2.0);
+    take_over(document_, first);
+    EXPECT_EQ(document_, before);
+}
+
 TEST_P(PointDrags, FindTheNearestPointThatMoves) {
     const std::vector<ShownPoint> points{
         {.row = 1, .name = "", .at = {0.0, 0.0, 0.0}, .sliders = {}},

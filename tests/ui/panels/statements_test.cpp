@@ -44,6 +44,19 @@ protected:
         OffscreenWindow::type(text);
         draw_frame();
     }
+    /// Opens the popup of the first row by a click on its color; nullptr if there is none then.
+    const ImGuiWindow* row_popup() {
+        state_.edited.document.statements[0].color = 0x30C0E0;
+        const Framebuffer frame = draw();
+        const ImRect list = child("##side/##list_")->Rect();
+        const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
+                             static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
+        const Rectangle dot = bounds(frame, 0xFFE0C030U, area, exact);
+        click_at({static_cast<float>(dot.left + dot.right) / 2,
+                  static_cast<float>(dot.top + dot.bottom) / 2});
+        draw_frame();
+        return child("##Popup_");
+    }
     void press_with_alt(int key) {
         OffscreenWindow::hold_alt(true);
         press(key);
@@ -302,16 +315,7 @@ TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
 
 TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
     set_rows(state_, {"x = 2"});
-    state_.edited.document.statements[0].color = 0x30C0E0;
-    Framebuffer frame = draw();
-    const ImRect list = child("##side/##list_")->Rect();
-    const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
-                         static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
-    const Rectangle dot = bounds(frame, 0xFFE0C030U, area, exact);
-    click_at({static_cast<float>(dot.left + dot.right) / 2,
-              static_cast<float>(dot.top + dot.bottom) / 2});
-    draw_frame();
-    const ImGuiWindow* const popup = child("##Popup_");
+    const ImGuiWindow* const popup = row_popup();
     ASSERT_NE(popup, nullptr);
     const ImRect inside = popup->InnerClipRect;
     const float last_row = inside.Max.y - static_cast<float>(px(20));
@@ -332,16 +336,7 @@ TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
 TEST_P(Statements, LetTheThicknessOfACurveBeChosen) {
     set_rows(state_, {"(cos t, sin t, t), 0 < t < 1"});
     state_.shown.reading.thick_rows = {1};
-    state_.edited.document.statements[0].color = 0x30C0E0;
-    const Framebuffer frame = draw();
-    const ImRect list = child("##side/##list_")->Rect();
-    const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
-                         static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
-    const Rectangle dot = bounds(frame, 0xFFE0C030U, area, exact);
-    click_at({static_cast<float>(dot.left + dot.right) / 2,
-              static_cast<float>(dot.top + dot.bottom) / 2});
-    draw_frame();
-    const ImGuiWindow* const popup = child("##Popup_");
+    const ImGuiWindow* const popup = row_popup();
     ASSERT_NE(popup, nullptr);
     const ImRect inside = popup->InnerClipRect;
     const float last_row = inside.Max.y - static_cast<float>(px(20));

@@ -1,21 +1,18 @@
 #include "ui/picture/point_layer.hpp"
 
 #include "engine/view/pixel_ray.hpp"
-#include "tests/ui/panels.hpp"
+#include "tests/ui/picture_layers.hpp"
 #include "ui/picture/viewport.hpp"
 #include "ui/style/screen_areas.hpp"
 
 #include <GLFW/glfw3.h>
-
-#include <algorithm>
-#include <memory>
 
 // Tests of points under the pointer, whose coordinates are sliders.
 
 namespace zeroset::ui {
 namespace {
 
-class PointLayer : public Panels {
+class PointLayer : public PictureLayers {
 protected:
     void SetUp() override {
         Panels::SetUp();
@@ -29,32 +26,6 @@ protected:
     void set_point(const glm::dvec3& at) {
         state_.shown.points = {
             {.row = 1, .name = "P", .at = at, .radius = 0.05, .sliders = {"a", "", "b"}}};
-    }
-    /// Shows a picture whose pixels all have this depth.
-    void show(float distance) {
-        Framebuffer frame = disc();
-        std::ranges::fill(frame.color, 0xFF808080U);
-        std::ranges::fill(frame.depth, distance);
-        state_.shown.picture.frame = std::make_shared<const Framebuffer>(frame);
-    }
-    [[nodiscard]] glm::vec2 at(const glm::dvec3& point) const {
-        const auto seen = place_in_view(ViewFrame(state_.shown.picture.camera), point);
-        const ImVec2 place = viewport_area(state_.edited.layout).at(seen->place);
-        return {place.x, place.y};
-    }
-    /// Presses at one point of the window and moves to another in steps; the button stays down.
-    void drag(const glm::vec2& from, const glm::vec2& to) {
-        OffscreenWindow::point(from, false);
-        draw_frame();
-        for (const float part : {0.0F, 0.4F, 1.0F}) {
-            OffscreenWindow::point(from + part * (to - from), true);
-            draw_frame();
-        }
-    }
-    void let_go(const glm::vec2& at) {
-        OffscreenWindow::point(at, false);
-        draw_frame();
-        draw_frame();
     }
     [[nodiscard]] double a() { return state_.edited.document.parameters["a"].value; }
     [[nodiscard]] double b() { return state_.edited.document.parameters["b"].value; }
