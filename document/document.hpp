@@ -39,6 +39,7 @@ struct Statement {
     bool visible = true;
     std::optional<std::uint32_t> color;  ///< 0xRRGGBB of a surface's front; none: not chosen yet
     SolidSide solid = SolidSide::Automatic;        ///< which side of its surface is solid
+    std::optional<Look> look = std::nullopt;       ///< of its surface; none: the document's
     std::optional<double> opacity = std::nullopt;  ///< of its surface, 0 to 1; none: the look's
     /// How thick its curve or point is drawn; none: as suits the clip box.
     std::optional<Thickness> thickness = std::nullopt;

@@ -46,7 +46,7 @@ std::vector<ShownSurface> visible_surfaces(const Document& document, const Formu
                          .row = row->id,
                          .color = row->color,
                          .solid = side,
-                         .opacity = row->opacity});
+                         .look = {.look = row->look, .opacity = row->opacity}});
     }
     return shown;
 }
@@ -137,7 +137,7 @@ Scene scene_as_written(const PictureRequest& request) {
     scene.uniforms = uniforms_of(request);
     scene.lighting = {.look = request.light.look,
                       .lights = request.light.lights,
-                      .opacity = {},
+                      .surfaces = {},
                       .absorption = request.light.absorption,
                       .tone = request.light.tone};
     scene.background = request.light.background.value_or(Background());
@@ -145,7 +145,7 @@ Scene scene_as_written(const PictureRequest& request) {
         scene.surfaces.push_back(formula.kernels[surface.index]);
         scene.solids.push_back(
             {.side = surface.solid, .unrestricted = formula.unrestricted[surface.index]});
-        scene.lighting.opacity.push_back(surface.opacity);
+        scene.lighting.surfaces.push_back(surface.look);
         scene.colors.push_back(surface.color ? surface_colors(*surface.color)
                                              : colors_of(surface.index));
     }

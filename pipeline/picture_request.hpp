@@ -23,7 +23,7 @@ struct ShownSurface {
     int row = 0;                         ///< id of its row in the document
     std::optional<std::uint32_t> color;  ///< front colour, 0xRRGGBB; none: the palette's
     SolidSide solid = SolidSide::Automatic;
-    std::optional<double> opacity = std::nullopt;  ///< none: the look's
+    SurfaceLook look = {};
 
     bool operator==(const ShownSurface&) const = default;
 };

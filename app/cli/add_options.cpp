@@ -91,7 +91,7 @@ void add_region_options(CLI::App& app, ViewText& view) {
                    "eye), or nx,ny,nz,d for nx x + ny y + nz z <= d; may be repeated")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add_repeated(app, "--solid", view.solids,
+    add_repeated(app, "--solid", view.surfaces.solids,
                  "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
                  "surfaces or of one: 2:f>0; may be repeated");
     add_repeated(
@@ -125,8 +125,11 @@ void add_view_options(CLI::App& app, ViewText& view) {
               "the colors of values on sections: gray (default), aurora, ember, balance or cycle");
     add_value(app, "--section-range", view.section_range,
               "the values at the ends of these colors: A,B, or auto (default)");
-    add_repeated(app, "--opacity", view.opacities,
+    add_repeated(app, "--opacity", view.surfaces.opacities,
                  "how opaque surfaces are, 0 to 1, all or one: 2:0.5; may be repeated");
+    add_repeated(app, "--surface-look", view.surfaces.looks,
+                 "look of a surface instead of the picture's, all or one: 2:metal; may be "
+                 "repeated");
     add_repeated(app, "--color", view.surfaces.colors,
                  "color of a surface's front, all or one: 2:#D9763A; may be repeated");
     add_repeated(

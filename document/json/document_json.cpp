@@ -38,6 +38,7 @@ Json json_of(const Statement& statement) {
     if (statement.color) json["color"] = color_text(*statement.color);
     if (statement.solid != SolidSide::Automatic)
         json["solid"] = statement.solid == SolidSide::Below ? "f<0" : "f>0";
+    if (statement.look) json["look"] = name_of(*statement.look);
     if (statement.opacity) json["opacity"] = *statement.opacity;
     if (statement.thickness) json["thickness"] = json_of(*statement.thickness);
     if (statement.box) json["box"] = json_of(*statement.box);
@@ -139,6 +140,7 @@ Statement statement_of(const Json& json, const std::string& place,
     }
     if (const Json* solid = fields.find("solid"))
         statement.solid = solid_of(*solid, fields.at("solid"));
+    if (const Json* look = fields.find("look")) statement.look = look_in(*look, fields.at("look"));
     if (const Json* opacity = fields.find("opacity"))
         statement.opacity = number_in(*opacity, fields.at("opacity"), 0.0, 1.0);
     if (const Json* thickness = fields.find("thickness"))

@@ -76,6 +76,12 @@ std::uint32_t color_of(const Json& json, const std::string& place) {
     return *color;
 }
 
+Look look_in(const Json& json, const std::string& place) {
+    const auto look = look_named(string_of(json, place));
+    if (!look) throw Damage{filled(tr("{0} is no look"), {place})};
+    return *look;
+}
+
 Json json_of(const LightChoice& light) {
     Json json{{"look", name_of(light.look)},
               {"reflections", light.reflections},
@@ -92,11 +98,7 @@ Json json_of(const LightChoice& light) {
 LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown) {
     Fields fields(json, "light", unknown);
     LightChoice light;
-    if (const Json* look = fields.find("look")) {
-        const auto named = look_named(string_of(*look, "light.look"));
-        if (!named) throw Damage{filled(tr("{0} is no look"), {"light.look"})};
-        light.look = *named;
-    }
+    if (const Json* look = fields.find("look")) light.look = look_in(*look, "light.look");
     if (const Json* tone = fields.find("tone")) {
         const auto named = tone_named(string_of(*tone, "light.tone"));
         if (!named) throw Damage{filled(tr("{0} is neither plain nor filmic"), {"light.tone"})};

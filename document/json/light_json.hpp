@@ -16,6 +16,8 @@ std::uint32_t color_of(const Json& json, const std::string& place);
 Background background_of(const Json& json, const std::string& place);
 Json json_of(const Background& background);
 
+Look look_in(const Json& json, const std::string& place);
+
 Json json_of(const LightChoice& light);
 LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown);
 

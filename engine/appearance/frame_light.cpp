@@ -16,12 +16,13 @@ namespace {
 /// Whether the quick way of the standard look does not do.
 bool needs_rays(const Scene& scene, const TraceSettings& settings) {
     const Lighting& lighting = scene.lighting;
-    const auto is_translucent = [](const std::optional<double>& opacity) {
-        return opacity.has_value() && *opacity < 1.0;
+    const auto is_special = [](const SurfaceLook& surface) {
+        return surface.opacity.value_or(1.0) < 1.0 ||
+               surface.look.value_or(Look::Standard) != Look::Standard;
     };
     return lighting.look != Look::Standard || !lighting.lights.empty() ||
            lighting.tone != Tone::Plain || settings.reflections > 0 ||
-           std::ranges::any_of(lighting.opacity, is_translucent);
+           std::ranges::any_of(lighting.surfaces, is_special);
 }
 
 }  // namespace
@@ -39,9 +40,10 @@ FrameLight::FrameLight(const Scene& scene, const ViewFrame& view, const TraceSet
 }
 
 float FrameLight::opacity(std::size_t surface) const {
-    const auto& chosen = scene_.lighting.opacity;
-    if (surface < chosen.size() && chosen[surface]) return static_cast<float>(*chosen[surface]);
-    return shader_.material().opacity;
+    const auto& chosen = scene_.lighting.surfaces;
+    if (surface < chosen.size() && chosen[surface].opacity)
+        return static_cast<float>(*chosen[surface].opacity);
+    return material_of(look(surface)).opacity;
 }
 
 void FrameLight::light(std::span<const TraceFrame> surfaces, const TimeLimit& limit,
@@ -51,9 +53,7 @@ void FrameLight::light(std::span<const TraceFrame> surfaces, const TimeLimit& li
     light_hits(surfaces, limit, tile, out, counters);
     for (LitLayer& layer : out.layers())
         show_section_values(surfaces[layer.surface], tile, fineness_, layer, counters);
-    if (!out.layers().empty())
-        draw_lines(surfaces, scene_.lighting.look == Look::Technical, fineness_, tile, out.layers(),
-                   counters);
+    if (!out.layers().empty()) draw_lines(surfaces, fineness_, tile, out.layers(), counters);
 }
 
 void FrameLight::light_hits(std::span<const TraceFrame> surfaces, const TimeLimit& limit,

@@ -1,6 +1,7 @@
 #include "engine/appearance/light_paths.hpp"
 
 #include "engine/appearance/frame_light.hpp"
+#include "engine/appearance/material.hpp"
 #include "engine/appearance/path_hits.hpp"
 #include "engine/appearance/soft_light.hpp"
 #include "engine/appearance/tone.hpp"
@@ -57,7 +58,8 @@ private:
 
     /// Whether rays go on from a surface's hits.
     [[nodiscard]] bool rays_go_on(std::size_t surface) const {
-        const bool is_soft = light_.settings().soft_light && has_soft_light(scene_.lighting);
+        const bool is_soft =
+            light_.settings().soft_light && has_soft_light(scene_.lighting, surface);
         return is_soft || light_.settings().reflections > 0 || light_.opacity(surface) < 1.0F;
     }
     void find_first_shadows(std::span<const LitLayer> layers);
@@ -195,12 +197,12 @@ auto PathLight::lit_parts(std::span<const PathHit> hits) -> std::vector<LitParts
 
 std::vector<float> PathLight::openness(std::span<const PathHit> hits) {
     std::vector<float> open(hits.size(), 1.0F);
-    const bool matters = ambient_shade(scene_.lighting.look) > 0.0F;
-    if (!matters || !light_.settings().soft_light) return open;
+    if (!light_.settings().soft_light) return open;
     std::vector<std::size_t> places;
     std::vector<SoftHit> asked;
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (!hits[i].is_first) continue;
+        const bool matters = ambient_shade(light_.look(hits[i].hit.surface)) > 0.0F;
+        if (!hits[i].is_first || !matters) continue;
         places.push_back(i);
         asked.push_back(soft_hit(hits[i]));
     }
@@ -218,6 +220,7 @@ void PathLight::add_mirrored(const PathHit& hit, const glm::vec3& weight) {
     next.ray = leaving(soft_hit(hit), hit.mirrored());
     next.weight = weight;
     next.before = hit.distance();
+    next.roughness = material_of(light_.look(hit.hit.surface)).roughness;
     ++next.mirrors;
     rays_.push_back(next);
 }
@@ -244,7 +247,9 @@ void PathLight::shade(std::span<const PathHit> hits) {
     const std::vector<float> open = openness(hits);
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const PathHit& hit = hits[i];
-        HitLight light = shader_.shade({.towards_eye = -glm::vec3(hit.path.ray.direction),
+        const Look look = light_.look(hit.hit.surface);
+        HitLight light = shader_.shade({.look = look,
+                                        .towards_eye = -glm::vec3(hit.path.ray.direction),
                                         .normal = glm::vec3(hit.normal()),
                                         .color = colors[i],
                                         .lit = lit[i],
@@ -264,9 +269,9 @@ void PathLight::shade(std::span<const PathHit> hits) {
         if (hit.path.mirrors < light_.settings().reflections) {
             add_mirrored(hit, hit.path.weight * light.mirror);
         } else {
-            sums_[hit.path.pixel] += hit.path.weight * light.mirror *
-                                     shader_.surroundings().seen(glm::vec3(hit.mirrored()),
-                                                                 shader_.material().roughness);
+            sums_[hit.path.pixel] +=
+                hit.path.weight * light.mirror *
+                shader_.surroundings().seen(glm::vec3(hit.mirrored()), material_of(look).roughness);
         }
     }
 }
@@ -310,8 +315,7 @@ void PathLight::follow(std::vector<PathHit>& hits) {
             hits.push_back({.path = path, .hit = found[i]});
         } else if (path.is_mirrored()) {
             const glm::vec3 along(path.ray.direction);
-            sums_[path.pixel] +=
-                path.weight * shader_.surroundings().seen(along, shader_.material().roughness);
+            sums_[path.pixel] += path.weight * shader_.surroundings().seen(along, path.roughness);
         } else {
             through_[path.pixel] += path.weight;
         }

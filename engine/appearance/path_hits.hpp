@@ -20,6 +20,7 @@ struct PathRay {
     std::size_t pixel;         ///< of the tile
     glm::vec3 weight;          ///< of its light in the pixel's
     int mirrors = 0;           ///< that it came by
+    float roughness = 0.0F;    ///< of the last of them
     int layers = 0;            ///< translucent surfaces that it passed
     double before = 0.0;       ///< the way from the eye to the ray's origin
     std::uint64_t inside = 0;  ///< solids that it is in: a bit for each of the first 64 surfaces

@@ -27,15 +27,13 @@ float microfacets(float roughness, float to_normal, float light_cosine, float ey
 }  // namespace
 
 HitShader::HitShader(const Lighting& lighting, const ViewFrame& view, bool traces_mirrors)
-    : look_(lighting.look),
-      traces_mirrors_(traces_mirrors),
-      material_(material_of(lighting.look)),
+    : traces_mirrors_(traces_mirrors),
       lights_(lights_of(lighting, view)),
       surroundings_(view, glm::vec3(lights_.front().towards)),
       up_(view.up) {}
 
 HitLight HitShader::shade(const LitHit& hit) const {
-    switch (look_) {
+    switch (hit.look) {
         case Look::Standard: return shade_standard(hit);
         case Look::Phong: return shade_phong(hit);
         case Look::Matte:
@@ -50,7 +48,8 @@ HitLight HitShader::shade(const LitHit& hit) const {
 
 glm::vec3 HitShader::mirror_of(const LitHit& hit) const {
     if (!traces_mirrors_) return glm::vec3(0.0F);
-    return fresnel(glm::vec3(material_.reflectance), glm::dot(hit.normal, hit.towards_eye));
+    return fresnel(glm::vec3(material_of(hit.look).reflectance),
+                   glm::dot(hit.normal, hit.towards_eye));
 }
 
 /// As engine/light/shade does it.
@@ -95,12 +94,12 @@ HitLight HitShader::shade_phong(const LitHit& hit) const {
 }
 
 HitLight HitShader::shade_material(const LitHit& hit) const {
-    const Material& of = material_;
+    const Material of = material_of(hit.look);
     const glm::vec3 color = glm::mix(hit.color, of.stain, of.stain_share);
     const glm::vec3 head_on = glm::mix(glm::vec3(of.reflectance), color, of.metalness);
     const glm::vec3 body = color * (1.0F - of.metalness);
     const float eye_cosine = std::max(glm::dot(hit.normal, hit.towards_eye), 1e-3F);
-    const float open = 1.0F - ambient_shade(look_) * (1.0F - hit.open);
+    const float open = 1.0F - ambient_shade(hit.look) * (1.0F - hit.open);
     // A light is a point, which no mirror is smooth enough to show as one.
     const float light_roughness = std::max(of.roughness, hit.is_mirrored ? 0.35F : 0.12F);
     const bool mirrors = of.reflectance > 0.0F || of.metalness > 0.0F;

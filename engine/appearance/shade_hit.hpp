@@ -14,6 +14,7 @@ namespace zeroset {
 
 /// A hit to be lit. Directions are of length 1, world axes.
 struct LitHit {
+    Look look;
     glm::vec3 towards_eye;              ///< where the ray came from
     glm::vec3 normal;                   ///< on that side
     glm::vec3 color;                    ///< reflectance
@@ -36,7 +37,6 @@ public:
     HitShader(const Lighting& lighting, const ViewFrame& view, bool traces_mirrors);
 
     [[nodiscard]] HitLight shade(const LitHit& hit) const;
-    [[nodiscard]] const Material& material() const { return material_; }
     [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
     [[nodiscard]] std::span<const SeenLight> lights() const { return lights_; }
 
@@ -47,9 +47,7 @@ private:
     [[nodiscard]] glm::vec3 mirror_of(const LitHit& hit) const;
     [[nodiscard]] HitLight shade_material(const LitHit& hit) const;
 
-    Look look_;
     bool traces_mirrors_;
-    Material material_;
     std::vector<SeenLight> lights_;
     Surroundings surroundings_;
     glm::vec3 up_;

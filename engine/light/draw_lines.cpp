@@ -344,11 +344,13 @@ void LinePainter::finish() {
 
 }  // namespace
 
-void draw_lines(std::span<const TraceFrame> surfaces, bool outlines, int fineness, const Tile& tile,
+void draw_lines(std::span<const TraceFrame> surfaces, int fineness, const Tile& tile,
                 std::span<LitLayer> layers, Counters& counters) {
-    const SurfaceLines& lines = surfaces.front().scene.coloring.lines;
-    if (!lines.any() && !outlines) return;
+    const Scene& scene = surfaces.front().scene;
+    const SurfaceLines& lines = scene.coloring.lines;
     for (LitLayer& layer : layers) {
+        const bool outlines = look_of(scene.lighting, layer.surface) == Look::Technical;
+        if (!lines.any() && !outlines) continue;
         LinePainter painter(surfaces, fineness, tile, layer, counters);
         if (!painter.has_places()) continue;
         painter.draw_contours();

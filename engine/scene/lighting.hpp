@@ -58,12 +58,19 @@ inline constexpr int max_reflections = 5;
 /// Surfaces that a ray passes, at most, before it is given up.
 inline constexpr int max_layers = 32;
 
+/// What one surface looks like where it is not as all do.
+struct SurfaceLook {
+    std::optional<Look> look = std::nullopt;       ///< none: Lighting::look
+    std::optional<double> opacity = std::nullopt;  ///< 0 to 1; none: the look's own
+
+    bool operator==(const SurfaceLook&) const = default;
+};
+
 /// How the surfaces of a scene are lit, and what of. A value.
 struct Lighting {
     Look look = Look::Standard;
-    std::vector<Light> lights;  ///< at most max_lights; none: the look's own
-    /// How opaque surfaces are, 0 to 1; that of those beyond is the look's own.
-    std::vector<std::optional<double>> opacity;
+    std::vector<Light> lights;          ///< at most max_lights; none: those of `look`
+    std::vector<SurfaceLook> surfaces;  ///< of each; those beyond are as all are
     /// How much solids swallow of what is seen through them, on a way of length 1, of the colours
     /// that they are not: at least 0.
     double absorption = 0.0;
@@ -72,9 +79,13 @@ struct Lighting {
     bool operator==(const Lighting&) const = default;
 };
 
+Look look_of(const Lighting& lighting, std::size_t surface);
+
 /// Whether light comes from many directions: from broad lights, or into the hollows of a look that
 /// darkens them.
 bool has_soft_light(const Lighting& lighting);
+/// Whether it does for this surface.
+bool has_soft_light(const Lighting& lighting, std::size_t surface);
 /// How much darker hollows of a look are, 0 to 1.
 float ambient_shade(Look look);
 

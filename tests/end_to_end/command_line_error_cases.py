@@ -82,6 +82,8 @@ WRONG_OPTIONS = [
     (["--reflections", "6"], ["--reflections"]),
     (["--opacity", "2"], ["--opacity", "2"]),
     (["--opacity", "3:0.5"], ["--opacity", "3"]),
+    (["--surface-look", "gold"], ["--surface-look", "gold", "porcelain"]),
+    (["--surface-look", "3:clay"], ["--surface-look", "3"]),
     (["--color", "red"], ["--color red", "#D9763A"]),
     (["--color", "3:#FF0000"], ["--color 3", "no such surface"]),
     (["--thickness", "3px"], ["--thickness", "no curve and no point"]),

@@ -8,6 +8,7 @@
 #include "ui/style/theme.hpp"
 #include "ui/widgets/color_picker.hpp"
 #include "ui/widgets/light_ball.hpp"
+#include "ui/widgets/look_names.hpp"
 #include "ui/widgets/slider_row.hpp"
 #include "ui/widgets/thumbnail.hpp"
 
@@ -27,20 +28,6 @@ namespace {
 
 constexpr glm::vec2 look_picture_em(4.4F, 3.3F);
 constexpr float ball_rows = 3.0F;  ///< the height of a light's ball, in lines of the panel
-
-const char* shown_name(Look look) {
-    switch (look) {
-        case Look::Standard: return tr("Standard");
-        case Look::Phong: return tr("Phong");
-        case Look::Matte: return tr("Matte");
-        case Look::Porcelain: return tr("Porcelain");
-        case Look::Metal: return tr("Metal");
-        case Look::Glass: return tr("Glass");
-        case Look::Clay: return tr("Clay");
-        case Look::Technical: return tr("Technical");
-    }
-    return "";
-}
 
 const char* about(Look look) {
     switch (look) {

@@ -1,9 +1,11 @@
 #include "ui/widgets/color_picker.hpp"
 
 #include "document/colors.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/look_names.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/typed_slider.hpp"
 
@@ -15,6 +17,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -87,16 +90,32 @@ void draw_solid_choice(Statement& statement, const Palette& colors) {
     ImGui::PopStyleVar();
 }
 
+/// Draws the list of what the surface looks as if it were made of.
+void draw_look(Statement& statement) {
+    const char* const as_all = tr("as all");
+    const char* const chosen = statement.look ? shown_name(*statement.look) : as_all;
+    const std::string shown = filled(tr("Look: {0}"), {chosen});
+    ImGui::SetNextItemWidth(popup_width());
+    const bool open = ImGui::BeginCombo("##look", shown.c_str(), ImGuiComboFlags_HeightLarge);
+    if (!open) draw_tooltip(tr("What the surface looks as if it were made of"));
+    if (!open) return;
+    if (ImGui::Selectable(as_all, !statement.look)) statement.look.reset();
+    for (const Look look : looks()) {
+        if (ImGui::Selectable(shown_name(look), statement.look == look)) statement.look = look;
+    }
+    ImGui::EndCombo();
+}
+
 /// Draws the slider of the surface's opacity. As long as it is not moved the look decides.
 void draw_opacity(Statement& statement) {
-    ImGui::TextDisabled("%s", tr("Opacity"));
+    double percent = 100.0 * statement.opacity.value_or(1.0);
+    const std::string number = statement.opacity ? "%.0f %%" : tr("auto");
+    const std::string format = filled(tr("Opacity: {0}"), {number});
+    ImGui::SetNextItemWidth(popup_width());
+    if (slide("##opacity", percent, 0.0, 100.0, format.c_str(), ImGuiSliderFlags_AlwaysClamp))
+        statement.opacity = 0.01 * std::round(percent);
     draw_tooltip(
         tr("How much of what is behind the surface it hides; a right click leaves it to the look"));
-    double percent = 100.0 * statement.opacity.value_or(1.0);
-    ImGui::SetNextItemWidth(popup_width());
-    const char* const format = statement.opacity ? "%.0f %%" : tr("as the look has it");
-    if (slide("##opacity", percent, 0.0, 100.0, format, ImGuiSliderFlags_AlwaysClamp))
-        statement.opacity = 0.01 * std::round(percent);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) statement.opacity.reset();
 }
 
@@ -205,6 +224,7 @@ void draw_surface_popup(const char* id, Statement& statement, const SurfaceKind&
     ImGui::SetNextItemWidth(popup_width());
     if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
     ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
+    draw_look(statement);
     draw_opacity(statement);
     draw_box_choice(statement, kind.clip);
     if (kind.is_thick) draw_thickness(statement, kind.clip, colors);

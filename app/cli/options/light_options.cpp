@@ -43,16 +43,14 @@ bool take_part(const std::string& part, Light& light) {
     return false;
 }
 
-/// "one, two or three".
-template <class Values>
-std::string names_of(const Values& values) {
+}  // namespace
+
+std::string look_words() {
     std::vector<std::string_view> names;
-    for (const auto value : values)
-        names.push_back(name_of(value));
+    for (const Look look : looks())
+        names.push_back(name_of(look));
     return one_of(names);
 }
-
-}  // namespace
 
 OrInputError<Light> read_light(const std::string& text) {
     const std::vector<std::string_view> parts = split(text, ';');
@@ -87,7 +85,8 @@ std::optional<InputError> take_light(const LightText& text, LightChoice& light) 
     if (text.look) {
         const auto look = look_named(*text.look);
         if (!look)
-            return InputError{.reason = "--look " + *text.look + ": type " + names_of(looks())};
+            return InputError{.reason = "--look " + *text.look + ": type " + look_words() +
+                                        "; --surface-look 2:metal is for one surface"};
         light.look = *look;
     }
     if (text.tone) {

@@ -3,7 +3,7 @@
 #include "app/cli/options/camera_options.hpp"
 #include "app/cli/options/region_options.hpp"
 #include "app/cli/options/section_options.hpp"
-#include "app/cli/options/solid_options.hpp"
+#include "app/cli/options/surface_options.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
@@ -142,22 +142,14 @@ std::optional<InputError> take_parameters(const ViewText& view, InputDocument& i
     return std::nullopt;
 }
 
-/// Applies the options for colours, markers and sides of solids.
+/// Applies the options for colours, markers and single surfaces.
 std::optional<InputError> take_appearance(const ViewText& view, InputDocument& input) {
     Document& document = input.document;
     if (auto error = read_look(view.look, document.coloring, document.markers)) return error;
-    const auto solids = read_solids(view.solids);
-    if (!solids) return solids.error();
-    const auto opacities = read_opacities(view.opacities);
-    if (!opacities) return opacities.error();
     const auto choices = read_surface_choices(view.surfaces);
     if (!choices) return choices.error();
     if (!input.rows) return std::nullopt;
     if (auto missing = check_surface_choices(*input.rows->program, *choices)) return missing;
-    if (auto missing = check_solids(*input.rows->program, *solids)) return missing;
-    if (auto missing = check_opacities(*input.rows->program, *opacities)) return missing;
-    take_solids(*solids, input.rows->surface_rows, document);
-    take_opacities(*opacities, input.rows->surface_rows, document);
     take_surface_choices(*choices, input.rows->surface_rows, document);
     if (!choices->boxes.empty()) {
         auto rows = read_rows(document);

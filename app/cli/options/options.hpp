@@ -20,10 +20,11 @@
 
 namespace zeroset {
 
-/// The values of --color, --thickness and --surface-box as typed: VALUE for all surfaces, or
-/// N:VALUE for number N.
+/// The values of --solid, --opacity, --surface-look, --color, --thickness and --surface-box as
+/// typed: VALUE for all surfaces, or N:VALUE for number N.
 struct SurfaceTexts {
-    std::vector<std::string> colors, thicknesses, boxes;
+    std::vector<std::string> solids = {}, opacities = {}, looks = {};
+    std::vector<std::string> colors = {}, thicknesses = {}, boxes = {};
 };
 
 /// The view options as typed; empty where an option was not given.
@@ -31,7 +32,7 @@ struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
     std::optional<std::string> camera;      ///< as read_camera reads it
     std::optional<std::string> saved_view;  ///< the name of one of the document's views
-    std::vector<std::string> sections, solids, opacities;
+    std::vector<std::string> sections;
     SurfaceTexts surfaces;
     bool hollow = false;  ///< no section is capped
     std::optional<std::string> section_shows, section_map, section_range;

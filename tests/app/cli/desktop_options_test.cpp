@@ -127,7 +127,7 @@ TEST(DocumentOfAText, RefusesParametersSolidsAndColorsThatItDoesNotHave) {
     view.set = {"b=1"};
     EXPECT_TRUE(reason(view).starts_with("--set b:")) << reason(view);
     view = {};
-    view.solids = {"2:f<0"};
+    view.surfaces.solids = {"2:f<0"};
     EXPECT_TRUE(reason(view).starts_with("--solid 2:")) << reason(view);
     view = {};
     view.look.color_by = "x + q(";

@@ -44,6 +44,7 @@ Document rich_document() {
     document.statements[0].solid = SolidSide::Above;
     document.statements[1].solid = SolidSide::Below;
     document.statements[1].opacity = 0.25;
+    document.statements[1].look = Look::Porcelain;
     document.statements[0].thickness = Thickness{.width = 2.5, .in_pixels = true};
     document.statements[1].thickness = Thickness{.width = 0.125};
     document.statements[1].box = Box{.lo = {-1, -2, 0.5}, .hi = {1, 0.25, 3}};
@@ -235,6 +236,8 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "color.lines.step is not above 0"},
         {with("statements", R"([{"text": "x = 1", "opacity": 2}])"),
          "statements[0].opacity is not between 0 and 1"},
+        {with("statements", R"([{"text": "x = 1", "look": "gold"}])"),
+         "statements[0].look is no look"},
         {with("statements", R"([{"text": "x = 1", "thickness": 0}])"),
          "statements[0].thickness is neither a width above 0 nor a text such as \"3 px\""},
         {with("statements", R"([{"text": "x = 1", "thickness": "3 cm"}])"),

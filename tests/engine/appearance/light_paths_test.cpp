@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Mirrors, translucent surfaces and lights, in pictures.
@@ -127,7 +130,8 @@ TEST(Layers, OfNestedSpheresAreMixedFromTheFrontToTheBack) {
     };
     Scene scene = opaque;
     const std::array<double, 3> opacity{0.3, 0.5, 1.0};
-    scene.lighting.opacity.assign(opacity.begin(), opacity.end());
+    for (const double part : opacity)
+        scene.lighting.surfaces.push_back({.opacity = part});
     const auto seen = light_at(picture_of(scene, camera, {}), side / 2, side / 2);
     const auto outer = sheet(0, true);
     const auto middle = sheet(1, true);
@@ -137,7 +141,7 @@ TEST(Layers, OfNestedSpheresAreMixedFromTheFrontToTheBack) {
         EXPECT_NEAR(seen[i], mixed, 0.01F);
     }
     // Where only the outer sphere is in the way: its front, its back, the background.
-    scene.lighting.opacity = {0.3};
+    scene.lighting.surfaces = {{.opacity = 0.3}};
     scene.surfaces.resize(1);
     const Framebuffer frame = picture_of(scene, camera, {});
     const auto through = light_at(frame, side / 2, side / 2);
@@ -152,10 +156,48 @@ TEST(Layers, OfNestedSpheresAreMixedFromTheFrontToTheBack) {
     EXPECT_NEAR(alpha, 255.0 * (1.0 - 0.49), 1.0);
 }
 
+/// The greatest difference of a channel.
+int difference(std::uint32_t a, std::uint32_t b) {
+    int greatest = 0;
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+        const auto channel = [shift](std::uint32_t color) {
+            return static_cast<int>(color >> shift & 0xFFU);
+        };
+        greatest = std::max(greatest, std::abs(channel(a) - channel(b)));
+    }
+    return greatest;
+}
+
+TEST(Looks, OfSingleSurfacesAreThoseThatAllWouldHave) {
+    Scene scene = scene_of_texts({"(x - 1)^2 + y^2 + z^2 = 0.5", "(x + 1)^2 + y^2 + z^2 = 0.5"},
+                                 Box::cube(2));
+    Camera camera = default_camera(scene.clip);
+    camera.eye = {0, -8, 0};
+    camera.look_at = {0, 0, 0};
+    const auto picture = [&](Look all, std::vector<SurfaceLook> own) {
+        scene.lighting.look = all;
+        scene.lighting.surfaces = std::move(own);
+        return picture_of(scene, camera, {});
+    };
+    for (const Look look : looks()) {
+        if (look == Look::Phong) continue;  // it has a light of its own, which is the picture's
+        const Framebuffer alone = picture(look, {});
+        const Framebuffer other = picture(Look::Matte, {});
+        const Framebuffer mixed = picture(Look::Clay, {{.look = look}, {.look = Look::Matte}});
+        ASSERT_GT(count_surfaces(mixed, 2)[0], 100U);
+        ASSERT_GT(count_surfaces(mixed, 2)[1], 100U);
+        for (std::size_t i = 0; i < mixed.color.size(); ++i) {
+            if (mixed.surface[i] == no_surface) continue;
+            const Framebuffer& same = mixed.surface[i] == 0 ? alone : other;
+            EXPECT_LE(difference(mixed.color[i], same.color[i]), 1) << name_of(look) << ' ' << i;
+        }
+    }
+}
+
 TEST(Layers, SwallowTheColoursThatTheyAreNotByTheirThickness) {
     Scene scene = scene_of_texts({"max(|x| - 0.5, |y| - 3, |z| - 3)"}, Box::cube(2));
     scene.lighting.look = Look::Matte;
-    scene.lighting.opacity = {0.0};
+    scene.lighting.surfaces = {{.opacity = 0.0}};
     scene.lighting.absorption = 1.5;
     scene.background = {.top = 0xFFFFFF, .bottom = 0xFFFFFF};
     Camera camera = default_camera(scene.clip);

@@ -103,7 +103,7 @@ TEST(Antialias, IsNearToManyRaysInMirrorsAndBehindTranslucentSurfaces) {
     for (const char* const text : {"x^2 + y^2 + z^2 = 0.4", "(x + 0.2)^2 + (y + 1)^2 + z^2 = 0.16"})
         scene.surfaces.push_back(scene_of(text, scene.clip).surfaces.front());
     scene.lighting.look = Look::Porcelain;
-    scene.lighting.opacity = {1.0, 1.0, 0.3};
+    scene.lighting.surfaces = {{}, {}, {.opacity = 0.3}};
     TraceSettings settings;
     settings.reflections = 2;
     settings.soft_light = false;

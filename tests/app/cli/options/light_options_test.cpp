@@ -1,14 +1,13 @@
 #include "app/cli/options/light_options.hpp"
 
 #include "app/cli/options/look_options.hpp"
-#include "app/cli/options/solid_options.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-// Tests of the texts behind --look, --light, --opacity and the like.
+// Tests of the texts behind --look, --light, --contours and the like.
 
 namespace zeroset::test {
 namespace {
@@ -41,7 +40,8 @@ TEST(LightOptions, SetWhatTheyName) {
 TEST(LightOptions, ThatAreWrongSayWhatToType) {
     const std::vector<std::pair<LightText, std::string>> wrong{
         {{.look = "gold"},
-         "--look gold: type standard, phong, matte, porcelain, metal, glass, clay or technical"},
+         "--look gold: type standard, phong, matte, porcelain, metal, glass, clay or "
+         "technical; --surface-look 2:metal is for one surface"},
         {{.reflections = "6"}, "--reflections"},
         {{.reflections = "many"}, "--reflections"},
         {{.absorption = "-1"}, "--absorption -1: type a number from 0 to 1e6"},
@@ -60,15 +60,6 @@ TEST(LightOptions, ThatAreWrongSayWhatToType) {
         ASSERT_TRUE(error) << reason;
         EXPECT_TRUE(error->reason.starts_with(reason)) << error->reason;
     }
-}
-
-TEST(OpacityOptions, AreOfAllSurfacesOrOfOne) {
-    const auto read = read_opacities({"0.5", "2:1"});
-    ASSERT_TRUE(read);
-    EXPECT_EQ(*read,
-              (std::vector<OpacityChoice>{{.opacity = 0.5}, {.surface = 2, .opacity = 1.0}}));
-    for (const char* const text : {"1.5", "-0.1", "2:", "x", "0:0.5"})
-        EXPECT_FALSE(read_opacities({text})) << text;
 }
 
 TEST(ContourOptions, AreANameOrAnExpressionWithStepAndWidth) {

@@ -1,4 +1,4 @@
-#include "app/cli/options/solid_options.hpp"
+#include "app/cli/options/surface_options.hpp"
 
 #include "document/row_program.hpp"
 #include "pipeline/picture_request.hpp"
@@ -9,25 +9,24 @@
 #include <string>
 #include <vector>
 
-// Tests of the options that are of all surfaces or of one: --solid, --color, --thickness and
-// --surface-box.
+// Tests of the options that are of all surfaces or of one, such as --solid and --color.
 
 namespace zeroset::test {
 namespace {
 
-using Texts = std::vector<std::string>;
+using Side = SurfaceChoice<SolidSide>;
 
 TEST(ReadSolids, TakeASideForAllSurfacesOrOne) {
-    const auto choices = read_solids({"f<0", "2 : f > 0", "12:auto"});
+    const auto choices = read_surface_choices({.solids = {"f<0", "2 : f > 0", "12:auto"}});
     ASSERT_TRUE(choices) << choices.error().reason;
-    EXPECT_EQ(*choices,
-              (std::vector<SolidChoice>{
+    EXPECT_EQ(choices->solids,
+              (std::vector<Side>{
                   {{}, SolidSide::Below}, {2, SolidSide::Above}, {12, SolidSide::Automatic}}));
 }
 
 TEST(ReadSolids, RefuseWhatIsNoSide) {
     for (const char* const wrong : {"", "f", "f=0", "0:f<0", "x:f<0", "256:f<0", "1:", "f<0:1"}) {
-        const auto choices = read_solids({wrong});
+        const auto choices = read_surface_choices({.solids = {wrong}});
         ASSERT_FALSE(choices) << wrong;
         EXPECT_EQ(choices.error().reason.find("--solid"), 0U) << choices.error().reason;
     }
@@ -36,14 +35,16 @@ TEST(ReadSolids, RefuseWhatIsNoSide) {
 TEST(ReadSolids, RefuseSurfacesThatTheFormulaDoesNotHave) {
     const auto program = read_formula("a = 2; x = a; y = 1");
     ASSERT_TRUE(program);
-    EXPECT_FALSE(check_solids(*program, {{{}, SolidSide::Below}, {2, SolidSide::Above}}));
-    EXPECT_TRUE(check_solids(*program, {{3, SolidSide::Above}}));
+    EXPECT_FALSE(check_surface_choices(
+        *program, {.solids = {{{}, SolidSide::Below}, {2, SolidSide::Above}}}));
+    EXPECT_TRUE(check_surface_choices(*program, {.solids = {{3, SolidSide::Above}}}));
+    EXPECT_TRUE(check_surface_choices(*program, {.looks = {{3, Look::Metal}}}));
 }
 
 TEST(TakeSolids, SetsTheRowsOfSurfaces) {
     ReadDocument read = read_document_text("a = 2; x = a; y = 1");
-    take_solids({{{}, SolidSide::Below}, {2, SolidSide::Above}}, read.rows->surface_rows,
-                read.document);
+    take_surface_choices({.solids = {{{}, SolidSide::Below}, {2, SolidSide::Above}}},
+                         read.rows->surface_rows, read.document);
     ASSERT_EQ(read.document.statements.size(), 3U);
     EXPECT_EQ(read.document.statements[0].solid, SolidSide::Automatic);
     EXPECT_EQ(read.document.statements[1].solid, SolidSide::Below);
@@ -52,7 +53,8 @@ TEST(TakeSolids, SetsTheRowsOfSurfaces) {
 
 TEST(SceneOfADocument, KnowsTheSidesOfItsSurfaces) {
     ReadDocument read = read_document_text("x = 2\nx^2 + y^2 = 1, z < 1");
-    take_solids({{2, SolidSide::Above}}, read.rows->surface_rows, read.document);
+    take_surface_choices({.solids = {{2, SolidSide::Above}}}, read.rows->surface_rows,
+                         read.document);
     const auto prepared = prepare(read.document, *read.rows, Preparation::Interpreted);
     ASSERT_TRUE(prepared);
     const Scene scene =
@@ -62,6 +64,29 @@ TEST(SceneOfADocument, KnowsTheSidesOfItsSurfaces) {
     EXPECT_EQ(scene.solids[1].side, SolidSide::Above);
     EXPECT_FALSE(scene.solids[0].unrestricted);
     EXPECT_TRUE(scene.solids[1].unrestricted);
+}
+
+TEST(ReadOpacities, TakeNumbersFrom0To1) {
+    const auto read = read_surface_choices({.opacities = {"0.5", "2:1"}});
+    ASSERT_TRUE(read);
+    using Opacity = SurfaceChoice<double>;
+    EXPECT_EQ(read->opacities,
+              (std::vector<Opacity>{{.value = 0.5}, {.surface = 2, .value = 1.0}}));
+    for (const char* const text : {"1.5", "-0.1", "2:", "x", "0:0.5"})
+        EXPECT_FALSE(read_surface_choices({.opacities = {text}})) << text;
+}
+
+TEST(ReadLooks, TakeNamesAndSayThem) {
+    const auto read = read_surface_choices({.looks = {"glass", "2:metal"}});
+    ASSERT_TRUE(read);
+    using Made = SurfaceChoice<Look>;
+    EXPECT_EQ(read->looks,
+              (std::vector<Made>{{.value = Look::Glass}, {.surface = 2, .value = Look::Metal}}));
+    const auto wrong = read_surface_choices({.looks = {"2:gold"}});
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().reason,
+              "--surface-look 2:gold: type standard, phong, matte, porcelain, metal, glass, clay "
+              "or technical; 2:metal is for the second surface alone");
 }
 
 TEST(SurfaceOptions, AreOfAllSurfacesOrOfOne) {
@@ -86,8 +111,10 @@ TEST(SurfaceOptions, AreTakenByTheRowsOfTheirSurfaces) {
     Document document = read_text("(1, 2, 3); x = 1; a = 2").document;
     const auto rows = read_rows(document);
     ASSERT_TRUE(rows);
-    const auto read = read_surface_choices(
-        {.colors = {"1:#102030"}, .thicknesses = {"1:5px"}, .boxes = {"2:0.5"}});
+    const auto read = read_surface_choices({.looks = {"2:clay"},
+                                            .colors = {"1:#102030"},
+                                            .thicknesses = {"1:5px"},
+                                            .boxes = {"2:0.5"}});
     ASSERT_TRUE(read);
     EXPECT_FALSE(check_surface_choices(*rows->program, *read));
     take_surface_choices(*read, rows->surface_rows, document);
@@ -95,6 +122,8 @@ TEST(SurfaceOptions, AreTakenByTheRowsOfTheirSurfaces) {
     EXPECT_EQ(document.statements[0].thickness, (Thickness{.width = 5.0, .in_pixels = true}));
     EXPECT_FALSE(document.statements[0].box);
     EXPECT_EQ(document.statements[1].box, Box::cube(0.5));
+    EXPECT_FALSE(document.statements[0].look);
+    EXPECT_EQ(document.statements[1].look, Look::Clay);
     const auto of_plane =
         read_surface_choices({.colors = {}, .thicknesses = {"2:5px"}, .boxes = {}});
     ASSERT_TRUE(of_plane);
