@@ -1,29 +1,17 @@
-// Tests of document files: questions before work is lost, and recovery after a crash.
+// Tests of document files, and of questions before work is lost.
 
-#include "app/desktop/session.hpp"
-
-#include "app/desktop/recent_files.hpp"
-#include "app/platform/folders.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
-#include "engine/export/file.hpp"
-#include "engine/language/parse.hpp"
 #include "pipeline/volume_source.hpp"
-#include "tests/support/test_folder.hpp"
+#include "tests/app/desktop/sessions.hpp"
 #include "ui/style/theme.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -31,60 +19,6 @@ namespace zeroset::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Sessions : public testing::Test {
-protected:
-    void SetUp() override {
-        setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
-        state_.edited.document = with_text("x = 1");
-    }
-
-    static Document with_text(const std::string& text) {
-        Document document = empty_document();
-        document.statements[0].text = text;
-        return document;
-    }
-    void start(const SessionOptions& options = {}) {
-        session_ = std::make_unique<Session>(state_, options);
-    }
-    /// Follows one more frame, `after_s` seconds after the last.
-    void frame(double after_s = 0.1) { session_->follow(now_s_ += after_s); }
-    void give(ui::Command command) {
-        state_.wishes.command = command;
-        frame();
-    }
-    void answer(std::size_t choice) {
-        ASSERT_TRUE(state_.pages.dialogs.question);
-        state_.pages.dialogs.question->chosen = choice;
-        frame();
-    }
-    void choose(const fs::path& path) {
-        ASSERT_TRUE(state_.pages.dialogs.file);
-        state_.pages.dialogs.file->path = path.string();
-        state_.pages.dialogs.file->finished = true;
-        frame();
-    }
-    void type(const std::string& text, double after_s = 2.0) {
-        state_.edited.document.statements[0].text += text;
-        frame(after_s);
-    }
-    [[nodiscard]] const std::string& text() const {
-        return state_.edited.document.statements[0].text;
-    }
-    [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
-    static std::string content(const fs::path& path) {
-        std::ifstream in(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    void write(const fs::path& path, const std::string& text) {
-        ASSERT_TRUE(write_file(path, std::as_bytes(std::span(text))));
-    }
-
-    TestFolder folder_;
-    ui::UiState state_;
-    std::unique_ptr<Session> session_;
-    double now_s_ = 0.0;
-};
 
 TEST_F(Sessions, ProposeAFileForWhatIsSavedThatIsNotThereYet) {
     const fs::path path = folder_ / "cone.zeroset.json";
@@ -323,114 +257,6 @@ TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
     EXPECT_EQ(text(), "x = 1");
     give(ui::Command::Save);
     EXPECT_TRUE(state_.pages.dialogs.file) << "the file is not overwritten by what was picked";
-}
-
-TEST_F(Sessions, KeepTheDocumentAgainstACrash) {
-    // A child process that ends without cleaning up, as if it were killed.
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-        start();
-        type(" + lost", Session::autosave_s + 1);
-        ::_exit(0);
-    }
-    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
-    start();
-    ASSERT_TRUE(state_.pages.dialogs.question);
-    EXPECT_NE(state_.pages.dialogs.question->text.find("x = 1 + lost"), std::string::npos);
-    answer(0);
-    EXPECT_EQ(text(), "x = 1 + lost");
-    EXPECT_TRUE(state_.shown.document.unsaved);
-    session_.reset();
-    start();
-    EXPECT_FALSE(state_.pages.dialogs.question) << "it is offered once";
-}
-
-TEST_F(Sessions, LeaveTheDocumentWhereTheWindowCannotGoOn) {
-    start();
-    type("+y", 0.1);
-    session_->abandon();
-    type("+z", 10.0);
-    session_.reset();
-    state_.edited.document = with_text("x = 2");
-    start();
-    answer(0);
-    EXPECT_EQ(text(), "x = 1+y");
-}
-
-TEST_F(Sessions, DoNotOfferWhatAnotherWindowHas) {
-    start();
-    type(" + open", Session::autosave_s + 1);
-    ui::UiState other;
-    const Session second(other, {});
-    EXPECT_FALSE(other.pages.dialogs.question);
-}
-
-TEST_F(Sessions, KeepWhatIsAsItBeganButNotAsItWasSaved) {
-    start();
-    type(" + y", 0.1);
-    give(ui::Command::Save);
-    choose(file("a.zeroset.json"));
-    give(ui::Command::Undo);
-    EXPECT_EQ(text(), "x = 1");
-    ASSERT_TRUE(session_->due_s(now_s_));
-    frame(Session::autosave_s + 1);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "state/zeroset/autosave"), {}), 2);
-}
-
-TEST_F(Sessions, LeaveNothingWhenTheyAreClosed) {
-    start();
-    type(" + y", Session::autosave_s + 1);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "state/zeroset/autosave"), {}), 2);
-    session_.reset();
-    EXPECT_TRUE(fs::is_empty(folder_ / "state/zeroset/autosave"));
-}
-
-TEST_F(Sessions, SayWhenTheyWantToSave) {
-    start();
-    EXPECT_FALSE(session_->due_s(now_s_));
-    type("+y");
-    const auto due = session_->due_s(now_s_);
-    ASSERT_TRUE(due);
-    EXPECT_NEAR(*due, Session::autosave_s - now_s_, 1e-9);
-    frame(*due);
-    EXPECT_FALSE(session_->due_s(now_s_));
-}
-
-TEST_F(Sessions, TouchNoFilesWhenTheyShallNot) {
-    start({"", "", false});
-    type("+y", Session::autosave_s + 1);
-    EXPECT_FALSE(fs::exists(folder_ / "state"));
-}
-
-TEST(StateFolder, FollowsTheXdgSpecification) {
-    setenv("XDG_STATE_HOME", "/somewhere", 1);
-    EXPECT_EQ(state_folder(), "/somewhere/zeroset");
-    setenv("XDG_STATE_HOME", "relative", 1);
-    setenv("HOME", "/home/someone", 1);
-    EXPECT_EQ(state_folder(), "/home/someone/.local/state/zeroset");
-}
-
-TEST(CacheAndConfigFolders, FollowTheXdgSpecification) {
-    setenv("HOME", "/home/someone", 1);
-    setenv("XDG_CACHE_HOME", "/fast", 1);
-    setenv("XDG_CONFIG_HOME", "relative", 1);
-    EXPECT_EQ(cache_folder(), "/fast/zeroset");
-    EXPECT_EQ(config_folder(), "/home/someone/.config/zeroset");
-    unsetenv("XDG_CACHE_HOME");
-    EXPECT_EQ(cache_folder(), "/home/someone/.cache/zeroset");
-}
-
-TEST(Recent, KeepsTheNewestFirst) {
-    const TestFolder folder;
-    RecentFiles recent(folder.path());
-    for (int i = 0; i < 12; ++i)
-        recent.add("/d/" + std::to_string(i));
-    recent.add("/d/7");
-    ASSERT_EQ(recent.paths().size(), RecentFiles::most);
-    EXPECT_EQ(recent.paths()[0], "/d/7");
-    EXPECT_EQ(recent.paths()[1], "/d/11");
-    EXPECT_EQ(RecentFiles(folder.path()).paths(), recent.paths());
 }
 
 TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
