@@ -6,62 +6,21 @@
 #define HWY_TARGET_INCLUDE "engine/blobs/blob_lanes.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
+#include "engine/blobs/blob_heights-inl.hpp"
 #include "engine/real/double_vectors-inl.hpp"
 
 #include <hwy/highway.h>
 
 #include <cmath>
-#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// h and h' at q.
-struct Height {
-    V value, slope;
-};
-
-/// exp(y) for -50 <= y <= 2, within some last places.
-HWY_INLINE V exponential(V y) {
-    const V n = hn::Floor(hn::Add(hn::Mul(y, number(1.4426950408889634)), number(0.5)));
-    const V r = hn::Sub(hn::Sub(y, hn::Mul(n, number(0x1.62e42fee00000p-1))),
-                        hn::Mul(n, number(0x1.a39ef35793c76p-33)));
-    V sum = number(1.0 / 6227020800);
-    for (const double factor :
-         {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040,
-          1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
-        sum = hn::Add(hn::Mul(sum, r), number(factor));
-    // The last bits of n + 1.5 2^52 are those of the whole number n.
-    const hn::RebindToUnsigned<D> bits;
-    const auto shifted = hn::ShiftLeft<52>(hn::BitCast(bits, hn::Add(n, number(0x1.8p52))));
-    const auto one = hn::BitCast(bits, number(1));
-    return hn::Mul(sum, hn::BitCast(d, hn::Add(one, shifted)));
-}
-
+/// h and h' at q within the reach.
+using Height = HeightOf<V>;
 template <BlobKind kind>
 HWY_INLINE Height height_at(V q) {
-    if constexpr (kind == BlobKind::Wyvill) {
-        const V value = hn::Add(
-            number(2),
-            hn::Mul(q,
-                    hn::Add(number(-11.0 / 9),
-                            hn::Mul(q, hn::Sub(number(17.0 / 72), hn::Mul(q, number(1.0 / 72)))))));
-        const V slope =
-            hn::Add(number(-11.0 / 9),
-                    hn::Mul(q, hn::Sub(number(17.0 / 36), hn::Mul(q, number(1.0 / 24)))));
-        return {.value = value, .slope = slope};
-    } else if constexpr (kind == BlobKind::Metaball) {
-        const V root = hn::Sqrt(q);
-        const V rest = hn::Sub(number(2), root);
-        const M near = hn::Le(q, number(4.0 / 9));
-        const V inner = hn::Sub(number(8.0 / 3), hn::Mul(number(2), q));
-        const V far = hn::Sub(number(1), hn::Div(number(2), maximum(root, number(0.5))));
-        return {.value = hn::IfThenElse(near, inner, hn::Mul(rest, rest)),
-                .slope = hn::IfThenElse(near, number(-2), far)};
-    } else {
-        const V value = exponential(hn::Mul(number(2), hn::Sub(number(1), q)));
-        return {.value = value, .slope = hn::Mul(number(-2), value)};
-    }
+    return height_at<kind, Rounds::Twice>(d, q);
 }
 
 HWY_INLINE V square(V x) { return hn::Mul(x, x); }
@@ -73,7 +32,7 @@ struct BlobVector {
           per_square(number(set.per_square()[at])),
           strength(number(set.strength()[at])),
           size(number(std::abs(set.strength()[at]))),
-          size_per_radius(number(std::abs(set.strength()[at]) / set.radius()[at])),
+          size_per_radius(number(set.size_per_radius()[at])),
           is_hollow(set.strength()[at] < 0) {}
 
     V center[3];  // NOLINT(modernize-use-default-member-init): goes by the arguments

@@ -32,12 +32,14 @@ BlobSet::BlobSet(std::span<const Blob> blobs, double reach) {
         radius_.push_back(blob.radius);
         per_square_.push_back(1 / (blob.radius * blob.radius));
         strength_.push_back(blob.strength);
+        size_per_radius_.push_back(std::abs(blob.strength) / blob.radius);
     }
     std::vector<double> radii = radius_;
     if (radii.empty()) return;
     const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     std::ranges::nth_element(radii, middle);
     usual_support_ = 2 * std::sqrt(reach) * *middle;
+    least_radius_ = *std::ranges::min_element(radii);
 }
 
 /// Adds the node of some blobs, of which `first` are before, and sorts them.

@@ -2,6 +2,7 @@
 
 #include "engine/trace/along_rays/tracers_along_rays.hpp"
 #include "engine/trace/beam/beam_tracer.hpp"
+#include "engine/trace/blobs/proved_blobs.hpp"
 #include "engine/trace/florez/cell_grid.hpp"
 #include "engine/trace/florez/florez_tracers.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
@@ -17,11 +18,12 @@ namespace zeroset {
 
 namespace {
 
-/// Beams, but for plain isosurfaces of volumes.
+/// Beams, but for plain isosurfaces of volumes and of soft balls.
 void trace_tile_usual(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                       Counters& counters) {
-    if (!trace_tile_proved_voxels(frame, tile, hits, counters))
-        trace_tile_beams(frame, tile, hits, counters);
+    if (trace_tile_proved_voxels(frame, tile, hits, counters)) return;
+    if (trace_tile_proved_blobs(frame, tile, hits, counters)) return;
+    trace_tile_beams(frame, tile, hits, counters);
 }
 
 constexpr std::array table{

@@ -1,0 +1,43 @@
+#include "engine/trace/blobs/blob_surface.hpp"
+
+#include "engine/kernel/field_level.hpp"
+#include "engine/kernel/point_batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+/// Squares of what is between these, and their reciprocals, are far within float's range.
+constexpr double least = 1e-12, most = 1e12;
+
+/// Whether places and balls are neither so small nor so large that floats overflow.
+bool fits(const TraceFrame& frame, const BlobSet& set) {
+    const double reach = 0x1p46 * place_error(frame);
+    return reach < most && reach > least && set.least_radius() > least &&
+           set.total().size() < most && set.total().per_radius < most;
+}
+
+}  // namespace
+
+std::optional<BlobSurface> blob_surface(const TraceFrame& frame) {
+    const auto known = frame.kernel.memory->find<FieldLevel>();
+    if (known == nullptr) return std::nullopt;
+    const auto* const field = dynamic_cast<const BlobsField*>(known->field.get());
+    if (field == nullptr) return std::nullopt;
+    PointBatch<double> point(1);
+    point.set(0, 0.0, 0.0, 0.0);
+    point.pad();
+    known->level(point.batch(frame.scene.uniforms.points<double>()));
+    const double level = point.f(0);
+    const Blobs& blobs = field->function();
+    // Where no ball is, f is known to less than this.
+    const double unsure = 0x1p-40 * (1 + blobs.set().total().size());
+    if (!std::isfinite(level) || std::abs(level) <= unsure || std::abs(level) > most ||
+        !fits(frame, blobs.set()))
+        return std::nullopt;
+    return BlobSurface{.blobs = &blobs, .level = level};
+}
+
+}  // namespace zeroset

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "engine/blobs/blob_kind.hpp"
+#include "engine/trace/blobs/near_balls.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+inline constexpr int ball_block_side = 8;
+inline constexpr std::size_t ball_block_rays = 64;
+
+/// The place of a ray of a block among its numbers: neighbours in the image are neighbours there,
+/// so that whole vectors of rays are as square as can be.
+constexpr std::size_t place_in_block(int col, int row) {
+    std::size_t place = 0;
+    for (unsigned bit = 0; bit < 3; ++bit) {
+        place |= (static_cast<unsigned>(col) >> bit & 1U) << (2 * bit);
+        place |= (static_cast<unsigned>(row) >> bit & 1U) << (2 * bit + 1);
+    }
+    return place;
+}
+
+/// What is known of a ray.
+enum class RayState : std::uint8_t {
+    Outside,  ///< it is none of the block's, or ended before
+    Open,     ///< it is looked at from `at` on
+    Passed,   ///< it came to `stop` without a root
+    Root,     ///< its first root is between `from` and `to`, where f - level has opposite signs
+    Unsure,   ///< there may be a root behind `from`, and none is before
+};
+
+/// Rays about a middle one, in its coordinates: at depth s behind `s = 0` a ray is
+///   start + s tilt
+/// to the side of the middle ray, which itself goes by `u`, `v` aside for each 1 along the view.
+struct BallBlock {
+    using Numbers = std::array<double, ball_block_rays>;
+
+    alignas(64) Numbers u, v;
+    Numbers start_x, start_y, tilt_x, tilt_y;
+    Numbers at, stop;
+    std::array<std::int8_t, ball_block_rays> side;  ///< of f - level at `at`; 0: not known
+    std::array<RayState, ball_block_rays> state;
+    Numbers from, to, depth;  ///< of roots
+    std::array<Numbers, 3> slope;  ///< there, along the axes of the view
+};
+
+/// What rays are asked.
+struct BallQuestion {
+    BlobKind kind;
+    double level;
+    /// Those near the block, whose from() is least first: x and y from where the middle ray is at
+    /// their depth, z from s = 0.
+    std::span<const ViewBall> balls;
+    double place_error;  ///< bounds that of places in double
+    double tail;         ///< bounds what balls add beyond their reach
+    double bracket;      ///< the widest in which a root is certified
+};
+
+/// Evaluations of f on rays.
+using BallLooks = std::uint64_t;
+
+/// Follows the open rays until all have an end. In upward rounding.
+BallLooks march(const BallQuestion& question, BallBlock& block);
+
+/// The tile's balls as blocks ask for them.
+struct BallColumns {
+    std::vector<float> x, y, z, support;  ///< padded by balls that reach nothing
+
+    void fill(std::span<const ViewBall> balls);
+};
+/// Rays of a block: those within the radii about (u, v), between two depths.
+struct BlockBeam {
+    double u, v, u_radius, v_radius;
+    double distance;  ///< as TileRays has it
+    double from, to;
+    double spare;  ///< more than roundings of floats here
+};
+/// Numbers of the balls that may reach the beam, in order.
+void list_near(const BallColumns& columns, std::size_t count, const BlockBeam& beam,
+               std::vector<std::uint32_t>& near);
+
+}  // namespace zeroset

@@ -1,0 +1,474 @@
+// Rays, one a lane, on their way through soft balls.
+//   s      the depth along the view; f is known to be on one side of the level up to here
+//   ds     from where a ray is nearest to a ball's middle
+//   q      the square of the distance from a ball's middle, by the ball's radius
+//   room   how far f is from the level, at least, along the side that it is on
+//
+// Along a ray q is nearest + square ds^2. f is once differentiable, and where certain balls are all
+// that reach a stretch of the ray, its second derivative is bounded there by theirs. So from room,
+// slope and that bound follows how long f cannot come to the level: a step of Newton's method that
+// is always too short, of second order near a root. Where no ball reaches, the step goes to the
+// next one. [Kalra89] has the idea with bounds of slopes.
+//
+// What is proved: balls are where they are to an error (`SlotOf`), as are the rays; this moves f by
+// no more than that times the slopes of the balls, and its slope by that times their second
+// derivatives, which `error_` and `slope_error_` take from room and add to the slope. Rounding of a
+// step is of the size of those of places, which are counted twice.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_RAY_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_RAY_MARCH_INL
+#undef ZEROSET_RAY_MARCH_INL
+#else
+#define ZEROSET_RAY_MARCH_INL
+#endif
+
+#include "engine/blobs/blob_heights-inl.hpp"
+#include "engine/trace/blobs/ray_block.hpp"
+#include "engine/trace/simd/vectors-inl.hpp"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// A ball that some rays meet, in their lanes.
+template <class Real>
+struct SlotOf {
+    using Lanes = Real[lanes<Real>];
+
+    alignas(64) Lanes nearest;  ///< the depth where a ray is nearest to the middle
+    Lanes q;                    ///< there
+    Lanes enter, leave;         ///< where it may reach the ray; never: +inf, -inf
+    Lanes x, y;                 ///< the middle, from where the ray is at its depth
+    Real z, per_square, strength, weight, size;
+    Real last;  ///< the largest of `leave`
+    double error, slope_error;
+};
+
+/// What all balls of a block have in common.
+template <class Real>
+struct MarchBounds {
+    double place_error;  ///< of balls from rays, but for their own size
+    double per_reach;    ///< what adds to it for each unit of a ball's support
+    double rounding;     ///< of a ball's height, by its strength
+    double base;         ///< of f, from no ball
+    double length;       ///< of the directions, at most
+    double spare = 0;    ///< how much farther than they reach balls are looked at
+
+    /// How far a ball may be from where rays find it.
+    [[nodiscard]] double off(const ViewBall& ball) const {
+        return place_error + per_reach * ball.support;
+    }
+
+    MarchBounds(const BallQuestion& question, const BallBlock& block) {
+        constexpr double unit = std::numeric_limits<Real>::epsilon();
+        double extent = 0;
+        double width = 0;
+        double square = 1;
+        for (std::size_t i = 0; i < ball_block_rays; ++i) {
+            if (block.state[i] != RayState::Open) continue;
+            const double end = std::abs(block.stop[i]);
+            extent = std::max(extent, end);
+            width = std::max(width, std::abs(block.start_x[i]) + std::abs(block.start_y[i]) +
+                                        (std::abs(block.tilt_x[i]) + std::abs(block.tilt_y[i])) *
+                                            end);
+            square = std::max(square, 1 + block.u[i] * block.u[i] + block.v[i] * block.v[i]);
+        }
+        length = std::sqrt(square);
+        // Some four roundings of depths and ten of places across, each of a unit; twice.
+        place_error = question.place_error + 8 * unit * (extent + 2 * length * width);
+        per_reach = 32 * unit * square;
+        rounding = unit * (64 * (square + 1) + 2 * static_cast<double>(question.balls.size()));
+        for (const ViewBall& ball : question.balls)
+            spare = std::max(spare, ball.support * 0x1p-10 + 4 * off(ball));
+        base = question.tail + 64 * unit * std::abs(question.level);
+    }
+};
+
+template <class Real, BlobKind kind>
+class RayMarch {
+public:
+    using Slot = SlotOf<Real>;
+    using Vector = V<Real>;
+    using Mask = M<Real>;
+
+    /// The rays at some places of the block, at most as many as there are lanes.
+    RayMarch(const BallQuestion& question, BallBlock& block, const MarchBounds<Real>& bounds,
+             std::span<const std::uint8_t> places, std::vector<Slot>& slots)
+        : question_(question), block_(block), bounds_(bounds), places_(places), slots_(slots) {
+        load();
+    }
+
+    /// Rays that could not be brought to an end are left open. Returns how often f was looked at.
+    BallLooks run() {
+        constexpr int most_steps = is_double ? 400 : 200;
+        BallLooks looks = 0;
+        for (int i = 0; i < most_steps && !hn::AllFalse(d<Real>, open_); ++i) {
+            looks += hn::CountTrue(d<Real>, open_);
+            advance();
+        }
+        if (is_double) end_unsure(open_);
+        store();
+        return looks;
+    }
+
+private:
+    static constexpr bool is_double = std::is_same_v<Real, double>;
+    static constexpr std::size_t width = lanes<Real>;
+    static constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+
+    /// f, its slope along the ray, and bounds of the slope's change, each by the direction's square
+    /// but f.
+    struct Sums {
+        Vector value, slope, curve;
+    };
+
+    static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
+    static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
+    static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
+
+    HWY_INLINE Vector column(const BallBlock::Numbers& numbers, double other) const {
+        alignas(64) Real lane[width];
+        for (std::size_t i = 0; i < width; ++i)
+            lane[i] = static_cast<Real>(i < places_.size() ? numbers[places_[i]] : other);
+        return hn::Load(d<Real>, lane);
+    }
+    HWY_INLINE void load() {
+        alignas(64) Real sides[width] = {};
+        LaneBits bits = 0;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            sides[i] = block_.side[places_[i]];
+            if (block_.state[places_[i]] == RayState::Open) bits |= LaneBits{1} << i;
+        }
+        open_ = mask_of(d<Real>, bits);
+        u_ = column(block_.u, 0);
+        v_ = column(block_.v, 0);
+        start_x_ = column(block_.start_x, 0);
+        start_y_ = column(block_.start_y, 0);
+        tilt_x_ = column(block_.tilt_x, 0);
+        tilt_y_ = column(block_.tilt_y, 0);
+        s_ = column(block_.at, 0);
+        stop_ = column(block_.stop, 0);
+        square_ = hn::MulAdd(u_, u_, hn::MulAdd(v_, v_, number(1)));
+        per_square_ = hn::Div(number(1), square_);
+        side_ = hn::Load(d<Real>, sides);
+        window_ = hn::Max(bracket_, number(usual_));
+        level_ = number(question_.level);
+        passed_ = sure_ = unsure_ = mask_of(d<Real>, 0);
+        choose_curves();
+    }
+    HWY_INLINE void choose_curves() {
+        constexpr BlobCurve curve = blob_curve(kind);
+        const Mask above = hn::Gt(side_, zero());
+        const Mask below = hn::Lt(side_, zero());
+        const Vector most = number(std::max(curve.up, curve.down));
+        // f is kept from the level on the other side: from above where it is below.
+        full_curve_ = hn::IfThenElse(below, number(curve.up),
+                                     hn::IfThenElse(above, number(curve.down), most));
+        hollow_curve_ = hn::IfThenElse(below, number(curve.down),
+                                       hn::IfThenElse(above, number(curve.up), most));
+        fresh_ = !hn::AllFalse(d<Real>, hn::And(open_, hn::Eq(side_, zero())));
+    }
+
+    /// Takes in the balls that begin before a depth, and leaves those that end before another.
+    HWY_INLINE void gather(double first, double last) {
+        bool changed = false;
+        for (std::size_t i = 0; i < count_;) {
+            if (static_cast<double>(slots_[i].last) >= first) {
+                ++i;
+                continue;
+            }
+            if (i != --count_) slots_[i] = slots_[count_];
+            changed = true;
+        }
+        const auto& balls = question_.balls;
+        for (; next_ < balls.size() && balls[next_].from() - bounds_.spare <= last; ++next_) {
+            const bool ends_before = balls[next_].to() + bounds_.spare < first;
+            if (!ends_before && take(balls[next_])) changed = true;
+        }
+        if (changed) add_errors();
+    }
+    HWY_INLINE void add_errors() {
+        double error = bounds_.base;
+        double slope_error = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            error += slots_[i].error;
+            slope_error += slots_[i].slope_error;
+        }
+        error_ = error;
+        slope_error_ = slope_error;
+    }
+    /// Takes a ball in; whether it may reach a ray.
+    HWY_INLINE bool take(const ViewBall& ball) {
+        const double off = bounds_.off(ball);
+        const double support = ball.support * (1 + 0x1p-10) + 4 * off;
+        const Vector z = number(ball.z);
+        const Vector x = hn::NegMulAdd(tilt_x_, z, hn::Sub(number(ball.x), start_x_));
+        const Vector y = hn::NegMulAdd(tilt_y_, z, hn::Sub(number(ball.y), start_y_));
+        const Vector along = hn::MulAdd(u_, x, hn::Mul(v_, y));
+        const Vector behind = hn::Mul(along, per_square_);
+        const Vector across =
+            hn::MulAdd(x, x, hn::NegMulAdd(along, behind, hn::Mul(y, y)));
+        const Vector rest = hn::Sub(number(support * support), across);
+        const Mask meets = hn::And(open_, hn::Gt(rest, zero()));
+        if (hn::AllFalse(d<Real>, meets)) return false;
+        if (count_ == slots_.size()) slots_.resize(2 * count_ + 8);
+        Slot& slot = slots_[count_++];
+        const Vector half = hn::Sqrt(hn::Mul(hn::Max(rest, zero()), per_square_));
+        const Vector nearest = hn::Add(z, behind);
+        const Vector leave = hn::IfThenElse(meets, hn::Add(nearest, half), number(-unbounded));
+        const auto keep = [](const Vector& numbers, Real* to) {
+            hn::Store(numbers, d<Real>, to);
+        };
+        keep(nearest, slot.nearest);
+        keep(hn::Max(hn::Mul(across, number(ball.per_square)), zero()), slot.q);
+        keep(hn::IfThenElse(meets, hn::Sub(nearest, half), number(unbounded)), slot.enter);
+        keep(leave, slot.leave);
+        keep(x, slot.x);
+        keep(y, slot.y);
+        slot.last = hn::GetLane(hn::MaxOfLanes(d<Real>, leave));
+        fill(ball, off, slot);
+        return true;
+    }
+    static HWY_INLINE void set(Real& to, double x) { to = static_cast<Real>(x); }
+    HWY_INLINE void fill(const ViewBall& ball, double off, Slot& slot) {
+        constexpr BlobFacts facts = blob_facts(kind);
+        const double size = std::abs(ball.strength);
+        set(slot.z, ball.z);
+        set(slot.per_square, ball.per_square);
+        set(slot.strength, ball.strength);
+        set(slot.weight, 2 * ball.strength * ball.per_square);
+        const double by_radius = off / ball.radius;
+        // Second derivatives where the ball is change by less than 64 by_radius of them.
+        set(slot.size, size * ball.per_square * (1 + 64 * by_radius));
+        slot.error = size * (facts.slope * by_radius + facts.top * bounds_.rounding);
+        slot.slope_error = bounds_.length * size / ball.radius *
+                           (facts.bend * by_radius + facts.slope * bounds_.rounding);
+        if (by_radius > 0.01) slot.error = std::numeric_limits<double>::infinity();
+        usual_ = ball.radius / bounds_.length;
+    }
+
+    HWY_INLINE Vector q_at(const Slot& slot, Vector ds) const {
+        const Vector q = hn::MulAdd(hn::Mul(hn::Mul(ds, square_), ds), same(slot.per_square),
+                                    hn::Load(d<Real>, slot.q));
+        return hn::Min(q, number(blob_facts(kind).reach));
+    }
+    /// A bound of a ball's second derivative where it reaches [s, end].
+    HWY_INLINE Vector curve_of(const Slot& slot, Vector end) const {
+        const bool hollow = slot.strength < 0;
+        if constexpr (kind != BlobKind::Blinn) {
+            return hn::Mul(same(slot.size), hollow ? hollow_curve_ : full_curve_);
+        } else {
+            // 16 q h - 4 h, which falls from q = 3/4 on, and 4 h at the nearest place.
+            const Vector nearest = hn::Load(d<Real>, slot.nearest);
+            const Vector ds = hn::Sub(hn::Min(hn::Max(nearest, s_), end), nearest);
+            const Vector q = q_at(slot, ds);
+            const Vector h = height_at<kind, Rounds::Once>(d<Real>, q).value;
+            const Vector below = hn::MulAdd(number(16), hn::Max(q, number(0.75)), number(-4));
+            const Vector up = hn::Min(hn::Mul(below, h), number(blob_curve(kind).up));
+            const Vector down = hn::Mul(number(4), h);
+            const Vector wanted_up = number(hollow ? -1 : 1);
+            const Mask rises = hn::Lt(hn::Mul(side_, wanted_up), zero());
+            const Mask falls = hn::Gt(hn::Mul(side_, wanted_up), zero());
+            const Vector curve = hn::IfThenElse(
+                rises, up, hn::IfThenElse(falls, down, hn::Max(up, down)));
+            return hn::Mul(hn::MulAdd(curve, number(1 + 0x1p-8), number(1e-20)),
+                           same(slot.size));
+        }
+    }
+    HWY_INLINE Sums sums_at(Vector end) const {
+        Sums sums{.value = zero(), .slope = zero(), .curve = zero()};
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Slot& slot = slots_[i];
+            const Vector ds = hn::Sub(s_, hn::Load(d<Real>, slot.nearest));
+            const auto h = height_at<kind, Rounds::Once>(d<Real>, q_at(slot, ds));
+            sums.value = hn::MulAdd(same(slot.strength), h.value, sums.value);
+            sums.slope = hn::MulAdd(hn::Mul(ds, same(slot.weight)), h.slope, sums.slope);
+            const Mask reaches = hn::And(hn::Le(hn::Load(d<Real>, slot.enter), end),
+                                         hn::Ge(hn::Load(d<Real>, slot.leave), s_));
+            sums.curve = hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, end)));
+        }
+        sums.slope = hn::Mul(sums.slope, square_);
+        sums.curve = hn::Mul(hn::Mul(sums.curve, square_), number(1 + 0x1p-8));
+        return sums;
+    }
+    /// Where the next ball after a depth may begin, at most.
+    HWY_INLINE Vector next_entry(Vector after) const {
+        const bool more = next_ < question_.balls.size();
+        Vector next =
+            more ? number(question_.balls[next_].from() - bounds_.spare) : number(unbounded);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vector enter = hn::Load(d<Real>, slots_[i].enter);
+            next = hn::Min(next, hn::IfThenElse(hn::Gt(enter, after), enter, next));
+        }
+        return next;
+    }
+
+    HWY_INLINE void advance() {
+        const Vector end = hn::Add(s_, window_);
+        gather(hn::GetLane(hn::MinOfLanes(
+                   d<Real>, hn::IfThenElse(open_, s_, number(unbounded)))),
+               hn::GetLane(hn::MaxOfLanes(
+                   d<Real>, hn::IfThenElse(open_, end, number(-unbounded)))));
+        const Sums sums = sums_at(end);
+        // f - level
+        const Vector f = hn::Sub(sums.value, level_);
+        if (fresh_) choose_sides(f);
+        const Vector room = hn::Sub(hn::Mul(side_, f), number(error_));
+        const Vector rise = hn::Sub(number(slope_error_), hn::Mul(side_, sums.slope));
+        const Vector step = step_of(room, rise, sums.curve);
+        const Mask empty = hn::Eq(sums.curve, zero());
+        Vector next = hn::Add(s_, hn::Min(step, window_));
+        const Mask has_room = hn::Gt(room, zero());
+        if (!hn::AllFalse(d<Real>, hn::AndNot(hn::Not(open_), empty)))
+            next = hn::IfThenElse(empty, hn::Max(end, next_entry(end)), next);
+        const Mask ends = hn::And(open_, hn::And(has_room, hn::Ge(next, stop_)));
+        passed_ = hn::Or(passed_, ends);
+        open_ = hn::AndNot(ends, open_);
+        const Mask near = hn::And(open_, hn::Or(hn::Not(has_room), hn::Le(step, bracket_)));
+        if (tries_ && !hn::AllFalse(d<Real>, near)) certify(near, hn::IfThenElseZero(has_room, step));
+        // In floats no more is known of what is nearer than some errors.
+        const Mask moves =
+            hn::And(hn::Gt(room, number(is_double ? 0 : 4 * error_)), hn::Gt(next, s_));
+        const Mask stuck = hn::AndNot(moves, open_);
+        if (!hn::AllFalse(d<Real>, stuck)) end_stuck(stuck);
+        s_ = hn::IfThenElse(open_, next, s_);
+        const Vector wider = hn::Add(window_, window_);
+        const Vector narrower = hn::Mul(step, number(1.5));
+        window_ = hn::IfThenElse(empty, number(usual_), hn::Min(wider, narrower));
+        window_ = hn::Max(window_, hn::Max(bracket_, number(0x1p-7 * usual_)));
+    }
+    /// How far f cannot come to 0, where it has so much room and nears 0 by `rise`, that grows by
+    /// `curve` at most.
+    static HWY_INLINE Vector step_of(Vector room, Vector rise, Vector curve) {
+        const Vector twice = hn::Max(hn::Add(room, room), zero());
+        const Vector root = hn::Sqrt(hn::MulAdd(rise, rise, hn::Mul(twice, curve)));
+        const Mask rises = hn::Ge(rise, zero());
+        const Vector above = hn::IfThenElse(rises, twice, hn::Sub(root, rise));
+        const Vector below = hn::IfThenElse(rises, hn::Add(rise, root), curve);
+        const Vector step = hn::Mul(hn::Div(above, below), number(1 - 0x1p-10));
+        return hn::IfThenElse(hn::Gt(below, zero()), step, number(1e30));
+    }
+    HWY_INLINE void choose_sides(Vector f) {
+        const Vector error = number(error_);
+        const Vector found =
+            hn::IfThenElse(hn::Gt(f, error), number(1),
+                           hn::IfThenElse(hn::Lt(f, hn::Neg(error)), number(-1), zero()));
+        side_ = hn::IfThenElse(hn::Eq(side_, zero()), found, side_);
+        choose_curves();
+    }
+
+    /// Looks at lanes a bracket further: f may be sure to be on the other side there.
+    HWY_INLINE void certify(Mask near, Vector step) {
+        const Vector to = hn::Min(hn::Add(s_, hn::Mul(number(0.98), bracket_)), stop_);
+        Vector value = zero();
+        Vector slope[3] = {zero(), zero(), zero()};
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Slot& slot = slots_[i];
+            const Vector ds = hn::Sub(to, hn::Load(d<Real>, slot.nearest));
+            const auto h = height_at<kind, Rounds::Once>(d<Real>, q_at(slot, ds));
+            value = hn::MulAdd(same(slot.strength), h.value, value);
+            const Vector steep = hn::Mul(same(slot.weight), h.slope);
+            const Vector x = hn::Load(d<Real>, slot.x);
+            const Vector y = hn::Load(d<Real>, slot.y);
+            slope[0] = hn::NegMulAdd(steep, x, slope[0]);
+            slope[1] = hn::NegMulAdd(steep, y, slope[1]);
+            slope[2] = hn::MulAdd(steep, hn::Sub(to, same(slot.z)), slope[2]);
+        }
+        slope[0] = hn::MulAdd(u_, slope[2], slope[0]);
+        slope[1] = hn::MulAdd(v_, slope[2], slope[1]);
+        const Vector beyond = hn::Mul(side_, hn::Sub(level_, value));
+        const Mask sure = hn::And(near, hn::Gt(beyond, number(error_)));
+        sure_ = hn::Or(sure_, sure);
+        open_ = hn::AndNot(sure, open_);
+        const Vector depth = hn::Add(s_, hn::Min(step, hn::Sub(to, s_)));
+        tell(sure, depth, to, slope);
+        if (!is_double) return;
+        last_slope_[0] = slope[0];
+        last_slope_[1] = slope[1];
+        last_slope_[2] = slope[2];
+    }
+    HWY_INLINE void tell(Mask which, Vector depth, Vector to, const Vector* slope) {
+        alignas(64) Real at[width], depths[width], ends[width], slopes[3][width];
+        hn::Store(s_, d<Real>, at);
+        hn::Store(depth, d<Real>, depths);
+        hn::Store(to, d<Real>, ends);
+        for (std::size_t k = 0; k < 3; ++k)
+            hn::Store(slope[k], d<Real>, slopes[k]);
+        for (LaneBits bits = bits_of(d<Real>, which); bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            const std::size_t place = places_[lane];
+            block_.from[place] = at[lane];
+            block_.to[place] = ends[lane];
+            block_.depth[place] = depths[lane];
+            for (std::size_t k = 0; k < 3; ++k)
+                block_.slope[k][place] = slopes[k][lane];
+        }
+    }
+    /// Ends lanes that cannot go on: in floats they are left open.
+    HWY_INLINE void end_stuck(Mask stuck) {
+        if constexpr (is_double) {
+            end_unsure(stuck);
+        } else {
+            open_ = hn::AndNot(stuck, open_);
+        }
+    }
+    HWY_INLINE void end_unsure(Mask unsure) {
+        if (hn::AllFalse(d<Real>, unsure)) return;
+        unsure_ = hn::Or(unsure_, unsure);
+        open_ = hn::AndNot(unsure, open_);
+        tell(unsure, s_, s_, last_slope_);
+    }
+    HWY_INLINE void store() const {
+        alignas(64) Real at[width], sides[width];
+        hn::Store(s_, d<Real>, at);
+        hn::Store(side_, d<Real>, sides);
+        const LaneBits passed = bits_of(d<Real>, passed_);
+        const LaneBits sure = bits_of(d<Real>, sure_);
+        const LaneBits unsure = bits_of(d<Real>, unsure_);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const std::size_t place = places_[i];
+            RayState& state = block_.state[place];
+            if (state != RayState::Open) continue;
+            block_.side[place] = static_cast<std::int8_t>(sides[i]);
+            block_.at[place] = at[i];
+            if ((passed >> i & 1U) != 0) state = RayState::Passed;
+            if ((sure >> i & 1U) != 0) state = RayState::Root;
+            if ((unsure >> i & 1U) != 0) state = RayState::Unsure;
+        }
+    }
+
+    const BallQuestion& question_;
+    BallBlock& block_;
+    const MarchBounds<Real>& bounds_;
+    std::span<const std::uint8_t> places_;
+    std::vector<Slot>& slots_;
+    std::size_t count_ = 0, next_ = 0;
+    double error_ = bounds_.base, slope_error_ = 0;
+    double usual_ = question_.balls.empty() ? 1 : question_.balls.front().radius / bounds_.length;
+    bool fresh_ = false;
+    /// Whether a bracket is wide enough for this type to prove anything in it.
+    bool tries_ = is_double || question_.bracket > 16 * bounds_.place_error;
+    Vector bracket_ = number(question_.bracket);
+    Mask open_, passed_, sure_, unsure_;
+    Vector u_, v_, start_x_, start_y_, tilt_x_, tilt_y_, s_, stop_, square_, per_square_;
+    Vector side_, window_, level_, full_curve_, hollow_curve_;
+    Vector last_slope_[3] = {zero(), zero(), zero()};
+};
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
