@@ -52,7 +52,7 @@ struct SlotOf {
     Lanes q;                    ///< there
     Lanes enter, leave;         ///< where it may reach the ray; never: +inf, -inf
     Lanes x, y;                 ///< the middle, from where the ray is at its depth
-    Real z, per_square, strength, weight, size;
+    Real z, per_square, strength, weight, size, spare;
     Real last;  ///< the largest of `leave`
     double error, slope_error;
 };
@@ -133,6 +133,7 @@ private:
     /// but f.
     struct Sums {
         Vector value, slope, curve;
+        Mask empty;  ///< no ball reaches
     };
 
     static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
@@ -167,38 +168,44 @@ private:
         window_ = hn::Max(bracket_, number(usual_));
         level_ = number(question_.level);
         passed_ = sure_ = unsure_ = mask_of(d<Real>, 0);
-        choose_curves();
+        keep_sides();
     }
-    HWY_INLINE void choose_curves() {
-        constexpr BlobCurve curve = blob_curve(kind);
-        const Mask above = hn::Gt(side_, zero());
-        const Mask below = hn::Lt(side_, zero());
-        const Vector most = number(std::max(curve.up, curve.down));
-        // f is kept from the level on the other side: from above where it is below.
-        full_curve_ = hn::IfThenElse(below, number(curve.up),
-                                     hn::IfThenElse(above, number(curve.down), most));
-        hollow_curve_ = hn::IfThenElse(below, number(curve.down),
-                                       hn::IfThenElse(above, number(curve.up), most));
+    HWY_INLINE void keep_sides() {
+        above_ = hn::Gt(side_, zero());
+        below_ = hn::Lt(side_, zero());
         fresh_ = !hn::AllFalse(d<Real>, hn::And(open_, hn::Eq(side_, zero())));
     }
 
-    /// Takes in the balls that begin before a depth, and leaves those that end before another.
-    HWY_INLINE void gather(double first, double last) {
-        bool changed = false;
+    /// Takes in the balls that may reach rays between where they are and `end`, and leaves those
+    /// that are behind all of them.
+    HWY_INLINE void gather(Vector end) {
+        const Mask reaches_next = hn::Ge(end, same(next_from_));
+        if (hn::AllFalse(d<Real>, hn::And(open_, reaches_next))) return;
+        const Vector first = hn::IfThenElse(open_, s_, number(unbounded));
+        const Vector last = hn::IfThenElse(open_, end, number(-unbounded));
+        take_between(static_cast<double>(hn::GetLane(hn::MinOfLanes(d<Real>, first))),
+                     static_cast<double>(hn::GetLane(hn::MaxOfLanes(d<Real>, last))));
+    }
+    HWY_INLINE void take_between(double first, double last) {
         for (std::size_t i = 0; i < count_;) {
             if (static_cast<double>(slots_[i].last) >= first) {
                 ++i;
-                continue;
+            } else if (i != --count_) {
+                slots_[i] = slots_[count_];
             }
-            if (i != --count_) slots_[i] = slots_[count_];
-            changed = true;
         }
         const auto& balls = question_.balls;
         for (; next_ < balls.size() && balls[next_].from() - bounds_.spare <= last; ++next_) {
-            const bool ends_before = balls[next_].to() + bounds_.spare < first;
-            if (!ends_before && take(balls[next_])) changed = true;
+            if (balls[next_].to() + bounds_.spare >= first) take(balls[next_]);
         }
-        if (changed) add_errors();
+        find_next();
+        add_errors();
+    }
+    /// Where the next ball begins, at most.
+    HWY_INLINE void find_next() {
+        const bool more = next_ < question_.balls.size();
+        next_from_ = more ? static_cast<Real>(question_.balls[next_].from() - bounds_.spare)
+                          : unbounded;
     }
     HWY_INLINE void add_errors() {
         double error = bounds_.base;
@@ -210,8 +217,8 @@ private:
         error_ = error;
         slope_error_ = slope_error;
     }
-    /// Takes a ball in; whether it may reach a ray.
-    HWY_INLINE bool take(const ViewBall& ball) {
+    /// Takes a ball in, if it may reach a ray.
+    HWY_INLINE void take(const ViewBall& ball) {
         const double off = bounds_.off(ball);
         const double support = ball.support * (1 + 0x1p-10) + 4 * off;
         const Vector z = number(ball.z);
@@ -223,7 +230,7 @@ private:
             hn::MulAdd(x, x, hn::NegMulAdd(along, behind, hn::Mul(y, y)));
         const Vector rest = hn::Sub(number(support * support), across);
         const Mask meets = hn::And(open_, hn::Gt(rest, zero()));
-        if (hn::AllFalse(d<Real>, meets)) return false;
+        if (hn::AllFalse(d<Real>, meets)) return;
         if (count_ == slots_.size()) slots_.resize(2 * count_ + 8);
         Slot& slot = slots_[count_++];
         const Vector half = hn::Sqrt(hn::Mul(hn::Max(rest, zero()), per_square_));
@@ -240,7 +247,6 @@ private:
         keep(y, slot.y);
         slot.last = hn::GetLane(hn::MaxOfLanes(d<Real>, leave));
         fill(ball, off, slot);
-        return true;
     }
     static HWY_INLINE void set(Real& to, double x) { to = static_cast<Real>(x); }
     HWY_INLINE void fill(const ViewBall& ball, double off, Slot& slot) {
@@ -251,8 +257,8 @@ private:
         set(slot.strength, ball.strength);
         set(slot.weight, 2 * ball.strength * ball.per_square);
         const double by_radius = off / ball.radius;
-        // Second derivatives where the ball is change by less than 64 by_radius of them.
-        set(slot.size, size * ball.per_square * (1 + 64 * by_radius));
+        set(slot.size, size * ball.per_square);
+        set(slot.spare, curve_spare(by_radius));
         slot.error = size * (facts.slope * by_radius + facts.top * bounds_.rounding);
         slot.slope_error = bounds_.length * size / ball.radius *
                            (facts.bend * by_radius + facts.slope * bounds_.rounding);
@@ -260,55 +266,84 @@ private:
         usual_ = ball.radius / bounds_.length;
     }
 
+    static HWY_INLINE Vector reach() { return number(blob_facts(kind).reach); }
+    /// How much larger a second derivative may be than it is found, where the ball may be off by so
+    /// much of its radius.
+    static HWY_INLINE double curve_spare(double by_radius) {
+        constexpr double unit = std::numeric_limits<Real>::epsilon();
+        // q is off by 2 sqrt(reach) by_radius; by it the bounds change by some 5, 30, 180 at most.
+        constexpr double steepest = kind == BlobKind::Wyvill ? 64 : kind == BlobKind::Metaball ? 256 : 2048;
+        return steepest * (by_radius + 8 * unit);
+    }
     HWY_INLINE Vector q_at(const Slot& slot, Vector ds) const {
         const Vector q = hn::MulAdd(hn::Mul(hn::Mul(ds, square_), ds), same(slot.per_square),
                                     hn::Load(d<Real>, slot.q));
-        return hn::Min(q, number(blob_facts(kind).reach));
+        return hn::Min(q, reach());
     }
-    /// A bound of a ball's second derivative where it reaches [s, end].
-    HWY_INLINE Vector curve_of(const Slot& slot, Vector end) const {
-        const bool hollow = slot.strength < 0;
-        if constexpr (kind != BlobKind::Blinn) {
-            return hn::Mul(same(slot.size), hollow ? hollow_curve_ : full_curve_);
+    /// The least upper bound of h's second derivative on a stretch of a line, by the square of the
+    /// length: on it q is between those at its ends and q_least, the least on the whole line.
+    static HWY_INLINE Vector rise_of_slope(Vector q_from, Vector q_to, Vector q_least) {
+        const Vector most = hn::Max(q_from, q_to);
+        if constexpr (kind == BlobKind::Wyvill) {
+            // 2 h' + 4 (q - q_least) h'' is a parabola, which rises up to here.
+            const Vector top = hn::MulAdd(number(0.4), q_least, number(3.4));
+            const Vector q = hn::Min(most, top);
+            const Vector alone = hn::MulAdd(
+                q, hn::MulAdd(q, number(-5.0 / 12), number(17.0 / 6)), number(-22.0 / 9));
+            const Vector less = hn::MulAdd(q, number(-1.0 / 3), number(17.0 / 9));
+            return hn::NegMulAdd(q_least, less, alone);
+        } else if constexpr (kind == BlobKind::Metaball) {
+            const Vector q = hn::Max(most, number(4.0 / 9));
+            const Vector less = hn::Div(hn::Mul(number(4), q_least), hn::Mul(q, hn::Sqrt(q)));
+            return hn::IfThenElse(hn::Le(most, number(0.44)), number(-4),
+                                  hn::Sub(number(2), less));
         } else {
-            // 16 q h - 4 h, which falls from q = 3/4 on, and 4 h at the nearest place.
-            const Vector nearest = hn::Load(d<Real>, slot.nearest);
-            const Vector ds = hn::Sub(hn::Min(hn::Max(nearest, s_), end), nearest);
-            const Vector q = q_at(slot, ds);
+            // (16 (q - q_least) - 4) h rises up to q_least + 3/4, then it falls.
+            const Vector least = hn::Min(q_from, q_to);
+            const Vector top = hn::Add(q_least, number(0.75));
+            const Vector q = hn::Min(hn::Max(top, least), most);
             const Vector h = height_at<kind, Rounds::Once>(d<Real>, q).value;
-            const Vector below = hn::MulAdd(number(16), hn::Max(q, number(0.75)), number(-4));
-            const Vector up = hn::Min(hn::Mul(below, h), number(blob_curve(kind).up));
-            const Vector down = hn::Mul(number(4), h);
-            const Vector wanted_up = number(hollow ? -1 : 1);
-            const Mask rises = hn::Lt(hn::Mul(side_, wanted_up), zero());
-            const Mask falls = hn::Gt(hn::Mul(side_, wanted_up), zero());
-            const Vector curve = hn::IfThenElse(
-                rises, up, hn::IfThenElse(falls, down, hn::Max(up, down)));
-            return hn::Mul(hn::MulAdd(curve, number(1 + 0x1p-8), number(1e-20)),
-                           same(slot.size));
+            return hn::MulAdd(hn::Mul(number(16), hn::Sub(q, q_least)), h,
+                              hn::Mul(number(-4), h));
         }
     }
+    /// A bound of how much a ball's slope towards the level changes where it reaches [s, end].
+    HWY_INLINE Vector curve_of(const Slot& slot, Vector q_here, Vector end) const {
+        const Vector q_least = hn::Load(d<Real>, slot.q);
+        const Vector q_end = q_at(slot, hn::Sub(end, hn::Load(d<Real>, slot.nearest)));
+        const Vector up = rise_of_slope(q_here, q_end, hn::Min(q_least, reach()));
+        const Vector most = hn::Min(hn::Add(up, same(slot.spare)), number(blob_curve(kind).up));
+        const Vector down = number(blob_curve(kind).down);
+        const Mask rises = slot.strength < 0 ? above_ : below_;
+        const Mask falls = slot.strength < 0 ? below_ : above_;
+        const Vector curve = hn::IfThenElse(
+            rises, most, hn::IfThenElse(falls, down, hn::Max(most, down)));
+        return hn::Mul(curve, same(slot.size));
+    }
     HWY_INLINE Sums sums_at(Vector end) const {
-        Sums sums{.value = zero(), .slope = zero(), .curve = zero()};
+        Sums sums{.value = zero(), .slope = zero(), .curve = zero(), .empty = {}};
+        Mask some = mask_of(d<Real>, 0);
         for (std::size_t i = 0; i < count_; ++i) {
             const Slot& slot = slots_[i];
             const Vector ds = hn::Sub(s_, hn::Load(d<Real>, slot.nearest));
-            const auto h = height_at<kind, Rounds::Once>(d<Real>, q_at(slot, ds));
+            const Vector q = q_at(slot, ds);
+            const auto h = height_at<kind, Rounds::Once>(d<Real>, q);
             sums.value = hn::MulAdd(same(slot.strength), h.value, sums.value);
             sums.slope = hn::MulAdd(hn::Mul(ds, same(slot.weight)), h.slope, sums.slope);
             const Mask reaches = hn::And(hn::Le(hn::Load(d<Real>, slot.enter), end),
                                          hn::Ge(hn::Load(d<Real>, slot.leave), s_));
-            sums.curve = hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, end)));
+            sums.curve =
+                hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, q, end)));
+            some = hn::Or(some, reaches);
         }
         sums.slope = hn::Mul(sums.slope, square_);
-        sums.curve = hn::Mul(hn::Mul(sums.curve, square_), number(1 + 0x1p-8));
+        sums.curve = hn::Mul(sums.curve, square_);
+        sums.empty = hn::Not(some);
         return sums;
     }
     /// Where the next ball after a depth may begin, at most.
     HWY_INLINE Vector next_entry(Vector after) const {
-        const bool more = next_ < question_.balls.size();
-        Vector next =
-            more ? number(question_.balls[next_].from() - bounds_.spare) : number(unbounded);
+        Vector next = same(next_from_);
         for (std::size_t i = 0; i < count_; ++i) {
             const Vector enter = hn::Load(d<Real>, slots_[i].enter);
             next = hn::Min(next, hn::IfThenElse(hn::Gt(enter, after), enter, next));
@@ -318,10 +353,7 @@ private:
 
     HWY_INLINE void advance() {
         const Vector end = hn::Add(s_, window_);
-        gather(hn::GetLane(hn::MinOfLanes(
-                   d<Real>, hn::IfThenElse(open_, s_, number(unbounded)))),
-               hn::GetLane(hn::MaxOfLanes(
-                   d<Real>, hn::IfThenElse(open_, end, number(-unbounded)))));
+        gather(end);
         const Sums sums = sums_at(end);
         // f - level
         const Vector f = hn::Sub(sums.value, level_);
@@ -329,7 +361,7 @@ private:
         const Vector room = hn::Sub(hn::Mul(side_, f), number(error_));
         const Vector rise = hn::Sub(number(slope_error_), hn::Mul(side_, sums.slope));
         const Vector step = step_of(room, rise, sums.curve);
-        const Mask empty = hn::Eq(sums.curve, zero());
+        const Mask empty = sums.empty;
         Vector next = hn::Add(s_, hn::Min(step, window_));
         const Mask has_room = hn::Gt(room, zero());
         if (!hn::AllFalse(d<Real>, hn::AndNot(hn::Not(open_), empty)))
@@ -353,13 +385,15 @@ private:
     /// How far f cannot come to 0, where it has so much room and nears 0 by `rise`, that grows by
     /// `curve` at most.
     static HWY_INLINE Vector step_of(Vector room, Vector rise, Vector curve) {
-        const Vector twice = hn::Max(hn::Add(room, room), zero());
-        const Vector root = hn::Sqrt(hn::MulAdd(rise, rise, hn::Mul(twice, curve)));
+        const Vector twice = hn::Add(room, room);
+        const Vector square = hn::MulAdd(rise, rise, hn::Mul(twice, curve));
+        const Vector root = hn::Sqrt(hn::Max(square, zero()));
         const Mask rises = hn::Ge(rise, zero());
         const Vector above = hn::IfThenElse(rises, twice, hn::Sub(root, rise));
         const Vector below = hn::IfThenElse(rises, hn::Add(rise, root), curve);
         const Vector step = hn::Mul(hn::Div(above, below), number(1 - 0x1p-10));
-        return hn::IfThenElse(hn::Gt(below, zero()), step, number(1e30));
+        const Mask comes = hn::And(hn::Gt(below, zero()), hn::Ge(square, zero()));
+        return hn::IfThenElse(comes, step, number(1e30));
     }
     HWY_INLINE void choose_sides(Vector f) {
         const Vector error = number(error_);
@@ -367,7 +401,7 @@ private:
             hn::IfThenElse(hn::Gt(f, error), number(1),
                            hn::IfThenElse(hn::Lt(f, hn::Neg(error)), number(-1), zero()));
         side_ = hn::IfThenElse(hn::Eq(side_, zero()), found, side_);
-        choose_curves();
+        keep_sides();
     }
 
     /// Looks at lanes a bracket further: f may be sure to be on the other side there.
@@ -458,13 +492,14 @@ private:
     std::size_t count_ = 0, next_ = 0;
     double error_ = bounds_.base, slope_error_ = 0;
     double usual_ = question_.balls.empty() ? 1 : question_.balls.front().radius / bounds_.length;
+    Real next_from_ = -unbounded;  ///< where the balls that are not taken in begin
     bool fresh_ = false;
     /// Whether a bracket is wide enough for this type to prove anything in it.
     bool tries_ = is_double || question_.bracket > 16 * bounds_.place_error;
     Vector bracket_ = number(question_.bracket);
-    Mask open_, passed_, sure_, unsure_;
+    Mask open_, passed_, sure_, unsure_, above_, below_;
     Vector u_, v_, start_x_, start_y_, tilt_x_, tilt_y_, s_, stop_, square_, per_square_;
-    Vector side_, window_, level_, full_curve_, hollow_curve_;
+    Vector side_, window_, level_;
     Vector last_slope_[3] = {zero(), zero(), zero()};
 };
 
