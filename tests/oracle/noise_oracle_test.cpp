@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Tracers on noise and soft balls against each cell's and each piece's polynomial, solved exactly.
@@ -17,7 +18,8 @@
 namespace zeroset::test {
 namespace {
 
-AuditReport audit_of(const std::vector<std::string>& equations, double size) {
+AuditReport audit_of(const std::vector<std::string>& equations, double size,
+                     const AuditSettings& settings = {.tracer = "beams", .interpreted = true}) {
     AuditReport total;
     RandomNumbers random(2002);
     for (const std::string& equation : equations) {
@@ -28,7 +30,7 @@ AuditReport audit_of(const std::vector<std::string>& equations, double size) {
                              .camera = suite_camera(size)};
         surface.camera.eye = {random.uniform(-3, 3) * size, random.uniform(-3, 3) * size,
                               random.uniform(1, 3) * size};
-        total += audit(surface, {.tracer = "beams", .interpreted = true});
+        total += audit(surface, settings);
     }
     return total;
 }
@@ -65,26 +67,93 @@ TEST(TracerOnNoise, MissesNoRootOfCells) {
     expect_sound(audit_of(noises("cellular2", {"0.6"}), 1.2));
 }
 
-TEST(TracerOnBlobs, MissesNoRoot) {
+/// A list of balls at random, a few of which take away.
+std::string some_balls(RandomNumbers& random, int count, double least, double largest) {
+    std::string list;
+    for (int ball = 0; ball < count; ++ball) {
+        list += list.empty() ? "" : ", ";
+        for (int i = 0; i < 3; ++i)
+            list += (i == 0 ? "(" : ", ") + std::to_string(random.uniform(-1, 1));
+        const double sign = random.one_in(6) ? -1 : 1;
+        list += ", " + std::to_string(sign * random.uniform(least, largest)) + ")";
+    }
+    return "([" + list + "])";
+}
+
+std::vector<std::string> blob_equations(const std::string& word, int count) {
     std::vector<std::string> equations;
     RandomNumbers random(1986);
-    for (int n = 0; n < formulas_to_try(8); ++n) {
-        std::string list;
-        for (int ball = random.between(2, 25); ball >= 0; --ball) {
-            list += list.empty() ? "" : ", ";
-            for (int i = 0; i < 3; ++i)
-                list += (i == 0 ? "(" : ", ") + std::to_string(random.uniform(-1, 1));
-            const double sign = random.one_in(6) ? -1 : 1;
-            list += ", " + std::to_string(sign * random.uniform(0.1, 0.4)) + ")";
-        }
-        equations.push_back("blobs([" + list + "]) = " + (n % 3 == 0 ? "0.4" : "1"));
+    for (int n = 0; n < count; ++n) {
+        const std::string level = n % 3 == 0 ? "0.4" : n % 7 == 6 ? "-0.3" : "1";
+        const std::string balls = n % 4 == 3 ? some_balls(random, 200, 0.05, 0.2)
+                                             : some_balls(random, random.between(3, 26), 0.1, 0.4);
+        equations.push_back(n % 5 == 4 ? level + " = " + word + balls
+                                       : word + balls + " = " + level);
     }
-    AuditReport total = audit_of(equations, 1.3);
+    return equations;
+}
+
+void expect_no_root_missed(const AuditReport& total) {
     EXPECT_EQ(total.failures, std::vector<std::string>());
     std::printf("%s\n", total.text().c_str());
-    EXPECT_GT(total.hit, total.rays / 10);
+    EXPECT_GT(total.hit, total.rays / 20);
     EXPECT_LT(total.unknown, total.rays / 10);
+    EXPECT_GT(total.hit_certified, total.hit * 99 / 100);
+}
+
+const AuditSettings by_balls{.tracer = "beams", .interpreted = true, .knows_fields = true};
+
+TEST(TracerOnBlobs, MissesNoRootByBeams) {
+    AuditReport total = audit_of(blob_equations("blobs", formulas_to_try(8)), 1.3);
+    EXPECT_EQ(total.failures, std::vector<std::string>());
     EXPECT_GT(total.hit_certified, total.hit * 9 / 10);
+}
+
+TEST(TracerOnBlobs, MissesNoRootByTheBallsNearRays) {
+    expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(16)), 1.3, by_balls));
+}
+
+TEST(TracerOnBlobs, MissesNoRootOfMetaballsAndBlinns) {
+    expect_no_root_missed(audit_of(blob_equations("metaballs", formulas_to_try(3)), 1.3, by_balls));
+    expect_no_root_missed(audit_of(blob_equations("blinn", formulas_to_try(3)), 1.3, by_balls));
+}
+
+TEST(TracerOnBlobs, MissesNoRootAtCoarseAndFineCells) {
+    for (const double d_stop : {8.0, 22.0}) {
+        AuditSettings settings = by_balls;
+        settings.d_stop = d_stop;
+        expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(4)), 1.3, settings));
+    }
+}
+
+TEST(TracerOnBlobs, MissesNoRootWhereTheyAreCut) {
+    std::vector<AuditSurface> surfaces;
+    for (const std::string& equation : blob_equations("blobs", formulas_to_try(12))) {
+        surfaces.push_back({.name = equation,
+                            .equation = equation,
+                            .clip = Box::cube(0.9),
+                            .camera = suite_camera(0.9)});
+    }
+    AuditReport total;
+    for (const AuditSurface& surface : cut_open(std::move(surfaces), 9))
+        total += audit(surface, by_balls);
+    expect_no_root_missed(total);
+}
+
+TEST(TracerOnBlobs, MissesNoRootFromAmongThem) {
+    AuditReport total;
+    RandomNumbers random(11);
+    for (const std::string& equation : blob_equations("blobs", formulas_to_try(8))) {
+        AuditSurface surface{.name = equation,
+                             .equation = equation,
+                             .clip = Box::cube(1.3),
+                             .camera = suite_camera(1.3)};
+        for (int i = 0; i < 3; ++i)
+            surface.camera.eye[i] = random.uniform(-1, 1);
+        surface.camera.fov_rad = random.uniform(0.3, 2.5);
+        total += audit(surface, by_balls);
+    }
+    expect_no_root_missed(total);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ struct AuditSettings {
     double depth_bits = 0;
     /// Draws with the interpreter; for small pictures, for which machine code takes longer to make.
     bool interpreted = false;
-    /// Tells tracers of volumes, as pictures do, so that these are traced voxel by voxel. With
-    /// `interpreted`.
+    /// Tells tracers of volumes and balls, as pictures do, so that these are traced voxel by voxel,
+    /// or by the balls that are near. With `interpreted`.
     bool knows_fields = false;
 };
 

@@ -176,8 +176,8 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
     end(block, known, first);
 }
 
-/// Lists the slab's balls that may reach the block's rays between two depths; whether there are
-/// any.
+/// Lists the slab's balls that may reach the block's rays between two depths; whether these may
+/// bring f to the level.
 bool BlobTile::list_balls(const Block& block, double from, double to) {
     const auto balls = room_.near.balls();
     const double sizes = 0x1p46 * rays_.depth_error() * (1 + std::abs(block.u) + std::abs(block.v));
@@ -193,9 +193,13 @@ bool BlobTile::list_balls(const Block& block, double from, double to) {
               room_.listed);
     ++counters_.range;
     room_.balls.clear();
-    for (const std::uint32_t at : room_.listed)
+    double most = 0;
+    for (const std::uint32_t at : room_.listed) {
         room_.balls.push_back(balls[at]);
-    return !room_.balls.empty();
+        if ((balls[at].strength > 0) == (surface_.level > 0)) most += std::abs(balls[at].strength);
+    }
+    const double top = blob_facts(surface_.blobs->kind()).top;
+    return (1 + 0x1p-40) * top * most + tail_ >= std::abs(surface_.level);
 }
 
 /// Whether balls are where some rays are inside and others are not.
@@ -272,7 +276,7 @@ void BlobTile::tell(const Block& block, std::size_t place, double first) {
     const std::uint32_t pixel = pixel_of(block, place);
     const DepthRange& inside = block.singly ? room_.lines.of(pixel).inside : block.inside;
     const bool proved = found.state[place] == RayState::Root && block.certifies &&
-                        first + found.from[place] >= inside.enter_hi &&
+                        first + found.depth[place] >= inside.enter_hi &&
                         first + found.to[place] <= inside.exit_lo;
     hits_.tell(pixel, first + found.depth[place], proved,
                {found.slope[0][place], found.slope[1][place], found.slope[2][place]});

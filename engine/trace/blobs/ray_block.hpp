@@ -30,8 +30,8 @@ enum class RayState : std::uint8_t {
     Outside,  ///< it is none of the block's, or ended before
     Open,     ///< it is looked at from `at` on
     Passed,   ///< it came to `stop` without a root
-    Root,     ///< its first root is between `from` and `to`, where f - level has opposite signs
-    Unsure,   ///< there may be a root behind `from`, and none is before
+    Root,     ///< its first root is between `depth` and `to`, where f - level has opposite signs
+    Unsure,   ///< there may be a root behind `depth`, and none is before
 };
 
 /// Rays about a middle one, in its coordinates: at depth s behind `s = 0` a ray is
@@ -45,7 +45,7 @@ struct BallBlock {
     Numbers at, stop;
     std::array<std::int8_t, ball_block_rays> side;  ///< of f - level at `at`; 0: not known
     std::array<RayState, ball_block_rays> state;
-    Numbers from, to, depth;  ///< of roots
+    Numbers depth, to;        ///< of roots
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };
 

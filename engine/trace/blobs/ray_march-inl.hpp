@@ -280,45 +280,66 @@ private:
                                     hn::Load(d<Real>, slot.q));
         return hn::Min(q, reach());
     }
-    /// The least upper bound of h's second derivative on a stretch of a line, by the square of the
-    /// length: on it q is between those at its ends and q_least, the least on the whole line.
-    static HWY_INLINE Vector rise_of_slope(Vector q_from, Vector q_to, Vector q_least) {
-        const Vector most = hn::Max(q_from, q_to);
+    /// h's second derivative along a line where q is this, by the square of the length: 2 h' +
+    /// 4 (q - least) h''. `least`: of q on the line.
+    static HWY_INLINE Vector bend_at(Vector q, Vector least) {
         if constexpr (kind == BlobKind::Wyvill) {
-            // 2 h' + 4 (q - q_least) h'' is a parabola, which rises up to here.
-            const Vector top = hn::MulAdd(number(0.4), q_least, number(3.4));
-            const Vector q = hn::Min(most, top);
             const Vector alone = hn::MulAdd(
                 q, hn::MulAdd(q, number(-5.0 / 12), number(17.0 / 6)), number(-22.0 / 9));
             const Vector less = hn::MulAdd(q, number(-1.0 / 3), number(17.0 / 9));
-            return hn::NegMulAdd(q_least, less, alone);
+            return hn::NegMulAdd(least, less, alone);
         } else if constexpr (kind == BlobKind::Metaball) {
-            const Vector q = hn::Max(most, number(4.0 / 9));
-            const Vector less = hn::Div(hn::Mul(number(4), q_least), hn::Mul(q, hn::Sqrt(q)));
-            return hn::IfThenElse(hn::Le(most, number(0.44)), number(-4),
+            const Vector outside = hn::Max(q, number(4.0 / 9));
+            const Vector less =
+                hn::Div(hn::Mul(number(4), least), hn::Mul(outside, hn::Sqrt(outside)));
+            return hn::IfThenElse(hn::Le(q, number(0.44)), number(-4),
                                   hn::Sub(number(2), less));
         } else {
-            // (16 (q - q_least) - 4) h rises up to q_least + 3/4, then it falls.
-            const Vector least = hn::Min(q_from, q_to);
-            const Vector top = hn::Add(q_least, number(0.75));
-            const Vector q = hn::Min(hn::Max(top, least), most);
             const Vector h = height_at<kind, Rounds::Once>(d<Real>, q).value;
-            return hn::MulAdd(hn::Mul(number(16), hn::Sub(q, q_least)), h,
-                              hn::Mul(number(-4), h));
+            const Vector factor =
+                hn::MulAdd(number(16), hn::Sub(q, least), number(-4));
+            return hn::Mul(factor, h);
+        }
+    }
+    /// A stretch of a line: the smallest and the largest q there, and the least on the whole line.
+    struct Stretch {
+        Vector from, to, least;
+    };
+    /// The least upper bound of bend_at on a stretch: it rises up to some q, then it falls.
+    static HWY_INLINE Vector most_bend(const Stretch& on) {
+        Vector top = on.to;
+        if constexpr (kind == BlobKind::Wyvill) top = hn::MulAdd(number(0.4), on.least, number(3.4));
+        if constexpr (kind == BlobKind::Blinn) top = hn::Add(on.least, number(0.75));
+        return bend_at(hn::Max(hn::Min(on.to, top), on.from), on.least);
+    }
+    static HWY_INLINE Vector least_bend(const Stretch& on) {
+        const Vector first = bend_at(on.from, on.least);
+        // Metaballs' falls by a step where q is 4/9, and rises before and behind.
+        if constexpr (kind == BlobKind::Metaball) {
+            const Mask crosses = hn::And(hn::Le(on.from, number(0.45)), hn::Ge(on.to, number(0.44)));
+            return hn::IfThenElse(crosses, number(-4), first);
+        } else {
+            return hn::Min(first, bend_at(on.to, on.least));
         }
     }
     /// A bound of how much a ball's slope towards the level changes where it reaches [s, end].
-    HWY_INLINE Vector curve_of(const Slot& slot, Vector q_here, Vector end) const {
-        const Vector q_least = hn::Load(d<Real>, slot.q);
-        const Vector q_end = q_at(slot, hn::Sub(end, hn::Load(d<Real>, slot.nearest)));
-        const Vector up = rise_of_slope(q_here, q_end, hn::Min(q_least, reach()));
-        const Vector most = hn::Min(hn::Add(up, same(slot.spare)), number(blob_curve(kind).up));
-        const Vector down = number(blob_curve(kind).down);
+    HWY_INLINE Vector curve_of(const Slot& slot, Vector ds, Vector q_here, Vector end) const {
+        const Vector ds_end = hn::Sub(end, hn::Load(d<Real>, slot.nearest));
+        const Vector q_end = q_at(slot, ds_end);
+        const Vector least = hn::Min(hn::Load(d<Real>, slot.q), reach());
+        const Mask passes = hn::And(hn::Le(ds, zero()), hn::Ge(ds_end, zero()));
+        const Stretch on{.from = hn::IfThenElse(passes, least, hn::Min(q_here, q_end)),
+                         .to = hn::Max(q_here, q_end),
+                         .least = least};
         const Mask rises = slot.strength < 0 ? above_ : below_;
         const Mask falls = slot.strength < 0 ? below_ : above_;
-        const Vector curve = hn::IfThenElse(
-            rises, most, hn::IfThenElse(falls, down, hn::Max(most, down)));
-        return hn::Mul(curve, same(slot.size));
+        Vector curve = number(-unbounded);
+        if (!hn::AllTrue(d<Real>, falls)) curve = most_bend(on);
+        if (!hn::AllTrue(d<Real>, rises)) {
+            const Vector down = hn::Neg(least_bend(on));
+            curve = hn::IfThenElse(rises, curve, hn::IfThenElse(falls, down, hn::Max(curve, down)));
+        }
+        return hn::Mul(hn::Add(curve, same(slot.spare)), same(slot.size));
     }
     HWY_INLINE Sums sums_at(Vector end) const {
         Sums sums{.value = zero(), .slope = zero(), .curve = zero(), .empty = {}};
@@ -333,7 +354,7 @@ private:
             const Mask reaches = hn::And(hn::Le(hn::Load(d<Real>, slot.enter), end),
                                          hn::Ge(hn::Load(d<Real>, slot.leave), s_));
             sums.curve =
-                hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, q, end)));
+                hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, ds, q, end)));
             some = hn::Or(some, reaches);
         }
         sums.slope = hn::Mul(sums.slope, square_);
@@ -435,8 +456,7 @@ private:
         last_slope_[2] = slope[2];
     }
     HWY_INLINE void tell(Mask which, Vector depth, Vector to, const Vector* slope) {
-        alignas(64) Real at[width], depths[width], ends[width], slopes[3][width];
-        hn::Store(s_, d<Real>, at);
+        alignas(64) Real depths[width], ends[width], slopes[3][width];
         hn::Store(depth, d<Real>, depths);
         hn::Store(to, d<Real>, ends);
         for (std::size_t k = 0; k < 3; ++k)
@@ -444,7 +464,6 @@ private:
         for (LaneBits bits = bits_of(d<Real>, which); bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
             const std::size_t place = places_[lane];
-            block_.from[place] = at[lane];
             block_.to[place] = ends[lane];
             block_.depth[place] = depths[lane];
             for (std::size_t k = 0; k < 3; ++k)

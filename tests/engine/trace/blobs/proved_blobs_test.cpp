@@ -1,0 +1,240 @@
+#include "engine/trace/blobs/proved_blobs.hpp"
+
+#include "engine/blobs/blobs.hpp"
+#include "engine/render/render.hpp"
+#include "tests/support/random_numbers.hpp"
+#include "tests/support/rays.hpp"
+#include "tests/support/voxel_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+// Surfaces of soft balls by those near each ray, against the same by beams, which know nothing of
+// single balls: all kinds, views from all sides, from within, cut, behind others; and against the
+// closed form of a ball alone. The exact reference is in tests/oracle/noise_oracle_test.cpp.
+
+namespace zeroset::test {
+namespace {
+
+constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
+
+struct Cloud {
+    int count = 150;
+    double least = 0.08, largest = 0.2;
+    double hollow = 0.1;  ///< the share of balls that take away
+    double scale = 1;
+    glm::dvec3 middle{0.0};
+};
+
+std::vector<Blob> balls_of(const Cloud& cloud, std::uint64_t seed = 5) {
+    RandomNumbers random(seed);
+    std::vector<Blob> balls;
+    for (int n = 0; n < cloud.count; ++n) {
+        Blob ball;
+        for (int i = 0; i < 3; ++i) {
+            ball.center[static_cast<std::size_t>(i)] =
+                cloud.middle[i] + cloud.scale * random.uniform(-1, 1);
+        }
+        ball.radius = cloud.scale * random.uniform(cloud.least, cloud.largest);
+        ball.strength = random.uniform(0, 1) < cloud.hollow ? -random.uniform(0.2, 1)
+                                                            : random.uniform(0.6, 1.5);
+        balls.push_back(ball);
+    }
+    return balls;
+}
+
+Expr level_of(const std::shared_ptr<const Field>& field, double level) {
+    ExprBuilder nodes;
+    const NodeId f =
+        nodes.look_up(field, nodes.variable(0), nodes.variable(1), nodes.variable(2));
+    return nodes.finish(nodes.apply(Op::Subtract, f, nodes.constant(level)));
+}
+
+/// Two scenes of a surface: one whose kernel tells what field it is, and one of a formula.
+struct Both {
+    Scene balls, beams;
+};
+Both both_of(BlobKind kind, const Cloud& cloud, double level) {
+    const Expr f = level_of(blobs_field(kind, balls_of(cloud), "test"), level);
+    const double reach = 1.2 * cloud.scale;
+    const Box box{cloud.middle - reach, cloud.middle + reach};
+    Both both{.balls = {{kernel_with_level(f)}, box, {}}, .beams = {{interpret(f)}, box, {}}};
+    both.balls.uniforms.set(0, 0.0);
+    both.beams.uniforms.set(0, 0.0);
+    return both;
+}
+
+Framebuffer drawn(const Scene& scene, const Camera& camera, int side = 70, double d_stop = 16) {
+    Framebuffer frame(side, side);
+    render_frame(scene, camera, settings_at("beams", d_stop), frame);
+    return frame;
+}
+
+/// Both draw the same; what one has proved the other does not contradict.
+void expect_alike(const Both& both, const Camera& camera, const std::string& what,
+                  double scale = 1) {
+    SCOPED_TRACE(what);
+    const Framebuffer balls = drawn(both.balls, camera);
+    const Framebuffer beams = drawn(both.beams, camera);
+    int certified = 0;
+    int undecided = 0;
+    double difference = 0;
+    for (std::size_t i = 0; i < balls.depth.size(); ++i) {
+        const Certificate a = balls.certificate[i];
+        const Certificate b = beams.certificate[i];
+        undecided += a == Certificate::Undecided ? 1 : 0;
+        if (a == Certificate::Undecided || b == Certificate::Undecided) continue;
+        ASSERT_EQ(a, b) << i;
+        if (a != Certificate::Certified) continue;
+        ++certified;
+        ASSERT_NEAR(balls.depth[i], beams.depth[i], 4e-4 * scale) << i;
+        for (unsigned shift = 0; shift < 24; shift += 8) {
+            difference += std::abs(static_cast<int>(balls.color[i] >> shift & 255U) -
+                                   static_cast<int>(beams.color[i] >> shift & 255U));
+        }
+    }
+    EXPECT_GT(certified, 300);
+    EXPECT_LT(undecided, 5);
+    EXPECT_LT(difference / certified, 0.5) << "they are lit alike";
+}
+
+const Camera usual{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
+
+TEST(ProvedBlobs, AgreeWithBeamsFromAllSides) {
+    for (const BlobKind kind : kinds) {
+        const Both both = both_of(kind, {}, 0.8);
+        for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+            for (const glm::dvec3& eye :
+                 {glm::dvec3(4, 0.3, 0.2), {0.4, -3, -0.3}, {0.2, 0.1, 4}, {-2, 2.5, -3}}) {
+                const Camera camera{eye, {0, 0, 0}, {0, 0.1, 1}, 0.7, projection};
+                expect_alike(both, camera,
+                             std::string(blob_name(kind)) + " from x = " + std::to_string(eye.x));
+            }
+        }
+    }
+}
+
+TEST(ProvedBlobs, AgreeFromWithin) {
+    for (const BlobKind kind : kinds) {
+        const Both both = both_of(kind, {.count = 400}, 1);
+        for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 0.05), {0.9, 0.1, 0.1}, {0, 0, -0.8}}) {
+            const Camera camera{eye, eye + glm::dvec3(-1, 0.4, 0.3), {0, 0, 1}, 2.2};
+            expect_alike(both, camera, std::to_string(eye.x));
+        }
+    }
+}
+
+TEST(ProvedBlobs, AgreeAtOtherLevelsAndSizes) {
+    expect_alike(both_of(BlobKind::Wyvill, {.hollow = 0.5}, -0.5), usual, "below 0");
+    expect_alike(both_of(BlobKind::Blinn, {.count = 30}, 3), usual, "within");
+    expect_alike(both_of(BlobKind::Metaball, {.count = 30, .least = 0.01, .largest = 1}, 0.3), usual,
+                 "unequal radii");
+    const Cloud small{.scale = 1e-3, .middle = {0.1, 0.2, 0.3}};
+    const Camera near{small.middle + 1e-3 * usual.eye, small.middle, {0, 0, 1}, 0.7};
+    expect_alike(both_of(BlobKind::Wyvill, small, 1), near, "small, away from the origin", 1e-2);
+    const Cloud large{.scale = 1e5};
+    const Camera far{1e5 * usual.eye, {0, 0, 0}, {0, 0, 1}, 0.7};
+    expect_alike(both_of(BlobKind::Wyvill, large, 1), far, "large", 1e5);
+}
+
+TEST(ProvedBlobs, AgreeWhereRegionsAreCut) {
+    for (const BlobKind kind : kinds) {
+        Both both = both_of(kind, {.count = 300}, 1);
+        for (Scene* const scene : {&both.balls, &both.beams}) {
+            scene->clip.lo.x += 0.4;
+            scene->region.ball = Ball{.centre = {0.1, 0, 0}, .radius = 0.9};
+            scene->region.sections = {make_section({1, -2, 0.5}, 0.3, false)};
+        }
+        expect_alike(both, usual, "cut");
+    }
+}
+
+TEST(ProvedBlobs, AgreeWhereThereAreSeveralSurfaces) {
+    Both both = both_of(BlobKind::Wyvill, {}, 1);
+    const Both other = both_of(BlobKind::Metaball, {.count = 60}, 0.5);
+    both.balls.surfaces.push_back(other.balls.surfaces[0]);
+    both.beams.surfaces.push_back(other.beams.surfaces[0]);
+    expect_alike(both, usual, "two");
+}
+
+// Far more balls than one slab of depth takes.
+TEST(ProvedBlobs, AgreeOnManyBallsBehindEachOther) {
+    const Both both =
+        both_of(BlobKind::Wyvill, {.count = 4000, .least = 0.01, .largest = 0.03}, 1);
+    expect_alike(both, {{8, -5, 4}, {0, 0, 0}, {0, 0, 1}, 0.2}, "many");
+}
+
+TEST(ProvedBlobs, AreRoundAlone) {
+    for (const BlobKind kind : kinds) {
+        const Blob ball{.center = {0.3, -0.2, 0.1}, .radius = 0.7};
+        const Expr f = level_of(blobs_field(kind, std::span(&ball, 1), "one"), 1);
+        Scene scene{{kernel_with_level(f)}, Box::cube(2), {}};
+        scene.uniforms.set(0, 0.0);
+        const Framebuffer frame = drawn(scene, usual, 120, 22);
+        const glm::dvec3 middle(0.3, -0.2, 0.1);
+        int hits = 0;
+        for (int row = 0; row < frame.height; ++row) {
+            for (int col = 0; col < frame.width; ++col) {
+                const Ray ray(usual, scene.clip, col, row, frame);
+                const double along = glm::dot(middle - ray.eye, ray.direction);
+                const double aside = glm::length(middle - ray.eye - along * ray.direction);
+                const std::size_t i = frame.index(col, row);
+                const bool meets = aside < 0.7;
+                ASSERT_EQ(frame.certificate[i],
+                          meets ? Certificate::Certified : Certificate::Miss);
+                if (!meets) continue;
+                ++hits;
+                const double depth = along - std::sqrt(0.49 - aside * aside);
+                ASSERT_NEAR(frame.depth[i], depth, 3e-6);
+            }
+        }
+        EXPECT_GT(hits, 1000);
+    }
+}
+
+// Two balls that touch in one point, seen along their common tangent plane; and a ray that grazes.
+TEST(ProvedBlobs, LeaveTouchesUndecided) {
+    const std::vector<Blob> one{{.center = {0, 0, 0}, .radius = 1}};
+    const Expr f = level_of(blobs_field(BlobKind::Wyvill, one, "one"), 1);
+    Scene scene{{kernel_with_level(f)}, Box::cube(3), {}};
+    scene.uniforms.set(0, 0.0);
+    // Parallel rays one unit apart, of which one passes at a distance of exactly 1.
+    Camera camera{{0, -10, 0}, {0, 0, 0}, {0, 0, 1}, 0.0, Projection::Orthographic};
+    camera.fov_rad = 2 * std::atan(2.5 / 10);
+    const Framebuffer frame = drawn(scene, camera, 5);
+    EXPECT_EQ(frame.certificate[frame.index(2, 2)], Certificate::Certified);
+    EXPECT_NEAR(frame.depth[frame.index(2, 2)], 9, 1e-4);
+    EXPECT_EQ(frame.certificate[frame.index(0, 2)], Certificate::Miss);
+    EXPECT_NE(frame.certificate[frame.index(3, 2)], Certificate::Certified);
+}
+
+TEST(ProvedBlobs, LeaveOthersToBeams) {
+    const std::vector<Blob> balls = balls_of({});
+    Scene scene = both_of(BlobKind::Wyvill, {}, 1).balls;
+    const ViewFrame view(usual);
+    TileHits hits;
+    Counters counters;
+    const Tile tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};
+    const UpwardRegisters upward;
+    const auto takes = [&](const Scene& of, bool whole_pixels = false) {
+        TraceFrame frame = trace_frame(of, of.surfaces[0], view, {.width = 64, .height = 64},
+                                       {.rule = StopRule::DStop, .value = 14});
+        frame.whole_pixels = whole_pixels;
+        hits.clear();
+        return trace_tile_proved_blobs(frame, tile, hits, counters);
+    };
+    EXPECT_TRUE(takes(scene));
+    EXPECT_FALSE(takes(scene, true));
+    EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 1).beams));
+    EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 0).balls)) << "all of space is at the level";
+}
+
+}  // namespace
+}  // namespace zeroset::test
