@@ -11,9 +11,8 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t most_blobs = 4'000'000;
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30U;
-constexpr double most = 1e100;
+constexpr double largest = 1e100;
 constexpr double least_radius = 1e-100;
 
 std::vector<std::string_view> words_in(std::string_view line) {
@@ -33,14 +32,14 @@ std::optional<double> number_of(std::string_view word) {
     double number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     const bool is_number = error == std::errc() && end == word.data() + word.size();
-    return is_number && std::abs(number) <= most ? std::optional(number) : std::nullopt;
+    return is_number && std::abs(number) <= largest ? std::optional(number) : std::nullopt;
 }
 
 class BlobReader {
 public:
-    explicit BlobReader(double radius) : radius_(radius) {}
+    BlobReader(double radius, std::size_t most) : radius_(radius), most_(most) {}
 
-    /// False: the line is wrong.
+    /// False: the line is wrong, or one ball too many.
     bool take(std::string_view line) {
         ++line_;
         std::vector<std::string_view> words = words_in(line);
@@ -68,6 +67,7 @@ public:
         return is_whole && numbers.size() >= 3 && numbers.size() <= 5 && add(numbers);
     }
     [[nodiscard]] std::size_t line() const { return line_; }
+    [[nodiscard]] bool is_full() const { return is_full_; }
     std::vector<Blob> blobs() { return std::move(blobs_); }
 
 private:
@@ -79,24 +79,34 @@ private:
             blob.radius = -blob.radius;
             blob.strength = -blob.strength;
         }
-        if (!(blob.radius >= least_radius) || blobs_.size() == most_blobs) return false;
-        if (blob.strength != 0) blobs_.push_back(blob);
-        return true;
+        if (!(blob.radius >= least_radius)) return false;
+        if (blob.strength == 0) return true;
+        is_full_ = blobs_.size() == most_;
+        if (!is_full_) blobs_.push_back(blob);
+        return !is_full_;
     }
 
     double radius_;
+    std::size_t most_;
     std::size_t line_ = 0;
-    bool is_xyz_ = false, has_head_ = false;
+    bool is_xyz_ = false, has_head_ = false, is_full_ = false;
     std::vector<Blob> blobs_;
 };
 
 }  // namespace
 
-std::expected<std::vector<Blob>, std::string> blobs_of_text(std::string_view text, double radius) {
-    BlobReader reader(radius);
+std::expected<std::vector<Blob>, std::string> blobs_of_text(std::string_view text, double radius,
+                                                            std::size_t most) {
+    BlobReader reader(radius, most);
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         if (!reader.take(text.substr(0, end))) {
+            if (reader.is_full()) {
+                return std::unexpected(
+                    filled(tr("line {0} has one ball more than the {1} that a list may have; split "
+                              "the file, and type the sum of both lists"),
+                           {std::to_string(reader.line()), std::to_string(most)}));
+            }
             return std::unexpected(filled(tr("line {0} is not x y z, x y z r or x y z r strength"),
                                           {std::to_string(reader.line())}));
         }

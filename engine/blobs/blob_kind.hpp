@@ -42,19 +42,4 @@ constexpr BlobFacts blob_facts(BlobKind kind) {
     return {.reach = 26, .top = 7.3890560989306505, .slope = 9, .bend = 36, .tail = 0x1p-67};
 }
 
-/// Bounds of h along a line, for r = 1: its second derivative by the length is between -down and
-/// up. Those of Blinn's are its largest; they fall with h.
-struct BlobCurve {
-    double up, down;
-};
-constexpr BlobCurve blob_curve(BlobKind kind) {
-    switch (kind) {
-        // Where q = a + t^2 it is 2 h' + 4 t^2 h'', between 2 h' and 2 h' + 4 q h''.
-        case BlobKind::Wyvill: return {.up = 2.373, .down = 2.4445};
-        case BlobKind::Metaball: return {.up = 2, .down = 4};
-        case BlobKind::Blinn: break;
-    }
-    return {.up = 13.2, .down = 29.56};
-}
-
 }  // namespace zeroset

@@ -94,7 +94,8 @@ std::vector<std::string> blob_equations(const std::string& word, int count) {
 }
 
 void expect_no_root_missed(const AuditReport& total) {
-    EXPECT_EQ(total.failures, std::vector<std::string>());
+    EXPECT_EQ(total.failures.size(), 0U);
+    if (!total.failures.empty()) ADD_FAILURE() << total.failures.front();
     std::printf("%s\n", total.text().c_str());
     EXPECT_GT(total.hit, total.rays / 20);
     EXPECT_LT(total.unknown, total.rays / 10);
@@ -104,31 +105,26 @@ void expect_no_root_missed(const AuditReport& total) {
 const AuditSettings by_balls{.tracer = "beams", .interpreted = true, .knows_fields = true};
 
 TEST(TracerOnBlobs, MissesNoRootByBeams) {
-    AuditReport total = audit_of(blob_equations("blobs", formulas_to_try(8)), 1.3);
-    EXPECT_EQ(total.failures, std::vector<std::string>());
+    AuditReport total = audit_of(blob_equations("blobs", formulas_to_try(4)), 1.3);
+    EXPECT_EQ(total.failures.size(), 0U);
     EXPECT_GT(total.hit_certified, total.hit * 9 / 10);
 }
 
 TEST(TracerOnBlobs, MissesNoRootByTheBallsNearRays) {
-    expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(16)), 1.3, by_balls));
-}
-
-TEST(TracerOnBlobs, MissesNoRootOfMetaballsAndBlinns) {
-    expect_no_root_missed(audit_of(blob_equations("metaballs", formulas_to_try(3)), 1.3, by_balls));
-    expect_no_root_missed(audit_of(blob_equations("blinn", formulas_to_try(3)), 1.3, by_balls));
+    expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(12)), 1.3, by_balls));
 }
 
 TEST(TracerOnBlobs, MissesNoRootAtCoarseAndFineCells) {
     for (const double d_stop : {8.0, 22.0}) {
         AuditSettings settings = by_balls;
         settings.d_stop = d_stop;
-        expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(4)), 1.3, settings));
+        expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(2)), 1.3, settings));
     }
 }
 
 TEST(TracerOnBlobs, MissesNoRootWhereTheyAreCut) {
     std::vector<AuditSurface> surfaces;
-    for (const std::string& equation : blob_equations("blobs", formulas_to_try(12))) {
+    for (const std::string& equation : blob_equations("blobs", formulas_to_try(8))) {
         surfaces.push_back({.name = equation,
                             .equation = equation,
                             .clip = Box::cube(0.9),
@@ -143,7 +139,7 @@ TEST(TracerOnBlobs, MissesNoRootWhereTheyAreCut) {
 TEST(TracerOnBlobs, MissesNoRootFromAmongThem) {
     AuditReport total;
     RandomNumbers random(11);
-    for (const std::string& equation : blob_equations("blobs", formulas_to_try(8))) {
+    for (const std::string& equation : blob_equations("blobs", formulas_to_try(4))) {
         AuditSurface surface{.name = equation,
                              .equation = equation,
                              .clip = Box::cube(1.3),

@@ -312,14 +312,15 @@ private:
         if constexpr (kind == BlobKind::Blinn) top = hn::Add(on.least, number(0.75));
         return bend_at(hn::Max(hn::Min(on.to, top), on.from), on.least);
     }
+    /// The greatest lower bound, of a height that is 0 from the reach on.
     static HWY_INLINE Vector least_bend(const Stretch& on) {
         const Vector first = bend_at(on.from, on.least);
         // Metaballs' falls by a step where q is 4/9, and rises before and behind.
         if constexpr (kind == BlobKind::Metaball) {
             const Mask crosses = hn::And(hn::Le(on.from, number(0.45)), hn::Ge(on.to, number(0.44)));
-            return hn::IfThenElse(crosses, number(-4), first);
+            return hn::IfThenElse(crosses, number(-4), hn::Min(first, zero()));
         } else {
-            return hn::Min(first, bend_at(on.to, on.least));
+            return hn::Min(hn::Min(first, bend_at(on.to, on.least)), zero());
         }
     }
     /// A bound of how much a ball's slope towards the level changes where it reaches [s, end].

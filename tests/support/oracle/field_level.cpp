@@ -10,14 +10,20 @@ namespace zeroset::test {
 std::optional<FieldAtLevel> field_level(const Expr& expr) {
     const Node& root = expr.node(expr.root());
     Node level{.op = Op::Constant};
-    if (root.op == Op::Subtract || root.op == Op::Add) {
+    NodeId of = root.a;
+    const bool is_less = root.op == Op::Subtract && expr.node(root.a).op == Op::Constant;
+    if (is_less) {
+        level.lo = expr.node(root.a).lo;
+        level.hi = expr.node(root.a).hi;
+        of = root.b;
+    } else if (root.op == Op::Subtract || root.op == Op::Add) {
         const Node& number = expr.node(root.b);
         if (number.op != Op::Constant) return std::nullopt;
         const bool adds = root.op == Op::Add;
         level.lo = adds ? -number.hi : number.lo;
         level.hi = adds ? -number.lo : number.hi;
     }
-    const Node& field = root.op == Op::Field ? root : expr.node(root.a);
+    const Node& field = root.op == Op::Field ? root : expr.node(of);
     if (field.op != Op::Field || field.number != 0) return std::nullopt;
     int axis = 0;
     for (const NodeId id : {field.a, field.b, field.c}) {

@@ -8,7 +8,7 @@
 
 namespace zeroset::test {
 
-/// A field at the point (x, y, z) less a constant.
+/// A field at the point (x, y, z) less a constant, or the negative of that.
 struct FieldAtLevel {
     std::shared_ptr<const Field> field;
     Node level;
