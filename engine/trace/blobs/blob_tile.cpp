@@ -161,9 +161,16 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
     const double first = std::max(from, room_.balls.front().from());
     fill(block, known, first);
     const Blobs& blobs = *surface_.blobs;
+    const double extent = std::max(to - first, 0.0);
+    const double u_most = std::abs(block.u) + block.u_radius;
+    const double v_most = std::abs(block.v) + block.v_radius;
     const BallQuestion question{.kind = blobs.kind(),
                                 .level = surface_.level,
                                 .balls = room_.balls,
+                                .extent = extent,
+                                .width = (block.u_radius + block.v_radius) *
+                                         (rays_.distance() + std::abs(first) + extent),
+                                .square = 1 + u_most * u_most + v_most * v_most,
                                 .place_error = 16 * rays_.depth_error(),
                                 .tail = tail_,
                                 .bracket = block.bracket};

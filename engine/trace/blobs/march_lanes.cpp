@@ -22,12 +22,13 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real, BlobKind kind>
 BallLooks march_in(const BallQuestion& question, BallBlock& block) {
     thread_local std::vector<SlotOf<Real>> slots;
-    const MarchBounds<Real> bounds(question, block);
     std::array<std::uint8_t, ball_block_rays> open{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < ball_block_rays; ++i) {
         if (block.state[i] == RayState::Open) open[count++] = static_cast<std::uint8_t>(i);
     }
+    if (count == 0) return 0;
+    const MarchBounds<Real> bounds(question);
     BallLooks looks = 0;
     for (std::size_t first = 0; first < count; first += lanes<Real>) {
         const std::size_t some = std::min(lanes<Real>, count - first);

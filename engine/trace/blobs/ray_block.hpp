@@ -56,6 +56,9 @@ struct BallQuestion {
     /// Those near the block, whose from() is least first: x and y from where the middle ray is at
     /// their depth, z from s = 0.
     std::span<const ViewBall> balls;
+    /// At most: depths from s = 0 at which rays end, how far they are there from the middle one,
+    /// and the squares of their directions.
+    double extent, width, square;
     double place_error;  ///< bounds that of places in double
     double tail;         ///< bounds what balls add beyond their reach
     double bracket;      ///< the widest in which a root is certified

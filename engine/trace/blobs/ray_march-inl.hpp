@@ -72,23 +72,12 @@ struct MarchBounds {
         return place_error + per_reach * ball.support;
     }
 
-    MarchBounds(const BallQuestion& question, const BallBlock& block) {
+    explicit MarchBounds(const BallQuestion& question) {
         constexpr double unit = std::numeric_limits<Real>::epsilon();
-        double extent = 0;
-        double width = 0;
-        double square = 1;
-        for (std::size_t i = 0; i < ball_block_rays; ++i) {
-            if (block.state[i] != RayState::Open) continue;
-            const double end = std::abs(block.stop[i]);
-            extent = std::max(extent, end);
-            width = std::max(width, std::abs(block.start_x[i]) + std::abs(block.start_y[i]) +
-                                        (std::abs(block.tilt_x[i]) + std::abs(block.tilt_y[i])) *
-                                            end);
-            square = std::max(square, 1 + block.u[i] * block.u[i] + block.v[i] * block.v[i]);
-        }
+        const double square = question.square;
         length = std::sqrt(square);
         // Some four roundings of depths and ten of places across, each of a unit; twice.
-        place_error = question.place_error + 8 * unit * (extent + 2 * length * width);
+        place_error = question.place_error + 8 * unit * (question.extent + 2 * length * question.width);
         per_reach = 32 * unit * square;
         rounding = unit * (64 * (square + 1) + 2 * static_cast<double>(question.balls.size()));
         for (const ViewBall& ball : question.balls)
@@ -392,7 +381,8 @@ private:
         passed_ = hn::Or(passed_, ends);
         open_ = hn::AndNot(ends, open_);
         const Mask near = hn::And(open_, hn::Or(hn::Not(has_room), hn::Le(step, bracket_)));
-        if (tries_ && !hn::AllFalse(d<Real>, near)) certify(near, hn::IfThenElseZero(has_room, step));
+        if (tries_ && !hn::AllFalse(d<Real>, near))
+            certify(near, hn::IfThenElseZero(has_room, step), room, rise);
         // In floats no more is known of what is nearer than some errors.
         const Mask moves =
             hn::And(hn::Gt(room, number(is_double ? 0 : 4 * error_)), hn::Gt(next, s_));
@@ -400,7 +390,7 @@ private:
         if (!hn::AllFalse(d<Real>, stuck)) end_stuck(stuck);
         s_ = hn::IfThenElse(open_, next, s_);
         const Vector wider = hn::Add(window_, window_);
-        const Vector narrower = hn::Mul(step, number(1.5));
+        const Vector narrower = hn::Mul(step, number(1.15));
         window_ = hn::IfThenElse(empty, number(usual_), hn::Min(wider, narrower));
         window_ = hn::Max(window_, hn::Max(bracket_, number(0x1p-7 * usual_)));
     }
@@ -426,9 +416,20 @@ private:
         keep_sides();
     }
 
-    /// Looks at lanes a bracket further: f may be sure to be on the other side there.
-    HWY_INLINE void certify(Mask near, Vector step) {
-        const Vector to = hn::Min(hn::Add(s_, hn::Mul(number(0.98), bracket_)), stop_);
+    HWY_INLINE void certify(Mask near, Vector step, Vector room, Vector rise) {
+        const Vector widest = hn::Mul(number(0.98), bracket_);
+        certify(near, step, widest);
+        const Mask left = hn::And(near, open_);
+        if (!is_double || hn::AllFalse(d<Real>, left)) return;
+        // f may come back within a bracket: looks where it is just far enough beyond the level.
+        const Vector wanted = hn::MulAdd(number(4), hn::Max(room, zero()), number(16 * error_));
+        const Vector wide = hn::Div(wanted, hn::Max(rise, number(1e-30)));
+        certify(left, step, hn::Min(wide, widest));
+    }
+    /// Looks at lanes further on, by no more than a bracket: f may be sure to be on the other side
+    /// there.
+    HWY_INLINE void certify(Mask near, Vector step, Vector wide) {
+        const Vector to = hn::Min(hn::Add(s_, wide), stop_);
         Vector value = zero();
         Vector slope[3] = {zero(), zero(), zero()};
         for (std::size_t i = 0; i < count_; ++i) {
