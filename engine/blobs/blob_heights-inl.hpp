@@ -49,8 +49,7 @@ HWY_INLINE hwy::HWY_NAMESPACE::Vec<D> exponential(D tag, hwy::HWY_NAMESPACE::Vec
     // log 2 in two parts, of which the first one times n is exact.
     const double high = is_float ? 0x1.62ep-1 : 0x1.62e42fee00000p-1;
     const double low = is_float ? 0x1.0bfbe8e7bcd5ep-15 : 0x1.a39ef35793c76p-33;
-    const auto r =
-        hn::Sub(hn::Sub(y, hn::Mul(n, number(high))), hn::Mul(n, number(low)));
+    const auto r = hn::Sub(hn::Sub(y, hn::Mul(n, number(high))), hn::Mul(n, number(low)));
     auto sum = number(is_float ? 1.0 / 40320 : 1.0 / 6227020800);
     if constexpr (!is_float) {
         for (const double factor :

@@ -30,7 +30,9 @@ public:
     [[nodiscard]] const double* radius() const { return radius_.data(); }
     [[nodiscard]] const double* per_square() const { return per_square_.data(); }  ///< 1/r^2
     [[nodiscard]] const double* strength() const { return strength_.data(); }
-    [[nodiscard]] const double* size_per_radius() const { return size_per_radius_.data(); }  ///< |s|/r
+    [[nodiscard]] const double* size_per_radius() const {
+        return size_per_radius_.data();
+    }  ///< |s|/r
 
     /// Sums over blobs: of strengths above and below 0, and of |s|/r and |s|/r^2.
     struct Sums {

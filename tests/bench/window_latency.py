@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """How long the real window takes from input to changed pixels: window_latency.py PROGRAM [NAME...]
 
-Drives surfaces of the gallery (without names: those from the papers) on an X display of its own, at
-1280x800: drags the picture round, then types into the first row. Prints a table:
+Drives surfaces of the gallery (without names: those from the papers), or equations with an =, on an X
+display of its own, at 1280x800: drags the picture round, then types into the first row. Prints a table:
   move       median and 95th percentile of the latency while dragging, ms
   fps        pictures a second while dragging
+  width      of these, in pixels (median); at rest it is 902
   key        median and largest latency of a key that changes the formula, compilation included, ms
   idle       processor time at rest, percent of one core over 10 s (or --idle SECONDS; 0: none)
 What a latency is says app/desktop/latency_log.hpp: OpenGL's time is left out, as it is software's here.
@@ -42,11 +43,13 @@ class Run:
 
     def __init__(self, display, program, name):
         self.display = display
-        self.path = Path(display.folder.name) / f"{name}.jsonl"
+        is_equation = "=" in name
+        stem = "equation" if is_equation else name
+        self.path = Path(display.folder.name) / f"{stem}.jsonl"
         self.process = subprocess.Popen(
-            [program, "@" + name, "--latency-log", str(self.path)],
+            [program, name if is_equation else "@" + name, "--latency-log", str(self.path)],
             env=dict(display.environment, ZEROSET_SCALE="1",
-                     XDG_STATE_HOME=os.path.join(display.folder.name, name)))
+                     XDG_STATE_HOME=os.path.join(display.folder.name, stem)))
         self.rest()
 
     def lines(self):
@@ -127,7 +130,8 @@ def measure(display, program, name, idle_s):
     finally:
         run.close()
     late = move[min(int(0.95 * len(move)), len(move) - 1)]
-    print(f"{name:20} {statistics.median(move):7.1f} {late:7.1f} {frames_per_second(moving):6.1f} "
+    width = statistics.median(line["width"] for line in moving) if moving else 0
+    print(f"{name:20} {statistics.median(move):7.1f} {late:7.1f} {frames_per_second(moving):6.1f} {width:5.0f} "
           f"{statistics.median(key):7.1f} {key[-1]:7.1f} {idle}", flush=True)
     return statistics.median(move), statistics.median(key)
 
@@ -140,7 +144,7 @@ def run():
     options = parser.parse_args()
     check_tools()
     program = os.path.abspath(options.program)
-    print("surface              move 50%    95%    fps key 50%     max   idle")
+    print("surface              move 50%    95%    fps width key 50%     max   idle")
     display = Display(*SIZE)
     try:
         found = [measure(display, program, name, options.idle)

@@ -94,17 +94,15 @@ void BlobTile::set_bracket(Block& block) const {
             const glm::dvec3 along = view.forward + u * view.right + v * view.up;
             const glm::dvec3 size = glm::abs(along);
             largest = std::max({largest, size.x, size.y, size.z});
-            if (glm::dot(along, along) > std::pow(std::hypot(line.direction[0], line.direction[1],
-                                                             line.direction[2]),
-                                                  2))
+            if (glm::dot(along, along) >
+                std::pow(std::hypot(line.direction[0], line.direction[1], line.direction[2]), 2))
                 line.direction = {along.x, along.y, along.z};
         }
     }
     line.per_size = 1 / largest;
     for (std::uint8_t axis = 0; axis < 3; ++axis) {
         line.axis = axis;
-        block.bracket =
-            std::min(block.bracket, room_.lines.finest(line, block.inside.enter_lo));
+        block.bracket = std::min(block.bracket, room_.lines.finest(line, block.inside.enter_lo));
         block.certifies = block.certifies && room_.lines.certifies(line);
     }
 }
@@ -164,16 +162,16 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
     const double extent = std::max(to - first, 0.0);
     const double u_most = std::abs(block.u) + block.u_radius;
     const double v_most = std::abs(block.v) + block.v_radius;
-    const BallQuestion question{.kind = blobs.kind(),
-                                .level = surface_.level,
-                                .balls = room_.balls,
-                                .extent = extent,
-                                .width = (block.u_radius + block.v_radius) *
-                                         (rays_.distance() + std::abs(first) + extent),
-                                .square = 1 + u_most * u_most + v_most * v_most,
-                                .place_error = 16 * rays_.depth_error(),
-                                .tail = tail_,
-                                .bracket = block.bracket};
+    const BallQuestion question{
+        .kind = blobs.kind(),
+        .level = surface_.level,
+        .balls = room_.balls,
+        .extent = extent,
+        .width = (block.u_radius + block.v_radius) * (rays_.distance() + std::abs(first) + extent),
+        .square = 1 + u_most * u_most + v_most * v_most,
+        .place_error = 16 * rays_.depth_error(),
+        .tail = tail_,
+        .bracket = block.bracket};
     const BallLooks looks = march(question, room_.block);
     counters_.value += looks;
     if (counters_.costs != nullptr) {
@@ -248,13 +246,12 @@ void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
         to.tilt_y[place] = parallel ? 0 : v - block.v;
         to.start_x[place] = (u - block.u) * (distance + first);
         to.start_y[place] = (v - block.v) * (distance + first);
-        const double begin = block.singly ? room_.lines.of(pixel_of(block, place)).from
-                                          : block.inside.enter_hi;
+        const double begin =
+            block.singly ? room_.lines.of(pixel_of(block, place)).from : block.inside.enter_hi;
         to.at[place] = std::max({known.at[place], begin, first}) - first;
         to.stop[place] = std::min(end_of(block, place), room_.near.to()) - first;
         to.side[place] = known.side[place];
-        to.state[place] =
-            to.at[place] < to.stop[place] ? RayState::Open : RayState::Passed;
+        to.state[place] = to.at[place] < to.stop[place] ? RayState::Open : RayState::Passed;
     });
     for (ViewBall& ball : room_.balls) {
         ball.x -= block.u * (distance + ball.z);

@@ -72,8 +72,7 @@ private:
     TileRays rays_;
     BlobHits hits_;
     Counters& counters_;
-    static constexpr std::size_t most_blocks =
-        std::size_t{tile_size} * tile_size / ball_block_rays;
+    static constexpr std::size_t most_blocks = std::size_t{tile_size} * tile_size / ball_block_rays;
 
     double tail_ = 0;
     std::size_t count_ = 0;

@@ -67,11 +67,10 @@ void list_near_lanes(const BallColumns& columns, std::size_t count, const BlockB
         const M<float> meets = hn::And(hn::Le(hn::Sub(z, reach), number(beam.to)),
                                        hn::Ge(hn::Add(z, reach), number(beam.from)));
         const auto beside = [&](const V<float>& at, double tangent, double radius) {
-            const V<float> middle =
-                hn::MulAdd(number(tangent), z, number(tangent * beam.distance));
+            const V<float> middle = hn::MulAdd(number(tangent), z, number(tangent * beam.distance));
             const V<float> half = hn::MulAdd(number(radius), z, number(radius * beam.distance));
-            const V<float> most = hn::MulAdd(support, number(longest(tangent, radius)),
-                                             hn::Add(half, spare));
+            const V<float> most =
+                hn::MulAdd(support, number(longest(tangent, radius)), hn::Add(half, spare));
             return hn::Le(hn::Abs(hn::Sub(at, middle)), most);
         };
         const M<float> inside =

@@ -7,8 +7,7 @@ namespace zeroset {
 
 bool trace_tile_proved_blobs(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                              Counters& counters) {
-    const bool plain =
-        !frame.whole_pixels && tile.places == nullptr && frame.union_members.empty();
+    const bool plain = !frame.whole_pixels && tile.places == nullptr && frame.union_members.empty();
     if (!plain) return false;
     const auto surface = blob_surface(frame);
     if (!surface) return false;

@@ -45,7 +45,7 @@ struct BallBlock {
     Numbers at, stop;
     std::array<std::int8_t, ball_block_rays> side;  ///< of f - level at `at`; 0: not known
     std::array<RayState, ball_block_rays> state;
-    Numbers depth, to;        ///< of roots
+    Numbers depth, to;             ///< of roots
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };
 

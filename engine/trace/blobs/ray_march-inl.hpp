@@ -10,8 +10,8 @@
 // is always too short, of second order near a root. Where no ball reaches, the step goes to the
 // next one. [Kalra89] has the idea with bounds of slopes.
 //
-// What is proved: balls are where they are to an error (`SlotOf`), as are the rays; this moves f by
-// no more than that times the slopes of the balls, and its slope by that times their second
+// What is proved: balls are where they are to an error (`MarchBounds`), as are the rays; this moves
+// f by no more than that times the slopes of the balls, and its slope by that times their second
 // derivatives, which `error_` and `slope_error_` take from room and add to the slope. Rounding of a
 // step is of the size of those of places, which are counted twice.
 // Included once for each instruction set, after Highway.
@@ -24,6 +24,8 @@
 #endif
 
 #include "engine/blobs/blob_heights-inl.hpp"
+#include "engine/trace/blobs/ball_bends-inl.hpp"
+#include "engine/trace/blobs/ball_slots-inl.hpp"
 #include "engine/trace/blobs/ray_block.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 
@@ -42,49 +44,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-/// A ball that some rays meet, in their lanes.
-template <class Real>
-struct SlotOf {
-    using Lanes = Real[lanes<Real>];
-
-    alignas(64) Lanes nearest;  ///< the depth where a ray is nearest to the middle
-    Lanes q;                    ///< there
-    Lanes enter, leave;         ///< where it may reach the ray; never: +inf, -inf
-    Lanes x, y;                 ///< the middle, from where the ray is at its depth
-    Real z, per_square, strength, weight, size, spare;
-    Real last;  ///< the largest of `leave`
-    double error, slope_error;
-};
-
-/// What all balls of a block have in common.
-template <class Real>
-struct MarchBounds {
-    double place_error;  ///< of balls from rays, but for their own size
-    double per_reach;    ///< what adds to it for each unit of a ball's support
-    double rounding;     ///< of a ball's height, by its strength
-    double base;         ///< of f, from no ball
-    double length;       ///< of the directions, at most
-    double spare = 0;    ///< how much farther than they reach balls are looked at
-
-    /// How far a ball may be from where rays find it.
-    [[nodiscard]] double off(const ViewBall& ball) const {
-        return place_error + per_reach * ball.support;
-    }
-
-    explicit MarchBounds(const BallQuestion& question) {
-        constexpr double unit = std::numeric_limits<Real>::epsilon();
-        const double square = question.square;
-        length = std::sqrt(square);
-        // Some four roundings of depths and ten of places across, each of a unit; twice.
-        place_error = question.place_error + 8 * unit * (question.extent + 2 * length * question.width);
-        per_reach = 32 * unit * square;
-        rounding = unit * (64 * (square + 1) + 2 * static_cast<double>(question.balls.size()));
-        for (const ViewBall& ball : question.balls)
-            spare = std::max(spare, ball.support * 0x1p-10 + 4 * off(ball));
-        base = question.tail + 64 * unit * std::abs(question.level);
-    }
-};
 
 template <class Real, BlobKind kind>
 class RayMarch {
@@ -129,12 +88,6 @@ private:
     static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
     static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
 
-    HWY_INLINE Vector column(const BallBlock::Numbers& numbers, double other) const {
-        alignas(64) Real lane[width];
-        for (std::size_t i = 0; i < width; ++i)
-            lane[i] = static_cast<Real>(i < places_.size() ? numbers[places_[i]] : other);
-        return hn::Load(d<Real>, lane);
-    }
     HWY_INLINE void load() {
         alignas(64) Real sides[width] = {};
         LaneBits bits = 0;
@@ -143,16 +96,8 @@ private:
             if (block_.state[places_[i]] == RayState::Open) bits |= LaneBits{1} << i;
         }
         open_ = mask_of(d<Real>, bits);
-        u_ = column(block_.u, 0);
-        v_ = column(block_.v, 0);
-        start_x_ = column(block_.start_x, 0);
-        start_y_ = column(block_.start_y, 0);
-        tilt_x_ = column(block_.tilt_x, 0);
-        tilt_y_ = column(block_.tilt_y, 0);
-        s_ = column(block_.at, 0);
-        stop_ = column(block_.stop, 0);
-        square_ = hn::MulAdd(u_, u_, hn::MulAdd(v_, v_, number(1)));
-        per_square_ = hn::Div(number(1), square_);
+        s_ = column_of<Real>(block_.at, places_);
+        stop_ = column_of<Real>(block_.stop, places_);
         side_ = hn::Load(d<Real>, sides);
         window_ = hn::Max(bracket_, number(usual_));
         level_ = number(question_.level);
@@ -193,8 +138,8 @@ private:
     /// Where the next ball begins, at most.
     HWY_INLINE void find_next() {
         const bool more = next_ < question_.balls.size();
-        next_from_ = more ? static_cast<Real>(question_.balls[next_].from() - bounds_.spare)
-                          : unbounded;
+        next_from_ =
+            more ? static_cast<Real>(question_.balls[next_].from() - bounds_.spare) : unbounded;
     }
     HWY_INLINE void add_errors() {
         double error = bounds_.base;
@@ -211,23 +156,20 @@ private:
         const double off = bounds_.off(ball);
         const double support = ball.support * (1 + 0x1p-10) + 4 * off;
         const Vector z = number(ball.z);
-        const Vector x = hn::NegMulAdd(tilt_x_, z, hn::Sub(number(ball.x), start_x_));
-        const Vector y = hn::NegMulAdd(tilt_y_, z, hn::Sub(number(ball.y), start_y_));
-        const Vector along = hn::MulAdd(u_, x, hn::Mul(v_, y));
-        const Vector behind = hn::Mul(along, per_square_);
-        const Vector across =
-            hn::MulAdd(x, x, hn::NegMulAdd(along, behind, hn::Mul(y, y)));
+        const Vector x = hn::NegMulAdd(rays_.tilt_x, z, hn::Sub(number(ball.x), rays_.start_x));
+        const Vector y = hn::NegMulAdd(rays_.tilt_y, z, hn::Sub(number(ball.y), rays_.start_y));
+        const Vector along = hn::MulAdd(rays_.u, x, hn::Mul(rays_.v, y));
+        const Vector behind = hn::Mul(along, rays_.per_square);
+        const Vector across = hn::MulAdd(x, x, hn::NegMulAdd(along, behind, hn::Mul(y, y)));
         const Vector rest = hn::Sub(number(support * support), across);
         const Mask meets = hn::And(open_, hn::Gt(rest, zero()));
         if (hn::AllFalse(d<Real>, meets)) return;
         if (count_ == slots_.size()) slots_.resize(2 * count_ + 8);
         Slot& slot = slots_[count_++];
-        const Vector half = hn::Sqrt(hn::Mul(hn::Max(rest, zero()), per_square_));
+        const Vector half = hn::Sqrt(hn::Mul(hn::Max(rest, zero()), rays_.per_square));
         const Vector nearest = hn::Add(z, behind);
         const Vector leave = hn::IfThenElse(meets, hn::Add(nearest, half), number(-unbounded));
-        const auto keep = [](const Vector& numbers, Real* to) {
-            hn::Store(numbers, d<Real>, to);
-        };
+        const auto keep = [](const Vector& numbers, Real* to) { hn::Store(numbers, d<Real>, to); };
         keep(nearest, slot.nearest);
         keep(hn::Max(hn::Mul(across, number(ball.per_square)), zero()), slot.q);
         keep(hn::IfThenElse(meets, hn::Sub(nearest, half), number(unbounded)), slot.enter);
@@ -235,82 +177,15 @@ private:
         keep(x, slot.x);
         keep(y, slot.y);
         slot.last = hn::GetLane(hn::MaxOfLanes(d<Real>, leave));
-        fill(ball, off, slot);
-    }
-    static HWY_INLINE void set(Real& to, double x) { to = static_cast<Real>(x); }
-    HWY_INLINE void fill(const ViewBall& ball, double off, Slot& slot) {
-        constexpr BlobFacts facts = blob_facts(kind);
-        const double size = std::abs(ball.strength);
-        set(slot.z, ball.z);
-        set(slot.per_square, ball.per_square);
-        set(slot.strength, ball.strength);
-        set(slot.weight, 2 * ball.strength * ball.per_square);
-        const double by_radius = off / ball.radius;
-        set(slot.size, size * ball.per_square);
-        set(slot.spare, curve_spare(by_radius));
-        slot.error = size * (facts.slope * by_radius + facts.top * bounds_.rounding);
-        slot.slope_error = bounds_.length * size / ball.radius *
-                           (facts.bend * by_radius + facts.slope * bounds_.rounding);
-        if (by_radius > 0.01) slot.error = std::numeric_limits<double>::infinity();
+        set_ball<kind>(slot, ball, bounds_);
         usual_ = ball.radius / bounds_.length;
     }
 
     static HWY_INLINE Vector reach() { return number(blob_facts(kind).reach); }
-    /// How much larger a second derivative may be than it is found, where the ball may be off by so
-    /// much of its radius.
-    static HWY_INLINE double curve_spare(double by_radius) {
-        constexpr double unit = std::numeric_limits<Real>::epsilon();
-        // q is off by 2 sqrt(reach) by_radius; by it the bounds change by some 5, 30, 180 at most.
-        constexpr double steepest = kind == BlobKind::Wyvill ? 64 : kind == BlobKind::Metaball ? 256 : 2048;
-        return steepest * (by_radius + 8 * unit);
-    }
     HWY_INLINE Vector q_at(const Slot& slot, Vector ds) const {
-        const Vector q = hn::MulAdd(hn::Mul(hn::Mul(ds, square_), ds), same(slot.per_square),
+        const Vector q = hn::MulAdd(hn::Mul(hn::Mul(ds, rays_.square), ds), same(slot.per_square),
                                     hn::Load(d<Real>, slot.q));
         return hn::Min(q, reach());
-    }
-    /// h's second derivative along a line where q is this, by the square of the length: 2 h' +
-    /// 4 (q - least) h''. `least`: of q on the line.
-    static HWY_INLINE Vector bend_at(Vector q, Vector least) {
-        if constexpr (kind == BlobKind::Wyvill) {
-            const Vector alone = hn::MulAdd(
-                q, hn::MulAdd(q, number(-5.0 / 12), number(17.0 / 6)), number(-22.0 / 9));
-            const Vector less = hn::MulAdd(q, number(-1.0 / 3), number(17.0 / 9));
-            return hn::NegMulAdd(least, less, alone);
-        } else if constexpr (kind == BlobKind::Metaball) {
-            const Vector outside = hn::Max(q, number(4.0 / 9));
-            const Vector less =
-                hn::Div(hn::Mul(number(4), least), hn::Mul(outside, hn::Sqrt(outside)));
-            return hn::IfThenElse(hn::Le(q, number(0.44)), number(-4),
-                                  hn::Sub(number(2), less));
-        } else {
-            const Vector h = height_at<kind, Rounds::Once>(d<Real>, q).value;
-            const Vector factor =
-                hn::MulAdd(number(16), hn::Sub(q, least), number(-4));
-            return hn::Mul(factor, h);
-        }
-    }
-    /// A stretch of a line: the smallest and the largest q there, and the least on the whole line.
-    struct Stretch {
-        Vector from, to, least;
-    };
-    /// The least upper bound of bend_at on a stretch: it rises up to some q, then it falls.
-    static HWY_INLINE Vector most_bend(const Stretch& on) {
-        Vector top = on.to;
-        if constexpr (kind == BlobKind::Wyvill) top = hn::MulAdd(number(0.4), on.least, number(3.4));
-        if constexpr (kind == BlobKind::Blinn) top = hn::Add(on.least, number(0.75));
-        return bend_at(hn::Max(hn::Min(on.to, top), on.from), on.least);
-    }
-    /// The greatest lower bound, of a height that is 0 from the reach on.
-    static HWY_INLINE Vector least_bend(const Stretch& on) {
-        const Vector first = bend_at(on.from, on.least);
-        // Metaballs' falls by a step where q is 4/9, and rises before and behind.
-        if constexpr (kind == BlobKind::Metaball) {
-            const Mask crosses = hn::And(hn::Le(on.from, number(0.45)), hn::Ge(on.to, number(0.44)));
-            return hn::IfThenElse(crosses, number(-4), hn::Min(first, zero()));
-        } else {
-            return hn::Min(hn::Min(first, bend_at(on.to, on.least)), zero());
-        }
     }
     /// A bound of how much a ball's slope towards the level changes where it reaches [s, end].
     HWY_INLINE Vector curve_of(const Slot& slot, Vector ds, Vector q_here, Vector end) const {
@@ -318,15 +193,15 @@ private:
         const Vector q_end = q_at(slot, ds_end);
         const Vector least = hn::Min(hn::Load(d<Real>, slot.q), reach());
         const Mask passes = hn::And(hn::Le(ds, zero()), hn::Ge(ds_end, zero()));
-        const Stretch on{.from = hn::IfThenElse(passes, least, hn::Min(q_here, q_end)),
-                         .to = hn::Max(q_here, q_end),
-                         .least = least};
+        const StretchOf<Vector> on{.from = hn::IfThenElse(passes, least, hn::Min(q_here, q_end)),
+                                   .to = hn::Max(q_here, q_end),
+                                   .least = least};
         const Mask rises = slot.strength < 0 ? above_ : below_;
         const Mask falls = slot.strength < 0 ? below_ : above_;
         Vector curve = number(-unbounded);
-        if (!hn::AllTrue(d<Real>, falls)) curve = most_bend(on);
+        if (!hn::AllTrue(d<Real>, falls)) curve = most_bend<kind>(d<Real>, on);
         if (!hn::AllTrue(d<Real>, rises)) {
-            const Vector down = hn::Neg(least_bend(on));
+            const Vector down = hn::Neg(least_bend<kind>(d<Real>, on));
             curve = hn::IfThenElse(rises, curve, hn::IfThenElse(falls, down, hn::Max(curve, down)));
         }
         return hn::Mul(hn::Add(curve, same(slot.spare)), same(slot.size));
@@ -347,8 +222,8 @@ private:
                 hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, ds, q, end)));
             some = hn::Or(some, reaches);
         }
-        sums.slope = hn::Mul(sums.slope, square_);
-        sums.curve = hn::Mul(sums.curve, square_);
+        sums.slope = hn::Mul(sums.slope, rays_.square);
+        sums.curve = hn::Mul(sums.curve, rays_.square);
         sums.empty = hn::Not(some);
         return sums;
     }
@@ -371,7 +246,7 @@ private:
         if (fresh_) choose_sides(f);
         const Vector room = hn::Sub(hn::Mul(side_, f), number(error_));
         const Vector rise = hn::Sub(number(slope_error_), hn::Mul(side_, sums.slope));
-        const Vector step = step_of(room, rise, sums.curve);
+        const Vector step = safe_step<Real>(room, rise, sums.curve);
         const Mask empty = sums.empty;
         Vector next = hn::Add(s_, hn::Min(step, window_));
         const Mask has_room = hn::Gt(room, zero());
@@ -393,19 +268,6 @@ private:
         const Vector narrower = hn::Mul(step, number(1.15));
         window_ = hn::IfThenElse(empty, number(usual_), hn::Min(wider, narrower));
         window_ = hn::Max(window_, hn::Max(bracket_, number(0x1p-7 * usual_)));
-    }
-    /// How far f cannot come to 0, where it has so much room and nears 0 by `rise`, that grows by
-    /// `curve` at most.
-    static HWY_INLINE Vector step_of(Vector room, Vector rise, Vector curve) {
-        const Vector twice = hn::Add(room, room);
-        const Vector square = hn::MulAdd(rise, rise, hn::Mul(twice, curve));
-        const Vector root = hn::Sqrt(hn::Max(square, zero()));
-        const Mask rises = hn::Ge(rise, zero());
-        const Vector above = hn::IfThenElse(rises, twice, hn::Sub(root, rise));
-        const Vector below = hn::IfThenElse(rises, hn::Add(rise, root), curve);
-        const Vector step = hn::Mul(hn::Div(above, below), number(1 - 0x1p-10));
-        const Mask comes = hn::And(hn::Gt(below, zero()), hn::Ge(square, zero()));
-        return hn::IfThenElse(comes, step, number(1e30));
     }
     HWY_INLINE void choose_sides(Vector f) {
         const Vector error = number(error_);
@@ -444,8 +306,8 @@ private:
             slope[1] = hn::NegMulAdd(steep, y, slope[1]);
             slope[2] = hn::MulAdd(steep, hn::Sub(to, same(slot.z)), slope[2]);
         }
-        slope[0] = hn::MulAdd(u_, slope[2], slope[0]);
-        slope[1] = hn::MulAdd(v_, slope[2], slope[1]);
+        slope[0] = hn::MulAdd(rays_.u, slope[2], slope[0]);
+        slope[1] = hn::MulAdd(rays_.v, slope[2], slope[1]);
         const Vector beyond = hn::Mul(side_, hn::Sub(level_, value));
         const Mask sure = hn::And(near, hn::Gt(beyond, number(error_)));
         sure_ = hn::Or(sure_, sure);
@@ -519,7 +381,8 @@ private:
     bool tries_ = is_double || question_.bracket > 16 * bounds_.place_error;
     Vector bracket_ = number(question_.bracket);
     Mask open_, passed_, sure_, unsure_, above_, below_;
-    Vector u_, v_, start_x_, start_y_, tilt_x_, tilt_y_, s_, stop_, square_, per_square_;
+    VectorOfRays<Real> rays_ = {block_, places_};
+    Vector s_, stop_;
     Vector side_, window_, level_;
     Vector last_slope_[3] = {zero(), zero(), zero()};
 };

@@ -188,7 +188,8 @@ TEST(BlobFile, SaysWhatIsWrong) {
     EXPECT_EQ(reason("1 2 nan\n"), "line 1 is not x y z, x y z r or x y z r strength");
     EXPECT_EQ(reason("1 2 3 1 1 1\n"), "line 1 is not x y z, x y z r or x y z r strength");
     const std::string full =
-        "line 5 has one ball more than the 2 that a list may have; split the file, and type the sum "
+        "line 5 has one ball more than the 2 that a list may have; split the file, and type the "
+        "sum "
         "of both lists";
     const auto too_many = blobs_of_text("# three\n1 2 3\n0 0 0 1 0\n4 5 6\n7 8 9\n", 1, 2);
     ASSERT_FALSE(too_many.has_value());

@@ -52,8 +52,7 @@ std::vector<Blob> balls_of(const Cloud& cloud, std::uint64_t seed = 5) {
 
 Expr level_of(const std::shared_ptr<const Field>& field, double level) {
     ExprBuilder nodes;
-    const NodeId f =
-        nodes.look_up(field, nodes.variable(0), nodes.variable(1), nodes.variable(2));
+    const NodeId f = nodes.look_up(field, nodes.variable(0), nodes.variable(1), nodes.variable(2));
     return nodes.finish(nodes.apply(Op::Subtract, f, nodes.constant(level)));
 }
 
@@ -134,8 +133,8 @@ TEST(ProvedBlobs, AgreeFromWithin) {
 TEST(ProvedBlobs, AgreeAtOtherLevelsAndSizes) {
     expect_alike(both_of(BlobKind::Wyvill, {.hollow = 0.5}, -0.5), usual, "below 0");
     expect_alike(both_of(BlobKind::Blinn, {.count = 30}, 3), usual, "within");
-    expect_alike(both_of(BlobKind::Metaball, {.count = 30, .least = 0.01, .largest = 1}, 0.3), usual,
-                 "unequal radii");
+    expect_alike(both_of(BlobKind::Metaball, {.count = 30, .least = 0.01, .largest = 1}, 0.3),
+                 usual, "unequal radii");
     const Cloud small{.scale = 1e-3, .middle = {0.1, 0.2, 0.3}};
     const Camera near{small.middle + 1e-3 * usual.eye, small.middle, {0, 0, 1}, 0.7};
     expect_alike(both_of(BlobKind::Wyvill, small, 1), near, "small, away from the origin", 1e-2);
@@ -166,8 +165,7 @@ TEST(ProvedBlobs, AgreeWhereThereAreSeveralSurfaces) {
 
 // Far more balls than one slab of depth takes.
 TEST(ProvedBlobs, AgreeOnManyBallsBehindEachOther) {
-    const Both both =
-        both_of(BlobKind::Wyvill, {.count = 4000, .least = 0.01, .largest = 0.03}, 1);
+    const Both both = both_of(BlobKind::Wyvill, {.count = 4000, .least = 0.01, .largest = 0.03}, 1);
     expect_alike(both, {{8, -5, 4}, {0, 0, 0}, {0, 0, 1}, 0.2}, "many");
 }
 
@@ -187,8 +185,7 @@ TEST(ProvedBlobs, AreRoundAlone) {
                 const double aside = glm::length(middle - ray.eye - along * ray.direction);
                 const std::size_t i = frame.index(col, row);
                 const bool meets = aside < 0.7;
-                ASSERT_EQ(frame.certificate[i],
-                          meets ? Certificate::Certified : Certificate::Miss);
+                ASSERT_EQ(frame.certificate[i], meets ? Certificate::Certified : Certificate::Miss);
                 if (!meets) continue;
                 ++hits;
                 const double depth = along - std::sqrt(0.49 - aside * aside);
