@@ -20,7 +20,6 @@ namespace zeroset {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr int blocks_in_row = tile_size / ball_block_side;
 
 struct Place {
     int col, row;

@@ -213,8 +213,7 @@ TEST(ProvedBlobs, LeaveTouchesUndecided) {
 }
 
 TEST(ProvedBlobs, LeaveOthersToBeams) {
-    const std::vector<Blob> balls = balls_of({});
-    Scene scene = both_of(BlobKind::Wyvill, {}, 1).balls;
+    const Scene scene = both_of(BlobKind::Wyvill, {}, 1).balls;
     const ViewFrame view(usual);
     TileHits hits;
     Counters counters;
