@@ -82,8 +82,8 @@ Rays random_rays(RandomNumbers& random, const WalkAxes& axes, double k) {
         to.j_slope[ray] = j_slope + 0.005 * row;
         to.i_at[ray] = i + width * col - k * to.i_slope[ray];
         to.j_at[ray] = j + width * row - k * to.j_slope[ray];
-        rays.steepest = std::max({rays.steepest, std::abs(to.i_slope[ray]),
-                                  std::abs(to.j_slope[ray])});
+        rays.steepest =
+            std::max({rays.steepest, std::abs(to.i_slope[ray]), std::abs(to.j_slope[ray])});
     }
     const std::size_t kept = 1 + random.below(3);  // open rays: every one, or every second ...
     for (std::size_t ray = 0; ray < block_rays; ++ray) {
@@ -159,8 +159,8 @@ private:
     };
     /// The ray in the layer, in pieces so short that each is in one cell.
     template <class Take>
-    void for_each_piece(const Rays& rays, std::size_t ray, std::int32_t layer,
-                        const WalkAxes& axes, const Take& take) const {
+    void for_each_piece(const Rays& rays, std::size_t ray, std::int32_t layer, const WalkAxes& axes,
+                        const Take& take) const {
         constexpr int pieces = 16;
         for (int n = 0; n < pieces; ++n) {
             std::array<std::array<double, 3>, 2> places{};
