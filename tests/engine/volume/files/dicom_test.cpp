@@ -231,12 +231,11 @@ TEST_F(Dicom, WhatIsNoGridGetsItsLine) {
               "' of the series: it holds several slices; only files of one each are read");
     EXPECT_EQ(error_of(series("words", [](Slice& slice) { slice.spacing = "near"; })).substr(4),
               "' of the series: its 'PixelSpacing' is 'near'; two numbers are wanted");
-    const std::string packed =
-        error_of(series("packed", [](Slice& slice) { slice.syntax = "1.2.840.10008.1.2.4.90"; }));
-    EXPECT_TRUE(packed.find("its packed samples are damaged, or of a kind") == 16 ||
-                packed.find("its samples are packed, and this Zeroset was built") == 16)
-        << packed;
-    EXPECT_TRUE(packed.ends_with("(transfer syntax '1.2.840.10008.1.2.4.90')")) << packed;
+    EXPECT_EQ(
+        error_of(series("packed", [](Slice& slice) { slice.syntax = "1.2.840.10008.1.2.4.90"; }))
+            .substr(4),
+        "' of the series: its packed samples are not there (transfer syntax "
+        "'1.2.840.10008.1.2.4.90')");
 }
 
 /// Elements without types, in sequences of any length, and of types that none are known of.
@@ -321,7 +320,7 @@ TEST_F(Dicom, DamagedPackedSlicesGetTheirLine) {
     for (const auto& entry : std::filesystem::directory_iterator(packed_series)) {
         std::ifstream stream(entry.path(), std::ios::binary);
         const std::string whole{std::istreambuf_iterator<char>(stream), {}};
-        for (std::size_t at = 140; at < whole.size(); at += 13) {
+        for (std::size_t at = 140; at < whole.size(); at += 61) {
             std::string damaged = whole;
             damaged[at] = static_cast<char>(damaged[at] ^ 0x5a);
             for (const std::string& bytes : {damaged, whole.substr(0, at)}) {
