@@ -1,5 +1,6 @@
 #include "pipeline/volume_document.hpp"
 
+#include "engine/volume/histogram.hpp"
 #include "engine/volume/volume.hpp"
 #include "pipeline/prepare.hpp"
 #include "pipeline/volume_source.hpp"
@@ -66,7 +67,10 @@ Slider isovalue_slider(const Volume& volume) {
     const SampleRange range = volume.data().range();
     const double lo = std::clamp(range.lo, -largest_number, largest_number);
     const double hi = std::clamp(range.hi, -largest_number, largest_number);
-    Slider slider{.value = 0.5 * (lo + hi), .lo = lo, .hi = hi};
+    constexpr std::size_t parts = 256;
+    const auto histogram = quick_histogram(volume.data().samples(), range, parts);
+    const double level = histogram ? dividing_value(*histogram) : 0.5 * (lo + hi);
+    Slider slider{.value = std::clamp(level, lo, hi), .lo = lo, .hi = hi};
     if (!(lo < hi)) slider.hi = lo + std::max(1.0, 1e-6 * std::abs(lo));
     return slider;
 }

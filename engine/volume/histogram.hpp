@@ -27,4 +27,13 @@ struct Histogram {
 std::optional<Histogram> histogram_of(const Samples& samples, const SampleRange& range,
                                       std::size_t most, const std::atomic<bool>& stop);
 
+/// As histogram_of of some of the samples, as many from few slices, so that little of a file is
+/// read.
+std::optional<Histogram> quick_histogram(const Samples& samples, const SampleRange& range,
+                                         std::size_t most);
+
+/// The value that divides the samples best into two kinds: of which the means are farthest apart
+/// for how many samples both have [Otsu79].
+double dividing_value(const Histogram& histogram);
+
 }  // namespace zeroset

@@ -321,7 +321,10 @@ RowEvent draw_parts(Row& row, const char* hint) {
     ImGui::SameLine(0.0F, spacing);
     event = either(event, draw_buttons(row, height));
     const float indent = ImGui::GetStyle().FramePadding.x;
-    const float below = top + statement_field_height(row.statement.text, width) + em(0.15F);
+    const float tall = statement_field_height(row.statement.text, width);
+    // The line ends here, or what comes below would be as tall as the field.
+    if (tall > height) ImGui::Dummy(ImVec2(0.0F, 0.0F));
+    const float below = top + tall + em(0.15F);
     ImGui::SetCursorPos(ImVec2(field + indent, below));
     draw_answer(row, right - field - indent - spacing);
     ImGui::PopStyleVar();

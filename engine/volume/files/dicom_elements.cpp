@@ -32,7 +32,7 @@ class Reader {
 public:
     explicit Reader(std::string_view bytes) : bytes_(bytes) {}
 
-    Expected<DicomElements> read() {
+    Expected<DicomElements> read(DeflatedPart part) {
         at_ = preamble;
         Encoding encoding;
         while (const auto head = next(encoding)) {
@@ -46,6 +46,10 @@ public:
         encoding = {.explicit_types = found_.transfer_syntax != "1.2.840.10008.1.2",
                     .big_endian = found_.transfer_syntax == "1.2.840.10008.1.2.2"};
         found_.big_endian = encoding.big_endian;
+        if (found_.transfer_syntax == "1.2.840.10008.1.2.1.99" && part == DeflatedPart::Packed) {
+            found_.deflated_from = at_;
+            return found_;
+        }
         while (at_ < bytes_.size()) {
             const auto head = next(encoding);
             if (!head) return damaged();
@@ -163,9 +167,9 @@ int DicomElements::number(std::string_view bytes, DicomTag tag, int otherwise) c
     return number_at<std::uint16_t>(bytes, found->second.offset, big_endian);
 }
 
-Expected<DicomElements> read_dicom_elements(std::string_view bytes) {
+Expected<DicomElements> read_dicom_elements(std::string_view bytes, DeflatedPart part) {
     if (bytes.size() < preamble) return std::unexpected("it ends before its header");
-    return Reader(bytes).read();
+    return Reader(bytes).read(part);
 }
 
 }  // namespace zeroset

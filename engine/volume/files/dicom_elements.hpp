@@ -20,6 +20,7 @@ struct DicomElements {
     std::map<DicomTag, Element> elements;
     std::string transfer_syntax;
     bool big_endian = false;
+    std::size_t deflated_from = 0;  ///< where the rest of the file is packed by zlib; 0: nowhere
 
     [[nodiscard]] bool has(DicomTag tag) const { return elements.contains(tag); }
     /// A value's text without what fills it up; empty where it is missing. `bytes` is the file.
@@ -28,8 +29,11 @@ struct DicomElements {
     [[nodiscard]] int number(std::string_view bytes, DicomTag tag, int otherwise) const;
 };
 
-/// Reads the elements of a file up to its samples, which are the last. The error is one line
-/// without the file's name. Reads no byte beyond `bytes`, whatever they are.
-Expected<DicomElements> read_dicom_elements(std::string_view bytes);
+enum class DeflatedPart : std::uint8_t { Packed, Unpacked };
+
+/// Reads the elements of a file up to its samples, which are the last, or up to what is packed.
+/// The error is one line without the file's name. Reads no byte beyond `bytes`, whatever they are.
+Expected<DicomElements> read_dicom_elements(std::string_view bytes,
+                                            DeflatedPart part = DeflatedPart::Packed);
 
 }  // namespace zeroset

@@ -2,7 +2,9 @@
 
 #include "engine/base/text.hpp"
 #include "engine/volume/files/dicom_elements.hpp"
+#include "engine/volume/files/dicom_packed.hpp"
 
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -64,15 +66,22 @@ Expected<Header> read_header(const std::filesystem::path& file) {
     Header header{.bytes = {std::istreambuf_iterator<char>(stream), {}}, .elements = {}};
     if (!stream) return std::unexpected("it cannot be read");
     auto elements = read_dicom_elements(header.bytes);
+    if (elements && elements->deflated_from != 0) {
+        constexpr std::uint64_t most = std::uint64_t{1} << 32U;
+        const std::size_t from = elements->deflated_from;
+        const auto rest =
+            unpacked_bytes(std::string_view(header.bytes).substr(from), most, Packing::Deflate);
+        if (!rest) return std::unexpected("what is packed in it is damaged");
+        header.bytes = header.bytes.substr(0, from) + *rest;
+        elements = read_dicom_elements(header.bytes, DeflatedPart::Unpacked);
+    }
     if (!elements) return std::unexpected(elements.error());
     header.elements = std::move(*elements);
     return header;
 }
 
-std::optional<SampleType> type_of(const Header& header) {
-    if (header.number(samples_per_pixel, 1) != 1) return std::nullopt;
-    const bool is_signed = header.number(pixel_representation, 0) == 1;
-    switch (header.number(bits_allocated, 0)) {
+std::optional<SampleType> type_of(int bits, bool is_signed) {
+    switch (bits) {
         case 8: return is_signed ? SampleType::Int8 : SampleType::UInt8;
         case 16: return is_signed ? SampleType::Int16 : SampleType::UInt16;
         case 32: return is_signed ? SampleType::Int32 : SampleType::UInt32;
@@ -91,7 +100,66 @@ void keep_bits(Sample* samples, std::uint64_t count, int stored) {
 
 bool is_unpacked(const std::string& transfer_syntax) {
     return transfer_syntax == "1.2.840.10008.1.2" || transfer_syntax == "1.2.840.10008.1.2.1" ||
-           transfer_syntax == "1.2.840.10008.1.2.2";
+           transfer_syntax == "1.2.840.10008.1.2.2" || transfer_syntax == "1.2.840.10008.1.2.1.99";
+}
+
+/// A slice's samples of `stored` bits each, from their bytes.
+Expected<Samples> samples_from(std::string_view bytes, const SampleBlock& block, int stored) {
+    auto samples = samples_of_bytes(bytes, block);
+    if (!samples) return samples;
+    visit_samples(*samples, [&](const auto* in) {
+        using Sample = std::remove_cvref_t<decltype(*in)>;
+        if constexpr (std::is_integral_v<Sample>) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): they are nobody else's yet
+            keep_bits(const_cast<Sample*>(in), samples->count(), stored);
+        }
+    });
+    return samples;
+}
+
+GridSize size_of_slice(const Header& header) {
+    return {static_cast<std::uint64_t>(header.number(column_count, 0)),
+            static_cast<std::uint64_t>(header.number(row_count, 0)), 1};
+}
+
+std::unexpected<std::string> no_numbers() {
+    return std::unexpected(
+        std::string("its samples are no single whole numbers of 8, 16 or 32 bits"));
+}
+
+Expected<Samples> plain_samples(const Header& header, const std::filesystem::path& file) {
+    const auto type =
+        type_of(header.number(bits_allocated, 0), header.number(pixel_representation, 0) == 1);
+    if (!type) return no_numbers();
+    const auto& pixels = header.elements.elements.at(pixel_data);
+    return samples_from(std::string_view(header.bytes).substr(pixels.offset, pixels.length),
+                        {.file = file,
+                         .type = *type,
+                         .big_endian = header.elements.big_endian,
+                         .size = size_of_slice(header)},
+                        header.number(bits_stored, 0));
+}
+
+Expected<Samples> packed_samples(const Header& header, const std::filesystem::path& file) {
+    const GridSize size = size_of_slice(header);
+    const auto told = [&](const std::string& problem) {
+        return std::unexpected(problem + " (transfer syntax '" + header.elements.transfer_syntax +
+                               "')");
+    };
+    constexpr std::string_view item("\xfe\xff\x00\xe0", 4);
+    const std::size_t first = header.elements.elements.at(pixel_data).offset;
+    if (!std::string_view(header.bytes).substr(first).starts_with(item))
+        return told("its packed samples are not there");
+    const auto pixels = unpacked_pixels(header.bytes, size[0] * size[1]);
+    if (!pixels) return told(pixels.error());
+    const auto type = type_of(pixels->bits_allocated, pixels->is_signed);
+    if (!type) return no_numbers();
+    return samples_from(pixels->bytes,
+                        {.file = file,
+                         .type = *type,
+                         .big_endian = std::endian::native == std::endian::big,
+                         .size = size},
+                        pixels->bits_stored);
 }
 
 }  // namespace
@@ -128,31 +196,9 @@ Expected<DicomSlice> read_dicom_header(const std::filesystem::path& file) {
 Expected<Samples> read_dicom_samples(const std::filesystem::path& file) {
     const auto header = read_header(file);
     if (!header) return std::unexpected(header.error());
-    if (!is_unpacked(header->elements.transfer_syntax)) {
-        return std::unexpected("its samples are packed (transfer syntax '" +
-                               header->elements.transfer_syntax +
-                               "'): unpack them first, as 'gdcmconv --raw' does");
-    }
-    const auto type = type_of(*header);
-    if (!type)
-        return std::unexpected("its samples are no single whole numbers of 8, 16 or 32 bits");
-    const auto& pixels = header->elements.elements.at(pixel_data);
-    const auto samples =
-        samples_of_bytes(std::string_view(header->bytes).substr(pixels.offset, pixels.length),
-                         {.file = file,
-                          .type = *type,
-                          .big_endian = header->elements.big_endian,
-                          .size = {static_cast<std::uint64_t>(header->number(column_count, 0)),
-                                   static_cast<std::uint64_t>(header->number(row_count, 0)), 1}});
-    if (!samples) return std::unexpected(samples.error());
-    visit_samples(*samples, [&](const auto* in) {
-        using Sample = std::remove_cvref_t<decltype(*in)>;
-        if constexpr (std::is_integral_v<Sample>) {
-            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): they are nobody else's yet
-            keep_bits(const_cast<Sample*>(in), samples->count(), header->number(bits_stored, 0));
-        }
-    });
-    return samples;
+    if (header->number(samples_per_pixel, 1) != 1) return no_numbers();
+    return is_unpacked(header->elements.transfer_syntax) ? plain_samples(*header, file)
+                                                         : packed_samples(*header, file);
 }
 
 }  // namespace zeroset

@@ -127,9 +127,11 @@ Read raw(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file
 /// Unpacks gzip or zlib data step by step.
 class Unpacker {
 public:
-    explicit Unpacker(std::span<const std::byte> packed) : packed_(packed) {
-        constexpr int any_header = 15 + 32;
-        ready_ = inflateInit2(&stream_, any_header) == Z_OK;
+    explicit Unpacker(std::span<const std::byte> packed, Packing packing = Packing::Zlib)
+        : packed_(packed) {
+        constexpr int window = 15;  // bits
+        const int any_header = window + 32;
+        ready_ = inflateInit2(&stream_, packing == Packing::Zlib ? any_header : -window) == Z_OK;
     }
     Unpacker(const Unpacker&) = delete;
     Unpacker& operator=(const Unpacker&) = delete;
@@ -267,10 +269,11 @@ Read samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
     return samples_of(block, room);
 }
 
-std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most) {
+std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most,
+                                          Packing packing) {
     constexpr std::uint64_t best_ratio = 1032;  // of deflate
     const auto* const first = reinterpret_cast<const std::byte*>(packed.data());
-    Unpacker unpacker({first, packed.size()});
+    Unpacker unpacker({first, packed.size()}, packing);
     std::string bytes(std::min<std::uint64_t>(most, packed.size() * best_ratio), '\0');
     const std::uint64_t filled =
         unpacker.fill(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());

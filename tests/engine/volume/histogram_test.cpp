@@ -80,5 +80,17 @@ TEST(Histogram, IsNothingWithoutNumbersOrWhenStopped) {
     EXPECT_FALSE(histogram_of(samples, SampleRange{.lo = 1, .hi = 1}, 4, true));
 }
 
+TEST(DividingValue, LiesBetweenTwoKindsOfSamples) {
+    // Air about 100, bodies about 600: in the middle of the parts that have none.
+    Histogram histogram{.first = 0, .width = 10, .counts = std::vector<std::uint64_t>(100, 0)};
+    for (std::size_t i = 5; i < 15; ++i)
+        histogram.counts[i] = 900;
+    for (std::size_t i = 55; i < 65; ++i)
+        histogram.counts[i] = 100;
+    EXPECT_DOUBLE_EQ(dividing_value(histogram), 350);
+    EXPECT_EQ(dividing_value({.first = -4, .width = 2, .counts = {7}}), -3) << "one kind alone";
+    EXPECT_DOUBLE_EQ(dividing_value({.first = 0, .width = 1, .counts = {9, 0, 0, 1}}), 2);
+}
+
 }  // namespace
 }  // namespace zeroset
