@@ -10,7 +10,7 @@ namespace zeroset {
 namespace {
 
 /// So many hits tell.
-constexpr int least_hits = 2;
+constexpr int least_hits = 4;
 /// Hits whose normals have at least this cosine may be on the same sheet, if they are as far away
 /// as it may be so many pixels beside the sample.
 constexpr double least_cosine = 0.9;
