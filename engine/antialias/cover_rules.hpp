@@ -10,7 +10,7 @@ namespace zeroset {
 /// a name as it is worth.
 inline constexpr int last_level = 4;
 inline constexpr int last_edge_level = 2;
-inline constexpr int last_wall_level = 4;
+inline constexpr int last_wall_level = 5;
 inline constexpr int last_broken_level = 1;
 inline constexpr int last_color_level = 2;
 /// Where f may have kinks, and so an edge more than one colour.

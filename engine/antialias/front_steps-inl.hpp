@@ -79,9 +79,12 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
     // The error goes with the square of the length, or nearly so.
     const M<double> coarse = hn::AndNot(verdict.precise, known);
-    const V<double> shorter = hn::Sqrt(hn::Div(most_error, form.error));
-    verdict.growth =
-        hn::IfThenElse(verdict.rejected, hn::Div(size, most), hn::IfThenElse(coarse, shorter, one));
+    const V<double> part = hn::Div(hn::IfThenElse(verdict.rejected, size, most_error),
+                                   hn::IfThenElse(verdict.rejected, most, form.error));
+    const M<double> shorter = hn::AndNot(verdict.rejected, coarse);
+    verdict.growth = hn::IfThenElse(verdict.rejected, part, one);
+    if (!hn::AllFalse(d<double>, shorter))
+        verdict.growth = hn::IfThenElse(shorter, hn::Sqrt(part), verdict.growth);
     // Where the linear part vanishes.
     const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
     const V<double> per_along = hn::Div(one, form.along);
@@ -96,14 +99,17 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.root_from =
         hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
     verdict.root_to = hn::IfThenElse(sloped, depth_at(hn::Add(at, spare)), hn::Inf(d<double>));
-    // The form's linear part is f's gradient, in parts of the cell's radii.
-    V<double> gradient = hn::Div(steepness, form.radius);
+    // The form's linear part is f's gradient, in parts of the cell's radii: along the ray, and
+    // across.
+    V<double> gradient = steepness;
+    V<double> radii = form.radius;
     if (rules.half_width > 0.0) {
         const V<double> half =
             hn::Mul(number(rules.half_width), hn::Add(number(rules.distance), form.middle));
-        gradient = hn::Max(hn::Div(form.aside, half), gradient);
+        gradient = hn::Max(hn::Mul(form.aside, radii), hn::Mul(steepness, half));
+        radii = hn::Mul(radii, half);
     }
-    verdict.turn = hn::Div(hn::Add(form.slope_hi, form.slope_neg_lo), gradient);
+    verdict.turn = hn::Div(hn::Mul(hn::Add(form.slope_hi, form.slope_neg_lo), radii), gradient);
     return verdict;
 }
 
