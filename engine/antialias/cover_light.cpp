@@ -2,6 +2,7 @@
 
 #include "engine/image/background.hpp"
 #include "engine/image/gamma.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -52,6 +53,13 @@ void CoverLight::put(const CoverSample& sample, std::size_t slot) {
         hits.gradient[axis][slot] = sample.gradient[axis];
 }
 
+void CoverLight::take_shadow(SampleShadow shadow, std::size_t slot) {
+    if (shadow == SampleShadow::Unknown) return;
+    const std::uint64_t bit = std::uint64_t{1} << slot % tile_size;
+    known_.known[slot / tile_size] |= bit;
+    if (shadow == SampleShadow::Dark) known_.dark[slot / tile_size] |= bit;
+}
+
 void CoverLight::take(std::span<const Place> some) {
     for (const LitLayer& layer : lit_.layers()) {
         for (std::size_t k = 0; k < some.size(); ++k) {
@@ -70,6 +78,7 @@ void CoverLight::take(std::span<const Place> some) {
 std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
                                               std::span<const TraceFrame> surfaces,
                                               const TimeLimit& limit, const Tile& tile,
+                                              std::span<const LitLayer> layers,
                                               std::span<const CoverSample> samples,
                                               Counters& counters) {
     cols_.resize(slots);
@@ -81,6 +90,11 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     for (std::size_t k = 0; k < samples.size(); ++k)
         places_.push_back({.nearness = nearness(samples[k]), .sample = k});
     if (frame_light.settings().shadows) std::ranges::sort(places_, {}, &Place::nearness);
+    const TileRays rays(surfaces.front(), tile);
+    std::vector<const LitLayer*> layer_of(surfaces.size(), nullptr);
+    for (const LitLayer& layer : layers) {
+        if (frame_light.takes_known_shadows()) layer_of[layer.surface] = &layer;
+    }
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
     Tile of_samples{.col = tile.col,
                     .row = tile.row,
@@ -93,11 +107,17 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
         for (TileHits& hits : hits_)
             hits.clear();
         const auto some = std::span(places_).subspan(first, count);
-        for (std::size_t k = 0; k < count; ++k)
-            put(samples[some[k].sample], slot_of(k));
+        known_ = {};
+        for (std::size_t k = 0; k < count; ++k) {
+            const CoverSample& sample = samples[some[k].sample];
+            put(sample, slot_of(k));
+            const LitLayer* const layer = layer_of[sample.surface];
+            if (layer != nullptr)
+                take_shadow(shadow_around(*layer, tile, rays, sample), slot_of(k));
+        }
         of_samples.rows = static_cast<int>((count + 511) / 512 * 8);
         const auto hits = std::span(hits_).first(surfaces.size());
-        frame_light.light(surfaces, limit, of_samples, hits, lit_, counters);
+        frame_light.light(surfaces, limit, of_samples, hits, lit_, counters, known_);
         take(some);
     }
     return light_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/antialias/cover_sample.hpp"
+#include "engine/antialias/sample_shadows.hpp"
 #include "engine/appearance/frame_light.hpp"
 #include "engine/light/encode.hpp"
 #include "engine/light/lit_tile.hpp"
@@ -20,15 +21,17 @@ using CoverColor = std::array<float, 4>;
 /// Room for lighting samples; one for each thread.
 class CoverLight {
 public:
-    /// The light that each sample's hit sends to the eye. Ends early when the limit is over: then
-    /// some of it is undefined. In upward rounding.
+    /// The light that each sample's hit sends to the eye. `layers`: the tile's own hits, lit. Ends
+    /// early when the limit is over: then some of it is undefined. In upward rounding.
     std::span<const CoverColor> light(const FrameLight& frame_light,
                                       std::span<const TraceFrame> surfaces, const TimeLimit& limit,
-                                      const Tile& tile, std::span<const CoverSample> samples,
-                                      Counters& counters);
+                                      const Tile& tile, std::span<const LitLayer> layers,
+                                      std::span<const CoverSample> samples, Counters& counters);
 
 private:
     void put(const CoverSample& sample, std::size_t slot);
+    /// Takes what the tile's hits tell of a sample's shadow.
+    void take_shadow(SampleShadow shadow, std::size_t slot);
     /// A sample, in an order in which those that are near each other follow each other.
     struct Place {
         std::uint64_t nearness;
@@ -41,6 +44,7 @@ private:
     std::vector<float> cols_, rows_;
     std::vector<std::uint8_t> surface_of_slot_;
     std::vector<TileHits> hits_;
+    KnownShadows known_;
     LitTile lit_;
     std::vector<CoverColor> light_;
 };

@@ -28,6 +28,7 @@ struct MixedPixel {
     float to = std::numeric_limits<float>::infinity();
     /// The level to which the pixel is divided in any case: 4^level samples.
     std::uint8_t least_level = 0;
+    bool is_calm = false;  ///< all pixels around it hit the same surface and look like it
     /// One smooth sheet of this surface covers the pixel, between `from` and `sheet_to`; +inf: that
     /// is not known.
     std::uint8_t surface = 0;

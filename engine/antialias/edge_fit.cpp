@@ -22,7 +22,30 @@ HeightLine line_through(const std::array<double, square_ray_count>& h) {
             .off = 2.0 * (twist + std::abs(mean - h[0]))};
 }
 
+/// The sign of numbers, one at each ray of a square, all over the square: where they go linearly
+/// with the place; 0: not known.
+int sign_over_square(const std::array<double, square_ray_count>& numbers) {
+    double change = 0.0;
+    for (const double number : numbers)
+        change = std::max(change, std::abs(number - numbers[0]));
+    // Corners are twice as far from the middle as the other rays; walls may meet on the way there.
+    if (!(std::abs(numbers[0]) > 3.0 * change)) return 0;
+    return numbers[0] > 0.0 ? 1 : -1;
+}
+
 }  // namespace
+
+Signs signs_of(const SquareStretches& stretches) {
+    std::array<double, square_ray_count> near{};
+    std::array<double, square_ray_count> far{};
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        if (stretches[i].inner) return Signs::Unknown;
+        near[i] = stretches[i].near;
+        far[i] = stretches[i].far;
+    }
+    const int product = sign_over_square(near) * sign_over_square(far);
+    return product == 0 ? Signs::Unknown : product > 0 ? Signs::Kept : Signs::Changed;
+}
 
 std::size_t EdgeSamples::roots() const {
     return static_cast<std::size_t>(

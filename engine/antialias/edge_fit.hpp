@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace zeroset {
@@ -40,6 +41,11 @@ bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& st
 
 /// Whether all of the square has a root, as far as the heights tell.
 bool is_all_below(const EdgeSamples& samples);
+
+/// What is so of all rays of a square, as far as f at the ends of their stretches tells, empty ones
+/// too: that f keeps its sign on them, or that it changes it.
+enum class Signs : std::uint8_t { Unknown, Kept, Changed };
+Signs signs_of(const SquareStretches& stretches);
 
 /// The linear function through the heights, if it is one to within `error` of its slope; with
 /// `flat_too` also where it is far from 0 all over the square.

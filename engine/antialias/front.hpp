@@ -23,7 +23,7 @@ struct FrontMarks {
     bool monotone = false;        ///< Rooted: there is one root on each ray; else maybe more
     std::uint8_t open_cells = 0;  ///< of a stretch from open_from on
     bool placed = false;          ///< it is known where the rays are inside of the clip region
-    std::uint8_t reserved = 0;
+    bool calm = false;            ///< how much normal . view changes does not matter
 };
 static_assert(sizeof(FrontMarks) == sizeof(std::uint64_t));
 
@@ -43,7 +43,7 @@ struct Front : FrontMarks {
     double turn = 0.0;  ///< Rooted: the width of the enclosure of normal . view
 
     /// Whether one sample cannot stand for all rays of a root.
-    [[nodiscard]] bool is_uneven() const { return turn > most_turn_of(kinked); }
+    [[nodiscard]] bool is_uneven() const { return !calm && turn > most_turn_of(kinked); }
 
     [[nodiscard]] bool is_open() const { return open_from < none; }
     /// Whether all rays are within the clip region between two depths.

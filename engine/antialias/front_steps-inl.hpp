@@ -11,6 +11,7 @@
 
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/front_block.hpp"
+#include "engine/antialias/numbers-inl.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 
 #include <cstddef>
@@ -52,13 +53,10 @@ struct CellVerdict {
     V<double> fair;  ///< the longest cell that is not halved
 };
 
-HWY_INLINE V<double> number(double value) { return hn::Set(d<double>, value); }
-
 /// Where the next cells end.
 HWY_INLINE V<double> next_of(const FrontBlock& fronts, std::size_t i) {
-    const V<double> to =
-        hn::Add(hn::LoadU(d<double>, &fronts.at[i]), hn::LoadU(d<double>, &fronts.step[i]));
-    return hn::Min(to, hn::LoadU(d<double>, &fronts.end[i]));
+    const V<double> to = hn::Add(load(&fronts.at[i]), load(&fronts.step[i]));
+    return hn::Min(to, load(&fronts.end[i]));
 }
 
 HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
@@ -70,7 +68,7 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     const V<double> most = hn::Add(hn::Add(form.aside, form.error), steepness);
     const M<double> known = hn::IsFinite(form.error);
     CellVerdict verdict{};
-    verdict.from = hn::LoadU(d<double>, &fronts.at[i]);
+    verdict.from = load(&fronts.at[i]);
     verdict.to = next_of(fronts, i);
     verdict.rejected = hn::Or(form.nowhere, hn::Gt(size, most));
     verdict.continuous = hn::And(known, form.continuous);
@@ -81,9 +79,12 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
     // The error goes with the square of the length, or nearly so.
     const M<double> coarse = hn::AndNot(verdict.precise, known);
-    const V<double> shorter = hn::Sqrt(hn::Div(most_error, form.error));
-    verdict.growth =
-        hn::IfThenElse(verdict.rejected, hn::Div(size, most), hn::IfThenElse(coarse, shorter, one));
+    const V<double> part = hn::Div(hn::IfThenElse(verdict.rejected, size, most_error),
+                                   hn::IfThenElse(verdict.rejected, most, form.error));
+    const M<double> shorter = hn::AndNot(verdict.rejected, coarse);
+    verdict.growth = hn::IfThenElse(verdict.rejected, part, one);
+    if (!hn::AllFalse(d<double>, shorter))
+        verdict.growth = hn::IfThenElse(shorter, hn::Sqrt(part), verdict.growth);
     // Where the linear part vanishes.
     const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
     const V<double> per_along = hn::Div(one, form.along);
@@ -98,14 +99,17 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.root_from =
         hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
     verdict.root_to = hn::IfThenElse(sloped, depth_at(hn::Add(at, spare)), hn::Inf(d<double>));
-    // The form's linear part is f's gradient, in parts of the cell's radii.
-    V<double> gradient = hn::Div(steepness, form.radius);
+    // The form's linear part is f's gradient, in parts of the cell's radii: along the ray, and
+    // across.
+    V<double> gradient = steepness;
+    V<double> radii = form.radius;
     if (rules.half_width > 0.0) {
         const V<double> half =
             hn::Mul(number(rules.half_width), hn::Add(number(rules.distance), form.middle));
-        gradient = hn::Max(hn::Div(form.aside, half), gradient);
+        gradient = hn::Max(hn::Mul(form.aside, radii), hn::Mul(steepness, half));
+        radii = hn::Mul(radii, half);
     }
-    verdict.turn = hn::Div(hn::Add(form.slope_hi, form.slope_neg_lo), gradient);
+    verdict.turn = hn::Div(hn::Mul(hn::Add(form.slope_hi, form.slope_neg_lo), radii), gradient);
     return verdict;
 }
 
@@ -121,6 +125,7 @@ public:
     static constexpr std::uint64_t monotone = std::uint64_t{1} << 32U;
     static constexpr std::uint64_t one_cell = std::uint64_t{1} << 40U;
     static constexpr std::uint64_t cells = 0xFF * one_cell;
+    static constexpr std::uint64_t calm = std::uint64_t{1} << 56U;
 
     explicit MarkWords(Words words) : words_(words) {}
     [[nodiscard]] Words words() const { return words_; }
@@ -176,13 +181,11 @@ struct CellSteps {
 HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
                               const MarkWords& marks, const FrontRules& rules) {
     const auto times = [](double factor, V<double> of) { return hn::Mul(number(factor), of); };
-    const M<double> is_open =
-        hn::Lt(hn::LoadU(d<double>, &fronts.open_from[i]), hn::Inf(d<double>));
+    const M<double> is_open = hn::Lt(load(&fronts.open_from[i]), hn::Inf(d<double>));
     const M<double> begins = hn::Gt(cell.root_from, cell.from);
     const M<double> ends = hn::Lt(cell.root_to, cell.to);
-    const M<double> inside =
-        hn::And(hn::Ge(cell.root_from, hn::LoadU(d<double>, &fronts.inside_from[i])),
-                hn::Le(cell.root_to, hn::LoadU(d<double>, &fronts.inside_to[i])));
+    const M<double> inside = hn::And(hn::Ge(cell.root_from, load(&fronts.inside_from[i])),
+                                     hn::Le(cell.root_to, load(&fronts.inside_to[i])));
     const V<double> length = hn::Sub(cell.to, cell.from);
     const V<double> width = hn::Sub(cell.root_to, cell.root_from);
     CellSteps steps{};
@@ -198,13 +201,14 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
         hn::IfThenElse(cell.kinked, number(most_turn_of(true)), number(most_turn_of(false)));
     const M<double> coarse = hn::And(
         hn::Gt(cell.turn, turn), hn::Gt(length, times(3.0, hn::Add(width, number(rules.margin)))));
-    steps.narrowed = hn::And(hn::AndNot(steps.halved, first), coarse);
+    steps.narrowed =
+        hn::AndNot(marks.has(MarkWords::calm), hn::And(hn::AndNot(steps.halved, first), coarse));
     steps.rooted = hn::AndNot(hn::Or(steps.halved, steps.narrowed), first);
     // Of some, or none.
     const M<double> others = hn::Not(hn::Or(cell.rejected, all));
     steps.shortened = hn::And(hn::AndNot(cell.precise, others),
                               hn::Gt(length, times(most_rough_lengths, cell.fair)));
-    const M<double> fits = hn::And(hn::Lt(cell.to, hn::LoadU(d<double>, &fronts.end[i])),
+    const M<double> fits = hn::And(hn::Lt(cell.to, load(&fronts.end[i])),
                                    hn::Lt(width, times(most_fair_lengths, cell.fair)));
     const M<double> leaves = hn::AndNot(ends, hn::And(begins, cell.precise));
     steps.lengthened = hn::And(hn::AndNot(steps.shortened, others),
@@ -216,16 +220,16 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
 /// Sets the marks of stretches and roots; returns which stretches end at the end of their cell.
 HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
                                const CellSteps& steps, MarkWords& marks) {
-    const V<double> open_from = hn::LoadU(d<double>, &fronts.open_from[i]);
+    const V<double> open_from = load(&fronts.open_from[i]);
     const M<double> is_open = hn::Lt(open_from, hn::Inf(d<double>));
     const M<double> begins = hn::AndNot(is_open, steps.open);
-    hn::StoreU(hn::IfThenElse(begins, cell.from, open_from), d<double>, &fronts.open_from[i]);
+    store(hn::IfThenElse(begins, cell.from, open_from), &fronts.open_from[i]);
     marks.count_cell(steps.open, begins);
     marks.set(MarkWords::continuous, steps.open,
               hn::And(cell.continuous, hn::Or(begins, marks.has(MarkWords::continuous))));
     const M<double> kinked = hn::Or(cell.kinked, hn::AndNot(begins, marks.has(MarkWords::kinked)));
     marks.set(MarkWords::kinked, hn::Or(steps.open, steps.root_behind), kinked);
-    const V<double> end = hn::LoadU(d<double>, &fronts.end[i]);
+    const V<double> end = load(&fronts.end[i]);
     return hn::And(steps.open,
                    hn::Or(marks.has(most_open_cells * MarkWords::one_cell), hn::Ge(cell.to, end)));
 }
@@ -257,7 +261,7 @@ HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
     const V<double> longer = hn::Min(hn::Max(cell.growth, number(1.0)), number(most_growth));
     const V<double> shorter = hn::Min(hn::Max(cell.growth, number(least_growth)), number(0.5));
     const V<double> past_roots = hn::Sub(hn::Add(cell.root_to, quarter), near);
-    V<double> next = hn::LoadU(d<double>, &fronts.step[i]);
+    V<double> next = load(&fronts.step[i]);
     next = where(steps.free, hn::Mul(longer, length), next);
     next = where(steps.halved, hn::Mul(number(0.5), length), next);
     next = where(steps.narrowed, past_roots, next);
@@ -267,22 +271,21 @@ HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
     const M<double> edged = hn::Or(closed, hn::Or(steps.free_behind, steps.root_behind));
     const V<double> before_roots =
         hn::Max(cell.from, hn::Sub(cell.root_from, hn::Add(width, margin)));
-    V<double> to = hn::LoadU(d<double>, &fronts.to[i]);
+    V<double> to = load(&fronts.to[i]);
     to = where(steps.rooted, cell.root_to, to);
     to = where(closed, cell.to, to);
     to = where(steps.free_behind, cell.from, to);
     to = where(steps.root_behind, before_roots, to);
-    at = where(edged, hn::LoadU(d<double>, &fronts.open_from[i]), at);
+    at = where(edged, load(&fronts.open_from[i]), at);
 
-    const V<double> end = hn::LoadU(d<double>, &fronts.end[i]);
+    const V<double> end = load(&fronts.end[i]);
     marks.set_state(FrontMarks::State::Gone, hn::And(steps.free, hn::Ge(at, end)));
     marks.set_state(FrontMarks::State::Rooted, steps.rooted);
     marks.set_state(FrontMarks::State::Edged, edged);
-    hn::StoreU(at, d<double>, &fronts.at[i]);
-    hn::StoreU(to, d<double>, &fronts.to[i]);
-    hn::StoreU(next, d<double>, &fronts.step[i]);
-    hn::StoreU(where(steps.rooted, cell.turn, hn::LoadU(d<double>, &fronts.turn[i])), d<double>,
-               &fronts.turn[i]);
+    store(at, &fronts.at[i]);
+    store(to, &fronts.to[i]);
+    store(next, &fronts.step[i]);
+    store(where(steps.rooted, cell.turn, load(&fronts.turn[i])), &fronts.turn[i]);
     hn::StoreU(marks.words(), MarkWords::tag, &fronts.marks[i]);
 }
 

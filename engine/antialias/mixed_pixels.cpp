@@ -1,5 +1,7 @@
 #include "engine/antialias/mixed_pixels.hpp"
 
+#include "engine/antialias/calm_pixels.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -50,25 +52,8 @@ TileBits lit_hits(const LitLayer& layer, const Tile& tile) {
     return lit;
 }
 
-/// Adds the hits beside which the shadow on the same surface begins or ends.
-void add_shadow_edges(const LitLayer& layer, const Tile& tile, TileBits& edges) {
-    const TileBits lit = lit_hits(layer, tile);
-    const TileBits& hits = layer.hit_rows;
-    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
-        const auto differ = [&](std::uint64_t other, std::uint64_t other_hits) {
-            return (lit[row] ^ other) & hits[row] & other_hits;
-        };
-        edges[row] |= differ(lit[row] << 1U, hits[row] << 1U);
-        edges[row] |= differ(lit[row] >> 1U, hits[row] >> 1U);
-        if (row > 0) edges[row] |= differ(lit[row - 1], hits[row - 1]);
-        if (row + 1 < static_cast<std::size_t>(tile.rows))
-            edges[row] |= differ(lit[row + 1], hits[row + 1]);
-    }
-}
-
 /// Whether the lights of two hits look different: by more than this part of the brightest.
-bool look_different(const LitLayer& layer, std::size_t a, std::size_t b) {
-    constexpr float least = 0.09F;
+bool look_different(const LitLayer& layer, std::size_t a, std::size_t b, float least) {
     const auto shown = [&](std::size_t at, int channel) {
         const float* const row = layer.light_row(static_cast<int>(at / tile_size), channel);
         return std::sqrt(std::clamp(row[at % tile_size], 0.0F, 1.0F));
@@ -79,8 +64,44 @@ bool look_different(const LitLayer& layer, std::size_t a, std::size_t b) {
     return false;
 }
 
+/// Whether two hits may be on one sheet, as their normals are.
+bool are_of_one_sheet(const TileHits& hits, std::size_t a, std::size_t b) {
+    constexpr double least_cosine = 0.5;
+    const glm::dvec3 first = hits.gradient_at(a);
+    const glm::dvec3 second = hits.gradient_at(b);
+    const double product = glm::dot(first, second);
+    return product > 0.0 && product * product >= least_cosine * least_cosine *
+                                                     glm::dot(first, first) *
+                                                     glm::dot(second, second);
+}
+
+/// Adds the hits beside which a shadow that is seen begins or ends on the same sheet.
+void add_shadow_edges(const LitLayer& layer, const Tile& tile, TileBits& edges) {
+    constexpr float least = 0.02F;
+    const TileBits lit = lit_hits(layer, tile);
+    const TileBits& hits = layer.hit_rows;
+    const auto add_pairs = [&](std::uint64_t differ, std::size_t row, std::size_t by_row,
+                               std::size_t by_col) {
+        for (; differ != 0; differ &= differ - 1) {
+            const auto col = static_cast<std::size_t>(std::countr_zero(differ));
+            const std::size_t a = row * tile_size + col;
+            const std::size_t b = a + by_row * tile_size + by_col;
+            if (!look_different(layer, a, b, least) || !are_of_one_sheet(*layer.hits, a, b))
+                continue;
+            edges[row] |= std::uint64_t{1} << col;
+            edges[row + by_row] |= std::uint64_t{1} << (col + by_col);
+        }
+    };
+    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
+        add_pairs((lit[row] ^ lit[row] >> 1U) & hits[row] & hits[row] >> 1U, row, 0, 1);
+        if (row + 1 < static_cast<std::size_t>(tile.rows))
+            add_pairs((lit[row] ^ lit[row + 1]) & hits[row] & hits[row + 1], row, 1, 0);
+    }
+}
+
 /// Adds the hits beside which the same surface looks different.
 void add_contrasts(const LitLayer& layer, const Tile& tile, TileBits& edges) {
+    constexpr float least = 0.09F;
     const auto rows = static_cast<std::size_t>(tile.rows);
     const auto compare = [&](std::size_t row, std::size_t col, std::size_t by_row,
                              std::size_t by_col) {
@@ -88,7 +109,7 @@ void add_contrasts(const LitLayer& layer, const Tile& tile, TileBits& edges) {
         const std::uint64_t other = std::uint64_t{1} << (col + by_col);
         if ((layer.hit_rows[row + by_row] & other) == 0) return;
         const std::size_t at = row * tile_size + col;
-        if (!look_different(layer, at, at + by_row * tile_size + by_col)) return;
+        if (!look_different(layer, at, at + by_row * tile_size + by_col, least)) return;
         edges[row] |= bit;
         edges[row + by_row] |= other;
     };
@@ -103,17 +124,24 @@ void add_contrasts(const LitLayer& layer, const Tile& tile, TileBits& edges) {
 
 }  // namespace
 
-void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<MixedPixel>& out) {
+void find_mixed(const Tile& tile, std::span<const LitLayer> layers, std::span<const TileHits> hits,
+                std::vector<MixedPixel>& out) {
     const bool alone = hits.size() == 1 && hits.front().cover.known;
+    TileBits found{};
     for (int row = 0; row < tile.rows; ++row) {
         const std::uint64_t all = ~std::uint64_t{0} >> (tile_size - tile.cols);
         std::uint64_t bits = alone ? hits.front().cover.mixed_in_row(row) & all : all;
         for (; bits != 0; bits &= bits - 1) {
             const auto mixed = mixed_pixel(
                 hits, static_cast<std::size_t>(row * tile_size + std::countr_zero(bits)));
-            if (mixed) out.push_back(*mixed);
+            if (!mixed) continue;
+            out.push_back(*mixed);
+            found[static_cast<std::size_t>(row)] |= bits & (~bits + 1);
         }
     }
+    const TileBits calm = calm_pixels(tile, layers, found);
+    for (MixedPixel& mixed : out)
+        mixed.is_calm = (calm[mixed.pixel / tile_size] >> mixed.pixel % tile_size & 1U) != 0;
 }
 
 void add_light_edges(const Tile& tile, std::span<const LitLayer> layers,

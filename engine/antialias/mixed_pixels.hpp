@@ -10,8 +10,10 @@
 namespace zeroset {
 
 /// Adds to `out` the pixels of a tile of which the surfaces' hits do not tell that one smooth sheet
-/// covers them, or nothing; all of them where a tracer says nothing of whole pixels.
-void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<MixedPixel>& out);
+/// covers them, or nothing; all of them where a tracer says nothing of whole pixels. `layers`: the
+/// hits as they look.
+void find_mixed(const Tile& tile, std::span<const LitLayer> layers, std::span<const TileHits> hits,
+                std::vector<MixedPixel>& out);
 
 /// Adds pixels beside which the shadow on the same surface begins or ends to `mixed`, those of one
 /// tile; `contrasts`: and those beside which it looks different, as where mirrors show an edge.

@@ -9,6 +9,7 @@
 #endif
 
 #include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/numbers-inl.hpp"
 #include "engine/kernel/batches.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 #include "engine/trace/tile_rays.hpp"
@@ -19,8 +20,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-HWY_INLINE V<double> number(double value) { return hn::Set(d<double>, value); }
 
 struct Vectors3 {
     V<double> x, y, z;
@@ -93,9 +92,9 @@ struct RayPoints {
 
     HWY_INLINE void ask(std::size_t i, const LinesOfRays& lines, V<double> s) {
         const Vectors3 at = along(lines.origin, s, lines.direction);
-        hn::StoreU(at.x, d<double>, x[0] + i);
-        hn::StoreU(at.y, d<double>, x[1] + i);
-        hn::StoreU(at.z, d<double>, x[2] + i);
+        store(at.x, x[0] + i);
+        store(at.y, x[1] + i);
+        store(at.z, x[2] + i);
     }
     /// Evaluates the first `size`, a multiple of batch_multiple.
     void evaluate(const TraceFrame& frame, std::size_t size) {
@@ -108,13 +107,9 @@ struct RayPoints {
                  .gradient = {gradient[0] + i, gradient[1] + i, gradient[2] + i}});
         }
     }
-    [[nodiscard]] HWY_INLINE V<double> f_at(std::size_t i) const {
-        return hn::LoadU(d<double>, f + i);
-    }
+    [[nodiscard]] HWY_INLINE V<double> f_at(std::size_t i) const { return load(f + i); }
     [[nodiscard]] HWY_INLINE Vectors3 gradient_at(std::size_t i) const {
-        return {.x = hn::LoadU(d<double>, gradient[0] + i),
-                .y = hn::LoadU(d<double>, gradient[1] + i),
-                .z = hn::LoadU(d<double>, gradient[2] + i)};
+        return {.x = load(gradient[0] + i), .y = load(gradient[1] + i), .z = load(gradient[2] + i)};
     }
 };
 
@@ -153,18 +148,6 @@ private:
     std::size_t firsts_[room / batch_multiple];
     std::size_t count_;
 };
-
-HWY_INLINE V<double> load(const double* from) { return hn::LoadU(d<double>, from); }
-HWY_INLINE void store(V<double> numbers, double* to) { hn::StoreU(numbers, d<double>, to); }
-/// Stores numbers in some lanes.
-HWY_INLINE void store_in(M<double> lanes, V<double> numbers, double* to) {
-    store(hn::IfThenElse(lanes, numbers, load(to)), to);
-}
-/// Flags as numbers, 1 and 0.
-HWY_INLINE V<double> flags(M<double> lanes) { return hn::IfThenElseZero(lanes, number(1.0)); }
-HWY_INLINE M<double> flags_at(const double* from) {
-    return hn::Ne(load(from), hn::Zero(d<double>));
-}
 
 }  // namespace zeroset::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -3,7 +3,23 @@
 #include "engine/antialias/square_field.hpp"
 #include "engine/trace/tile_hits.hpp"
 
+#include <array>
+
 namespace zeroset {
+namespace {
+
+/// Places in a pixel, in halves of its side: each in a row and a column of its own, so that edges
+/// along rows and columns, too, leave eight shares to tell apart.
+constexpr std::array<SquareRay, 8> sheet_places{{{.x = 0.125, .y = -0.375},
+                                                 {.x = -0.125, .y = 0.375},
+                                                 {.x = 0.625, .y = 0.125},
+                                                 {.x = -0.375, .y = -0.625},
+                                                 {.x = -0.625, .y = 0.625},
+                                                 {.x = -0.875, .y = -0.125},
+                                                 {.x = 0.375, .y = 0.875},
+                                                 {.x = 0.875, .y = -0.875}}};
+
+}  // namespace
 
 void SampleDrafts::add(const CoverSquare& square, double share, const RayRoot& root) {
     drafts_.push_back({.sample = {.pixel = square.pixel,
@@ -36,28 +52,26 @@ void SampleDrafts::add(const CoverSquare& square, const Front& front) {
 }
 
 void SampleDrafts::add(const MixedPixel& pixel) {
-    const int parts = 1 << pixel.least_level;
-    const double side = 1.0 / parts;
     Front sheet;
     sheet.at = static_cast<double>(pixel.from);
     sheet.to = static_cast<double>(pixel.sheet_to);
     sheet.monotone = true;
-    for (int row = 0; row < parts; ++row) {
-        for (int col = 0; col < parts; ++col) {
-            const CoverSquare part{.pixel = pixel.pixel,
-                                   .level = pixel.least_level,
-                                   .col = (col + 0.5) * side - 0.5,
-                                   .row = (row + 0.5) * side - 0.5,
-                                   .side = side,
-                                   .area = side * side};
-            add(part, sheet);
-        }
+    for (const SquareRay& place : sheet_places) {
+        const CoverSquare part{.pixel = pixel.pixel,
+                               .level = pixel.least_level,
+                               .col = 0.5 * place.x,
+                               .row = 0.5 * place.y,
+                               .side = 0.0,
+                               .area = 1.0 / sheet_places.size()};
+        add(part, sheet);
     }
 }
 
 void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,
                          std::vector<CoverSample>& out, Counters& counters) const {
     std::vector<RayRoot> roots;
+    roots.reserve(drafts_.size());
+    out.reserve(out.size() + drafts_.size());
     for (const Draft& draft : drafts_) {
         if (!draft.is_known) roots.push_back(draft.root);
     }

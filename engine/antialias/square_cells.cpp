@@ -132,7 +132,7 @@ std::size_t SquareCells<Real>::replace_ended(std::size_t count,
     return count;
 }
 
-HWY_INLINE void store_numbers(V<double> numbers, double* to) { hn::StoreU(numbers, d<double>, to); }
+HWY_INLINE void store_numbers(V<double> numbers, double* to) { store(numbers, to); }
 /// Rounded upward, as all here.
 HWY_INLINE void store_numbers(V<double> numbers, float* to) {
     const hn::Rebind<float, Tag<double>> tag;
@@ -144,7 +144,7 @@ void SquareCells<Real>::place_cells(std::size_t size) {
     const V<double> half = hn::Set(d<double>, 0.5);
     const V<double> margin = hn::Set(d<double>, margin_);
     for (std::size_t i = 0; i < size; i += lanes<double>) {
-        const V<double> from = hn::LoadU(d<double>, &fronts_.at[i]);
+        const V<double> from = load_doubles(d<double>, &fronts_.at[i]);
         const V<double> to = next_of(fronts_, i);
         store_numbers(hn::Add(hn::Mul(half, from), hn::Mul(half, to)), &cells_.s[i]);
         const V<double> middle = load_doubles(d<double>, &cells_.s[i]);

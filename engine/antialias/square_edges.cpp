@@ -14,6 +14,8 @@ constexpr std::size_t most_rays = 128;
 
 constexpr SquarePart unknown_part{.share = 0.0, .x = 0.0, .y = 0.0};
 
+constexpr LinearOnSquare all_of_square{.value = -1.0, .by_x = 0.0, .by_y = 0.0};
+
 /// The level of which edges are not divided.
 int last_level_of(bool is_inside) { return is_inside ? last_edge_level : last_wall_level; }
 
@@ -51,9 +53,12 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool one_entry = is_inside || samples.before_end.front();
-    const auto fit =
-        one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
+    auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
+        const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
+        if (signs == Signs::Kept) return pass(square);
+        if (signs == Signs::Changed && !fit && samples.roots() == square_ray_count)
+            fit = all_of_square;
         switch (walls_.add(square, stretches, fit)) {
             case SquareWalls::Choice::None: break;
             case SquareWalls::Choice::Sought: return false;
@@ -65,6 +70,10 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
         if (thread) return take_thread(square, stretches, samples, *thread);
     }
     const bool all = samples.roots() == square_ray_count;
+    if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
+        field_.leave_plain(square);
+        return false;
+    }
     const bool kinked = front.kinked;
     const bool creased = all && is_inside && (!fit || (kinked && is_all_below(samples)));
     if (creased && at.level < last_color_level) {

@@ -83,6 +83,7 @@ void SquareField::add(MixedPixel& pixel) {
     squares_.push_back({.pixel = pixel.pixel, .least_level = pixel.least_level, .whole = &pixel});
     Front front;
     front.at = static_cast<double>(pixel.from);
+    front.calm = pixel.is_calm;
     fronts_.insert(fronts_.end(), surfaces_, front);
 }
 

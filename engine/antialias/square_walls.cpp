@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <utility>
 
 namespace zeroset {
 
@@ -28,18 +27,17 @@ auto SquareWalls::add(std::size_t square, const SquareStretches& stretches,
     if (outside_count == 0) return Choice::None;
     const bool outside = outside_count == square_ray_count + square_corners.size();
     if (outside && at.level >= first_flat_level) return Choice::Outside;
-    Task task{.square = square, .stretches = stretches, .places = {}, .ways = {}};
+    WallPlaces places;
     for (std::size_t i = 0; i < square_ray_count; ++i)
-        task.places.push_back({.at = square_rays[i], .hit = stretches[i].has_root()});
+        places.push({.at = square_rays[i], .hit = stretches[i].has_root()});
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
         const SquareRay& corner = square_corners[i];
         if (outside_at[i] || fit)
-            task.places.push_back({.at = corner, .hit = !outside_at[i] && fit->at(corner) <= 0.0});
+            places.push({.at = corner, .hit = !outside_at[i] && fit->at(corner) <= 0.0});
     }
-    const auto ways = wall_between(task.places);
+    const auto ways = wall_between(places.all());
     if (!ways) return Choice::None;
-    task.ways = *ways;
-    tasks_.push_back(std::move(task));
+    tasks_.push_back({.square = square, .stretches = stretches, .places = places, .ways = *ways});
     return Choice::Sought;
 }
 
@@ -83,7 +81,7 @@ void SquareWalls::decide() {
     if (tasks_.empty()) return;
     narrow();
     for (const Task& task : tasks_) {
-        const auto line = line_of_wall(task.places, task.ways);
+        const auto line = line_of_wall(task.places.all(), task.ways);
         if (line) {
             show(task, *line);
         } else if (field_.square(task.square).level < last_wall_level) {

@@ -5,9 +5,11 @@
 #include "engine/antialias/square_field.hpp"
 #include "engine/antialias/wall_line.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -29,10 +31,19 @@ public:
     void decide();
 
 private:
+    struct WallPlaces {
+        std::array<WallPlace, most_wall_places> room{};
+        std::size_t count = 0;
+
+        void push(const WallPlace& place) { room[count++] = place; }
+        [[nodiscard]] std::span<const WallPlace> all() const {
+            return std::span(room).first(count);
+        }
+    };
     struct Task {
         std::size_t square;
         SquareStretches stretches;
-        std::vector<WallPlace> places;
+        WallPlaces places;
         WallWays ways;
     };
     /// Halves the ways of all tasks until they are short.

@@ -26,7 +26,10 @@ struct WallWays {
     }
 };
 
-/// Such ways between places, far apart; none if all have roots, or none has.
+/// The rays of a square, and its corners.
+inline constexpr std::size_t most_wall_places = square_ray_count + square_corners.size();
+
+/// Such ways between places, so many at most, far apart; none if all have roots, or none has.
 std::optional<WallWays> wall_between(std::span<const WallPlace> places);
 
 /// The line through the middles of both ways, below 0 where rays have roots; nothing unless it

@@ -48,22 +48,26 @@ float FrameLight::opacity(std::size_t surface) const {
 
 void FrameLight::light(std::span<const TraceFrame> surfaces, const TimeLimit& limit,
                        const Tile& tile, std::span<const TileHits> hits, LitTile& out,
-                       Counters& counters) const {
+                       Counters& counters, const KnownShadows& known) const {
     out.begin(hits);
-    light_hits(surfaces, limit, tile, out, counters);
+    light_hits(surfaces, limit, tile, out, counters, known);
     for (LitLayer& layer : out.layers())
         show_section_values(surfaces[layer.surface], tile, fineness_, layer, counters);
     if (!out.layers().empty()) draw_lines(surfaces, fineness_, tile, out.layers(), counters);
 }
 
 void FrameLight::light_hits(std::span<const TraceFrame> surfaces, const TimeLimit& limit,
-                            const Tile& tile, LitTile& out, Counters& counters) const {
+                            const Tile& tile, LitTile& out, Counters& counters,
+                            const KnownShadows& known) const {
     if (by_rays_) return light_paths(*this, surfaces, limit, tile, out.layers(), counters);
     if (settings_.shadows && !out.layers().empty()) {
         const UnitVector to_light = key_light(surfaces.front().view);
-        const ShadowBits found =
-            find_shadows(surfaces, to_light, limit, tile, out.layers(), counters);
-        darken(found.dark, out.layers());
+        const ShadowBits found = find_shadows(surfaces, to_light, limit, tile, out.layers(),
+                                              counters, ShadowWay::Beams, known.known);
+        TileBits dark = found.dark;
+        for (std::size_t row = 0; row < tile_size; ++row)
+            dark[row] |= known.dark[row];
+        darken(dark, out.layers());
     }
     for (LitLayer& layer : out.layers()) {
         find_colors(surfaces[layer.surface], tile, layer, counters);

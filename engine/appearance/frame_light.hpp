@@ -11,6 +11,12 @@
 
 namespace zeroset {
 
+/// Hits of which it is known beforehand whether the key light reaches them.
+struct KnownShadows {
+    TileBits known{};
+    TileBits dark{};  ///< the others are lit
+};
+
 /// The light of a frame's surfaces: what all tiles share. Lives while the frame is drawn;
 /// read-only.
 class FrameLight {
@@ -22,9 +28,12 @@ public:
     /// Lights the hits of a tile; item i of `hits`: of surface i, with their gradients. What is not
     /// found within `limit` is left out: shadows, mirrors. In upward rounding.
     void light(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,
-               std::span<const TileHits> hits, LitTile& out, Counters& counters) const;
+               std::span<const TileHits> hits, LitTile& out, Counters& counters,
+               const KnownShadows& known = {}) const;
 
     [[nodiscard]] const TraceSettings& settings() const { return settings_; }
+    /// Whether all that is asked of shadows is which hits the key light reaches.
+    [[nodiscard]] bool takes_known_shadows() const { return settings_.shadows && !by_rays_; }
     /// Whether smooth surfaces may show edges that are not shadows of the key light.
     [[nodiscard]] bool shows_contrasts() const { return by_rays_; }
     [[nodiscard]] const HitShader& shader() const { return shader_; }
@@ -38,7 +47,7 @@ public:
 
 private:
     void light_hits(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,
-                    LitTile& out, Counters& counters) const;
+                    LitTile& out, Counters& counters, const KnownShadows& known) const;
 
     const Scene& scene_;
     TraceSettings settings_;

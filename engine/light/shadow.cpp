@@ -231,7 +231,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
 
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
-                        Counters& counters, ShadowWay way) {
+                        Counters& counters, ShadowWay way, const TileBits& left_out) {
     ShadowBits found;
     if (layers.empty()) return found;
     thread_local LightPlaces places;
@@ -245,7 +245,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
     for (const LitLayer& layer : layers) {
         turned.push_back(find_places(surfaces.front(), light, tile, *layer.hits, places));
         for (std::size_t row = 0; row < tile_size; ++row)
-            open[row] |= turned.back()[row];
+            open[row] |= turned.back()[row] & ~left_out[row];
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         TileBits roots{};

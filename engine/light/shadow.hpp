@@ -20,10 +20,12 @@ enum class ShadowWay : std::uint8_t {
 /// Finds which hits of a tile's layers a light does not reach, by beams from squares of them to the
 /// light [Knoll07 5.6, Florez08 5.4.4]: nothing that throws a shadow is missed, however thin. The
 /// light's rays are parallel. The gradients of the hits are known. What is not found within `limit`
-/// is lit. Counts what is not proved, but in parts of pixels. In upward rounding.
+/// is lit. Counts what is not proved, but in parts of pixels. `left_out`: hits that are not asked
+/// about. In upward rounding.
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
-                        Counters& counters, ShadowWay way = ShadowWay::Beams);
+                        Counters& counters, ShadowWay way = ShadowWay::Beams,
+                        const TileBits& left_out = {});
 
 /// Takes the key light from the hits that do not have it.
 void darken(const TileBits& dark, std::span<LitLayer> layers);

@@ -11,6 +11,9 @@
 #include "engine/trace/beam/beam_cells-inl.hpp"
 #include "engine/trace/simd/region_clip-inl.hpp"
 
+#include <cmath>
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
@@ -74,6 +77,66 @@ private:
     }
 
     InsideSpans<ClipTag> spans_;
+};
+
+/// Whether all points of whole pixels of a row, between two depths each, are inside the clip box,
+/// or all outside.
+template <class D>
+class PixelBoxes {
+public:
+    using Real = hn::TFromD<D>;
+    using V = hn::Vec<D>;
+    using M = hn::Mask<D>;
+
+    /// The pixels from `col` on, as RaysOf counts them.
+    HWY_INLINE PixelBoxes(const TileRays& rays, Real col, Real row, V from, V to)
+        : inside_(hn::Ge(from, number(rays.first_depth() + 2.0 * rays.depth_error()))),
+          outside_(hn::Lt(hn::Inf(d), hn::Zero(d))) {
+        const V cols = hn::Iota(d, col);
+        for (int k = 0; k < 3; ++k)
+            cut(rays, k, cols, static_cast<double>(row), from, to);
+    }
+    [[nodiscard]] M inside() const { return inside_; }
+    [[nodiscard]] M outside() const { return outside_; }
+
+private:
+    static constexpr D d{};
+
+    static HWY_INLINE V number(double value) { return hn::Set(d, static_cast<Real>(value)); }
+    /// Takes in the walls across axis k.
+    HWY_INLINE void cut(const TileRays& rays, int k, V cols, double row, V from, V to) {
+        const RaysOf<double>& of = rays.double_rays();
+        const V origin = hn::MulAdd(cols, number(of.origin_by_col[k]),
+                                    number(of.origin[k] + row * of.origin_by_row[k]));
+        const V direction = hn::MulAdd(cols, number(of.direction_by_col[k]),
+                                       number(of.direction[k] + row * of.direction_by_row[k]));
+        // How far the rays of a pixel are from its middle's along the axis, twice.
+        const auto spread = [&](V s) {
+            return hn::Add(
+                hn::Abs(hn::MulAdd(s, number(of.direction_by_col[k]), number(of.origin_by_col[k]))),
+                hn::Abs(
+                    hn::MulAdd(s, number(of.direction_by_row[k]), number(of.origin_by_row[k]))));
+        };
+        const V first = hn::MulAdd(from, direction, origin);
+        const V last = hn::MulAdd(to, direction, origin);
+        const V across = hn::Max(spread(from), spread(to));
+        // Roundings, of terms that may be larger than their sum.
+        const V depth = hn::Max(hn::Abs(from), hn::Abs(to));
+        const V size =
+            hn::Add(hn::MulAdd(depth, hn::Abs(direction), number(std::abs(of.origin[k]))),
+                    hn::Mul(number(tile_size), across));
+        const V error = hn::MulAdd(number(32.0 * std::numeric_limits<Real>::epsilon()), size,
+                                   number(2.0 * rays.depth_error()));
+        const V radius = hn::MulAdd(number(0.5), across, error);
+        const V lo = hn::Sub(hn::Min(first, last), radius);
+        const V hi = hn::Add(hn::Max(first, last), radius);
+        const V clip_lo = number(rays.clip().lo[k]);
+        const V clip_hi = number(rays.clip().hi[k]);
+        inside_ = hn::And(inside_, hn::And(hn::Gt(lo, clip_lo), hn::Lt(hi, clip_hi)));
+        outside_ = hn::Or(outside_, hn::Or(hn::Lt(hi, clip_lo), hn::Gt(lo, clip_hi)));
+    }
+
+    M inside_, outside_;
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

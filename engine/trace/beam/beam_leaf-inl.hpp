@@ -242,7 +242,9 @@ template <class Real, int pixels>
 void LeafSolver<Real, pixels>::mark_cover() {
     const int cols = std::min(pixels, tile_.cols - run_->col);
     const int rows = std::min(pixels, tile_.rows - run_->row);
-    const bool may_cover = run_->inside && !run_->kinked && !run_->turns;
+    const bool at_walls = !run_->inside;
+    const bool is_known = run_->inside || rays_.region().is_whole();
+    const bool may_cover = is_known && !run_->kinked && !run_->turns;
     const V run_from = hn::Set(d, may_cover ? run_->from : std::numeric_limits<Real>::infinity());
     const V run_to = hn::Set(d, run_->to);
     for (int row = 0; row < rows; ++row) {
@@ -250,8 +252,14 @@ void LeafSolver<Real, pixels>::mark_cover() {
             const int i = row * pixels + col;
             const V from = hn::Load(d, cover_from_ + i);
             const V to = hn::Load(d, cover_to_ + i);
-            const M some = hn::Le(from, to);
-            const M covered = hn::And(some, hn::And(hn::Gt(from, run_from), hn::Lt(to, run_to)));
+            M some = hn::Le(from, to);
+            M covered = hn::And(some, hn::And(hn::Gt(from, run_from), hn::Lt(to, run_to)));
+            if (at_walls && !hn::AllFalse(d, some)) {
+                const PixelBoxes<D> boxes(rays_, from_middle(run_->col + col),
+                                          from_middle(run_->row + row), from, to);
+                covered = hn::And(covered, boxes.inside());
+                some = hn::AndNot(boxes.outside(), some);
+            }
             nearest_.cover.mark(d, first_pixel(row) + static_cast<std::size_t>(col), from, to, some,
                                 covered);
         }

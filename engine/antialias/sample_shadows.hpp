@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/antialias/cover_sample.hpp"
+#include "engine/light/lit_tile.hpp"
+#include "engine/trace/tile_rays.hpp"
+
+#include <cstdint>
+
+namespace zeroset {
+
+/// Whether the light reaches a sample.
+enum class SampleShadow : std::uint8_t { Unknown, Lit, Dark };
+
+/// What the pixels around a sample's pixel tell of its shadow: those on its sheet, if there are
+/// several and they agree. `layer`: the hits of the sample's surface in the tile.
+SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRays& rays,
+                           const CoverSample& sample);
+
+}  // namespace zeroset

@@ -1,0 +1,100 @@
+#include "engine/antialias/calm_pixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+// Pixels that look like those around them.
+
+namespace zeroset::test {
+namespace {
+
+constexpr int side = 20;
+constexpr Tile tile{.col = 0, .row = 0, .cols = side, .rows = side};
+
+/// A tile of hits of one surface, all of the same light.
+class CalmPixels : public testing::Test {
+protected:
+    CalmPixels() : hits_(1) {
+        for (int row = 0; row < side; ++row) {
+            for (int col = 0; col < side; ++col)
+                hits_[0].depth[static_cast<std::size_t>(row * tile_size + col)] = 1.0F;
+        }
+        hits_[0].any = true;
+    }
+
+    void light() {
+        lit_.begin(hits_);
+        for (int row = 0; row < side; ++row) {
+            for (int channel = 0; channel < 3; ++channel)
+                std::fill_n(layer().light_row(row, channel), tile_size, 0.3F);
+            std::uint64_t& hits = layer().hit_rows[static_cast<std::size_t>(row)];
+            hits = 0;
+            for (int col = 0; col < side; ++col) {
+                const float depth = hits_[0].depth[static_cast<std::size_t>(row * tile_size + col)];
+                if (depth < std::numeric_limits<float>::infinity()) hits |= std::uint64_t{1} << col;
+            }
+        }
+    }
+    LitLayer& layer() { return lit_.layers().front(); }
+    [[nodiscard]] bool is_calm(int col, int row) const {
+        TileBits wanted{};
+        wanted[static_cast<std::size_t>(row)] = std::uint64_t{1} << col;
+        const TileBits calm = calm_pixels(tile, lit_.layers(), wanted);
+        return (calm[static_cast<std::size_t>(row)] >> col & 1U) != 0;
+    }
+
+    std::vector<TileHits> hits_;
+    LitTile lit_;
+};
+
+TEST_F(CalmPixels, AreThoseWithinTheTileWhereAllLooksTheSame) {
+    light();
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col) {
+            const bool within = row > 0 && row + 1 < side && col > 0 && col + 1 < side;
+            ASSERT_EQ(is_calm(col, row), within) << col << ", " << row;
+        }
+    }
+}
+
+TEST_F(CalmPixels, AreNotThoseBesideAPixelWithoutAHit) {
+    hits_[0].depth[7 * tile_size + 9] = std::numeric_limits<float>::infinity();
+    light();
+    for (int row = 5; row < 10; ++row) {
+        for (int col = 7; col < 12; ++col) {
+            const bool beside = std::abs(row - 7) <= 1 && std::abs(col - 9) <= 1;
+            ASSERT_EQ(is_calm(col, row), !beside) << col << ", " << row;
+        }
+    }
+}
+
+TEST_F(CalmPixels, AreNotThoseBesideAPixelOfAnotherColourInAnyChannel) {
+    for (int channel = 0; channel < 3; ++channel) {
+        light();
+        layer().light_row(7, channel)[9] = 0.35F;
+        for (int row = 5; row < 10; ++row) {
+            for (int col = 7; col < 12; ++col) {
+                const bool beside = std::abs(row - 7) <= 1 && std::abs(col - 9) <= 1;
+                ASSERT_EQ(is_calm(col, row), !beside) << channel << ": " << col << ", " << row;
+            }
+        }
+        // As the eye sees it: by the square root.
+        layer().light_row(7, channel)[9] = 0.31F;
+        ASSERT_TRUE(is_calm(8, 6));
+    }
+}
+
+TEST_F(CalmPixels, AreNoneWhereASurfaceIsSeenThrough) {
+    light();
+    layer().cover.assign(std::size_t{tile_size} * tile_size, 0.5F);
+    EXPECT_FALSE(is_calm(8, 6));
+}
+
+}  // namespace
+}  // namespace zeroset::test
