@@ -6,12 +6,26 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
 
 constexpr double usual_radius = 0.006;  // of the clip box's longest edge
+
+/// The items of the uniforms that graphs read.
+std::vector<std::size_t> uniforms_read(const std::array<Expr, 3>& graphs) {
+    std::set<std::size_t> items;
+    for (const Expr& graph : graphs) {
+        for (const Node& node : graph.nodes()) {
+            if (node.op == Op::Variable && node.number >= variable_w)
+                items.insert(static_cast<std::size_t>(node.number - variable_w));
+        }
+    }
+    return {items.begin(), items.end()};
+}
 
 }  // namespace
 
@@ -29,7 +43,7 @@ Kernel patch_code(const PatchGraphs& graphs, std::size_t thickness) {
         kernel.has_double = true;
         return kernel;
     });
-    return patch_kernel(std::move(point), graphs.box, patch_modeler(shown));
+    return patch_kernel(std::move(point), graphs.box, patch_modeler(shown), uniforms_read(shown));
 }
 
 ThicknessUniforms thickness_of(PatchKind kind, const std::optional<Thickness>& chosen,

@@ -20,19 +20,6 @@ const Statement* row_of(const Document& document, const Formula& formula, std::s
     return row == document.statements.end() ? nullptr : &*row;
 }
 
-/// How thick curves and points are, for the uniforms behind the parameters.
-std::vector<double> thicknesses(const Document& document, const PictureRequest& request) {
-    std::vector<double> values;
-    for (const auto& [surface, kind] : request.formula->thick) {
-        const Statement* const row = row_of(document, *request.formula, surface);
-        const ThicknessUniforms uniforms =
-            thickness_of(kind, row != nullptr ? row->thickness : std::nullopt, document.clip,
-                         request.camera, request.size_px.y);
-        values.insert(values.end(), uniforms.begin(), uniforms.end());
-    }
-    return values;
-}
-
 /// Returns the surfaces whose rows are visible.
 std::vector<ShownSurface> visible_surfaces(const Document& document, const Formula& formula) {
     const Program& program = *formula.program;
@@ -46,7 +33,8 @@ std::vector<ShownSurface> visible_surfaces(const Document& document, const Formu
                          .row = row->id,
                          .color = row->color,
                          .solid = side,
-                         .look = {.look = row->look, .opacity = row->opacity}});
+                         .look = {.look = row->look, .opacity = row->opacity},
+                         .thickness = row->thickness});
     }
     return shown;
 }
@@ -87,14 +75,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
     request.uniforms.push_back(request.formula->uses_w() ? document.w.value : 0.0);
     for (const std::string& name : request.formula->program->parameters)
         request.uniforms.push_back(slider_of(document, name).value);
-    set_thickness(request, document);
     return request;
-}
-
-void set_thickness(PictureRequest& request, const Document& document) {
-    request.uniforms.resize(1 + request.formula->program->parameters.size());
-    for (const double value : thicknesses(document, request))
-        request.uniforms.push_back(value);
 }
 
 Camera camera_of(const Document& document, glm::ivec2 size_px) {
@@ -118,10 +99,23 @@ std::vector<std::size_t> shown_indices(const PictureRequest& request) {
     return indices;
 }
 
+std::vector<double> uniform_values(const PictureRequest& request) {
+    std::vector<double> values = request.uniforms;
+    for (const auto& [surface, kind] : request.formula->thick) {
+        const auto shown = std::ranges::find(request.surfaces, surface, &ShownSurface::index);
+        const ThicknessUniforms thickness =
+            thickness_of(kind, shown != request.surfaces.end() ? shown->thickness : std::nullopt,
+                         request.clip, request.camera, request.size_px.y);
+        values.insert(values.end(), thickness.begin(), thickness.end());
+    }
+    return values;
+}
+
 Uniforms uniforms_of(const PictureRequest& request) {
+    const std::vector<double> values = uniform_values(request);
     Uniforms uniforms;
-    for (std::size_t i = 0; i < request.uniforms.size(); ++i)
-        uniforms.set(i, request.uniforms[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        uniforms.set(i, values[i]);
     return uniforms;
 }
 

@@ -24,6 +24,8 @@ struct ShownSurface {
     std::optional<std::uint32_t> color;  ///< front colour, 0xRRGGBB; none: the palette's
     SolidSide solid = SolidSide::Automatic;
     SurfaceLook look = {};
+    /// Of a curve or a point; none: as suits the clip box.
+    std::optional<Thickness> thickness = std::nullopt;
 
     bool operator==(const ShownSurface&) const = default;
 };
@@ -43,8 +45,7 @@ struct PictureRequest {
     TraceSettings settings;
     glm::ivec2 size_px{0};
     std::vector<ShownSurface> surfaces;
-    std::vector<double> uniforms;  ///< w (0 where the formula has none), then the parameters,
-                                   ///< then how thick curves and points are
+    std::vector<double> uniforms;  ///< w (0 where the formula has none), then the parameters
 
     bool operator==(const PictureRequest&) const = default;
 };
@@ -56,10 +57,6 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
                                const Document& document, const TraceSettings& settings,
                                glm::ivec2 size_px);
 
-/// Makes curves and points as thick as the document says for the request's camera and size, which
-/// may have been changed.
-void set_thickness(PictureRequest& request, const Document& document);
-
 /// The document's own camera, or the default one for a picture of this size.
 Camera camera_of(const Document& document, glm::ivec2 size_px);
 
@@ -68,6 +65,9 @@ bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next
 
 /// Indices, among the program's surfaces, of those that the picture shows.
 std::vector<std::size_t> shown_indices(const PictureRequest& request);
+
+/// The request's uniforms, then how thick curves and points are for its camera and size.
+std::vector<double> uniform_values(const PictureRequest& request);
 
 /// The uniforms shared by all surfaces.
 Uniforms uniforms_of(const PictureRequest& request);

@@ -84,7 +84,6 @@ std::optional<PictureRequest> PictureFeed::wanted(const Document& document,
     PictureRequest request = picture_request(formula_, colors_, document, of_document, size_px);
     request.camera = ui::fitting(request.camera,
                                  static_cast<double>(size_px.x) / static_cast<double>(size_px.y));
-    set_thickness(request, document);
     return request;
 }
 

@@ -69,13 +69,15 @@ void set(KernelFunction<Batch>& function, const std::shared_ptr<const void>& cod
 }  // namespace
 
 Kernel patch_kernel(std::array<Kernel, 3> point, const std::optional<std::array<double, 6>>& box,
-                    std::shared_ptr<const PatchModeler> modeler) {
+                    std::shared_ptr<const PatchModeler> modeler,
+                    std::optional<std::vector<std::size_t>> reads) {
     Kernel kernel;
     const std::shared_ptr<PatchCode> code = kernel.memory->of<PatchCode>();
     code->point.assign(std::make_move_iterator(point.begin()),
                        std::make_move_iterator(point.end()));
     code->box = box;
     code->modeler = std::move(modeler);
+    code->reads = std::move(reads);
     // The functions of different surfaces differ by what they hold on to.
     const auto identity = std::make_shared<const int>(0);
     visit_functions([&](auto& function) { set(function, identity); }, kernel);

@@ -18,13 +18,16 @@ struct PatchCode {
     /// The patch is cut to this box, too: from and to in x, in y and in z.
     std::optional<std::array<double, 6>> box = std::nullopt;
     std::shared_ptr<const PatchModeler> modeler = nullptr;  ///< nullptr: there is none
+    /// The items of the uniforms that the coordinates read; nothing: all of them, perhaps.
+    std::optional<std::vector<std::size_t>> reads = std::nullopt;
 };
 
 /// The kernel of a surface that is drawn by its patch. Its functions know nothing of any place, so
 /// that whoever asks them for an f finds no root and proves nothing.
 Kernel patch_kernel(std::array<Kernel, 3> point,
                     const std::optional<std::array<double, 6>>& box = std::nullopt,
-                    std::shared_ptr<const PatchModeler> modeler = nullptr);
+                    std::shared_ptr<const PatchModeler> modeler = nullptr,
+                    std::optional<std::vector<std::size_t>> reads = std::nullopt);
 
 /// The code of a kernel made by patch_kernel; nullptr for other kernels.
 std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel);

@@ -23,7 +23,7 @@ struct UvBox {
 
 /// Polynomials in (p, q) have the terms p^i q^j with i + j <= patch_degree, by i + j and then by j:
 /// 1, p, q, p^2, p q, q^2, ...
-inline constexpr int patch_degree = 5;
+inline constexpr int patch_degree = 7;
 inline constexpr std::size_t patch_terms =
     std::size_t{patch_degree + 1} * std::size_t{patch_degree + 2} / 2;
 

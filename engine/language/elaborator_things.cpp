@@ -6,9 +6,12 @@
 #include "engine/expr/simplify.hpp"
 #include "engine/language/elaborator.hpp"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -199,17 +202,31 @@ bool Elaborator::check_plane(const std::vector<Point>& corners, const Point& nor
     return true;
 }
 
-/// Whether each corner is known to be on the inner side of each edge.
+/// Whether each corner is known to be on the inner side of each edge. In numbers: nodes would be as
+/// many as the square of the corners.
 bool Elaborator::is_convex(const std::vector<Point>& corners, const Point& normal) {
     if (corners.size() == 3) return true;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point edge = difference(corners[(i + 1) % corners.size()], corners[i]);
-        const Point inwards = cross(normal, edge);
-        for (const Point& corner : corners) {
-            const NodeId side = dot(inwards, difference(corner, corners[i]));
-            if (!done(side, 0)) return false;
-            const auto middle = middle_of(side);
-            if (!middle || *middle < 0.0) return false;
+    const auto numbers_of = [&](const Point& point) -> std::optional<glm::dvec3> {
+        glm::dvec3 numbers(0.0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto middle = middle_of(point.at(k));
+            if (!middle) return std::nullopt;
+            numbers[static_cast<int>(k)] = *middle;
+        }
+        return numbers;
+    };
+    const auto up = numbers_of(normal);
+    if (!up) return false;
+    std::vector<glm::dvec3> places;
+    for (const Point& corner : corners) {
+        const auto place = numbers_of(corner);
+        if (!place) return false;
+        places.push_back(*place);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const glm::dvec3 inwards = glm::cross(*up, places[(i + 1) % places.size()] - places[i]);
+        for (const glm::dvec3& place : places) {
+            if (glm::dot(inwards, place - places[i]) < 0.0) return false;
         }
     }
     return true;

@@ -27,7 +27,7 @@ constexpr ModelTag tag;
 constexpr std::size_t lanes = hn::MaxLanes(ModelTag());
 
 /// More than what rounding may take from the terms of a sum or a product, relative to the sums of
-/// their sizes: no term is a sum of more than 15 products.
+/// their sizes: no term is a sum of more than 20 products.
 constexpr double sum_rounding = 0x1p-51;
 constexpr double product_rounding = 0x1p-46;
 /// More than what is lost below the smallest numbers.

@@ -118,10 +118,11 @@ public:
           watch_(watch),
           range_(range_of(film, watch)),
           section_range_(section_range_of(film)),
-          frame_ranges_(film.script.plan(), film.frame_range, film.settings, film.size.height,
-                        [this](double moment) {
-                            return request_at(film_, film_.script.document_at(moment)).uniforms;
-                        }) {}
+          frame_ranges_(
+              film.script.plan(), film.frame_range, film.settings, film.size.height,
+              [this](double moment) {
+                  return uniform_values(request_at(film_, film_.script.document_at(moment)));
+              }) {}
 
     /// A frame with room for its picture.
     [[nodiscard]] NumberedFrame room() const;

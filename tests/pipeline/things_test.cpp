@@ -1,5 +1,6 @@
 #include "engine/image/framebuffer.hpp"
 #include "engine/render/render.hpp"
+#include "engine/trace/patch/patch_tree.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "pipeline/mesh_document.hpp"
 #include "pipeline/patch_surface.hpp"
@@ -9,9 +10,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 // Things made of points, thickness and boxes of rows, from their text to pixels.
 
@@ -190,9 +194,44 @@ TEST(Thicknesses, OfOneRowLeaveTheOthersAlone) {
     const Drawn both("(1, 0, 0)\n(-1, 0, 0)", [](Document& document) {
         document.statements.at(0).thickness = Thickness{.width = 0.8};
     });
-    ASSERT_EQ(both.request.uniforms.size(), 1U + 2 * thickness_uniforms);
-    EXPECT_EQ(both.request.uniforms[1], 0.4);
-    EXPECT_NEAR(both.request.uniforms[1 + thickness_uniforms], 0.012 * 4.0, 1e-12);
+    const std::vector<double> uniforms = uniform_values(both.request);
+    ASSERT_EQ(uniforms.size(), 1U + 2 * thickness_uniforms);
+    EXPECT_EQ(uniforms[1], 0.4);
+    EXPECT_NEAR(uniforms[1 + thickness_uniforms], 0.012 * 4.0, 1e-12);
+}
+
+/// The tree of a surface in a scene.
+std::shared_ptr<const PatchTree> tree_in(const Scene& scene, std::size_t surface) {
+    return patch_tree(scene.surfaces.at(surface), scene.uniforms);
+}
+
+TEST(Thicknesses, InPixelsLeaveTheTreesOfOthersAloneWhenTheViewMoves) {
+    const Drawn drawn(
+        "(cos t, sin t, 0), 0 < t < 6\n(u, v, 0), 0 < u < 1, 0 < v < 1", [](Document& document) {
+            document.statements.at(0).thickness = Thickness{.width = 3.0, .in_pixels = true};
+        });
+    PictureRequest moved = drawn.request;
+    moved.camera.eye *= 1.25;
+    const Scene before = scene_of(drawn.request);
+    const auto curve = tree_in(before, 0);
+    const auto square = tree_in(before, 1);
+    const Scene after = scene_of(moved);
+    EXPECT_NE(tree_in(after, 0), curve);
+    EXPECT_EQ(tree_in(after, 1), square);
+}
+
+TEST(PatchTrees, StayWhileParametersOfOthersMove) {
+    const Drawn drawn("(a cos t, a sin t, 0), 0 < t < 6\n(u, v, b), 0 < u < 1, 0 < v < 1");
+    const auto& names = drawn.request.formula->program->parameters;
+    const auto place = std::ranges::find(names, "b") - names.begin();
+    PictureRequest moved = drawn.request;
+    moved.uniforms.at(static_cast<std::size_t>(1 + place)) += 0.25;
+    const Scene before = scene_of(drawn.request);
+    const auto curve = tree_in(before, 0);
+    const auto square = tree_in(before, 1);
+    const Scene after = scene_of(moved);
+    EXPECT_EQ(tree_in(after, 0), curve);
+    EXPECT_NE(tree_in(after, 1), square);
 }
 
 const Box half_box{.lo = {-0.5, -1.0, -0.25}, .hi = {0.75, 0.5, 1.0}};

@@ -187,10 +187,10 @@ PatchForm form_of(const PatchModel& model) {
         form.c[at] = middle;
         form.ku[at] = form.du[at] = terms[patch_term(1, 0)];
         form.kv[at] = form.dv[at] = terms[patch_term(0, 1)];
-        form.e[at] = spread + model.error[k] + 0x1p-47 * size;
+        form.e[at] = spread + model.error[k] + 0x1p-46 * size;
         form.du_radius[at] = by_u;
         form.dv_radius[at] = by_v;
-        form.value_error[at] = model.error[k] + 0x1p-47 * size;
+        form.value_error[at] = model.error[k] + 0x1p-46 * size;
     }
     return form;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/trace/patch/patch_sight.hpp"
+#include "engine/view/box.hpp"
 
 #include <array>
 #include <cstddef>
@@ -18,12 +19,10 @@ using SightTerms = std::array<std::array<double, 4>, patch_terms>;
 
 /// A part of the patch as a tile's rays see it, by its model.
 struct LeafSight {
-    SightTerms terms;
-    double value_error;  ///< of each of the three
+    const PatchModel& model;
     UvBox box;           ///< that p and q in [-1, 1] run over
+    double value_error;  ///< of each of (a, b, s), as long as no term is left out
 };
-
-SightTerms turned_terms(const PatchModel& model, const SightAxes& axes);
 
 /// Some pixels of a tile: up to, but not including, the last ones.
 struct TileRect {
@@ -37,7 +36,6 @@ struct LeafHit {
     std::size_t pixel;
     bool is_inside;  ///< surely within the ends of the ranges; else it may be
     double s, s_radius;
-    std::array<double, 3> normal;  ///< dS/du x dS/dv in the world, of whatever size
 };
 
 /// Why nothing was found out about a ray.
@@ -46,10 +44,32 @@ enum class LeafLeft : std::uint8_t {
     Tangent,  ///< the ray is as good as tangent, or there was no room for more parts
 };
 
-/// Takes what is found. Hits come from front to back as far as that is known.
+/// What is known of a ray.
+enum class RayState : std::uint32_t {
+    Open,    ///< there is no hit
+    Drawn,   ///< there is a hit that is not proved
+    Proved,  ///< there is one that is
+    Kept,    ///< what is known is kept elsewhere
+};
+
+/// What a leaf wrote down for a ray; the depth of the hit is its reach.
+struct LeafFound {
+    std::array<float, 3> normal;  ///< dS/du x dS/dv in the world, of length 1, or NaN
+    RayState state;
+};
+
+/// Which of the hits count, those on the rays' other side of a reach aside.
+enum class LeafWindow : std::uint8_t {
+    All,     ///< no place of the leaf is outside of what is shown
+    Box,     ///< those in a box
+    Judged,  ///< LeafTaker::judge says it
+};
+
+/// Is asked, and told, about single rays.
 class LeafTaker {
 public:
-    virtual void take(const LeafHit& hit) = 0;
+    /// What a hit makes of its ray: Open where it does not count.
+    virtual RayState judge(const LeafHit& hit) = 0;
     /// Nothing was found out about this ray, on which the part is not nearer than `near`.
     virtual void leave(std::size_t pixel, double near, LeafLeft why) = 0;
 
@@ -57,13 +77,24 @@ protected:
     ~LeafTaker() = default;
 };
 
-/// The rays of a tile, in rows of so many; what is behind `reach` is not wanted. The reach may be
-/// changed by the taker.
+/// The rays of a tile, in rows of so many; what is behind `reach` is not wanted, and is changed by
+/// hits.
 struct LeafRays {
     const double* u;
     const double* v;
-    const double* reach;
+    double* reach;
+    LeafFound* found;
+    double* to;  ///< where any hit will do: set to -inf, as the reach, where one is proved; else
+                 ///< nullptr
     std::size_t row_size;
+    double tolerance;  ///< the width of a bracket that is narrow enough
+};
+
+/// What of a leaf counts.
+struct LeafClip {
+    LeafWindow window;
+    Box box;       ///< of LeafWindow::Box
+    double first;  ///< and the depth from which on something is seen
 };
 
 /// The rays that may meet a leaf, and smaller lists of those that may meet parts of it.
@@ -81,10 +112,16 @@ struct LeafPixels {
     std::span<const std::size_t> others;
 };
 
-/// Finds where rays through some pixels meet a leaf. In upward rounding; returns how many times
-/// its polynomials were evaluated, about.
-std::size_t trace_leaf(const LeafSight& leaf, const SightAxes& axes, const LeafRays& rays,
-                       const LeafPixels& pixels, double tolerance, LeafLists& lists,
-                       LeafTaker& taker);
+/// What was done on a leaf.
+struct LeafCount {
+    std::size_t evaluations = 0;  ///< of its polynomials, about
+    std::size_t hits = 0;
+};
+
+/// Finds where rays through some pixels meet a leaf, from front to back as far as that is known. In
+/// upward rounding.
+LeafCount trace_leaf(const LeafSight& leaf, const SightAxes& axes, const LeafRays& rays,
+                     const LeafPixels& pixels, const LeafClip& clip, LeafLists& lists,
+                     LeafTaker& taker);
 
 }  // namespace zeroset

@@ -20,38 +20,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// A polynomial in (p, q), a value for each lane.
-struct Polynomial {
-    Vector terms[patch_terms];
-};
+using D4 = hn::CappedTag<double, 4>;
+using V4 = hn::Vec<D4>;
+/// The vectors that a term of the three coordinates and a fourth number are in.
+constexpr std::size_t step4 = hn::MaxLanes(D4());
 
-/// A polynomial's value and slopes.
-struct Slopes {
-    Vector value, by_p, by_q;
-};
+/// How many terms polynomials of a degree have.
+constexpr std::size_t terms_of(int degree) { return patch_term(0, degree) + 1; }
 
-HWY_INLINE Slopes slopes_of(const Polynomial& f, Vector p, Vector q) {
-    Slopes all{
-        .value = f.terms[patch_term(patch_degree, 0)], .by_p = number(0.0), .by_q = number(0.0)};
-    for (int i = patch_degree - 1; i >= 0; --i) {
-        // The terms with p^i, and their slope by q.
-        Vector row = f.terms[patch_term(i, patch_degree - i)];
-        Vector by_q = row;
-        for (int j = patch_degree - i - 1; j >= 1; --j) {
-            row = hn::MulAdd(row, q, f.terms[patch_term(i, j)]);
-            by_q = hn::MulAdd(by_q, q, row);
-        }
-        row = hn::MulAdd(row, q, f.terms[patch_term(i, 0)]);
-        all.by_p = i == patch_degree - 1 ? all.value : hn::MulAdd(all.by_p, p, all.value);
-        all.value = hn::MulAdd(all.value, p, row);
-        all.by_q = i == patch_degree - 1 ? by_q : hn::MulAdd(all.by_q, p, by_q);
-    }
-    return all;
-}
-
-/// A box in (p, q) of a leaf, with its polynomials.
+/// A box in (p, q) of a leaf, with its polynomials up to a degree; the other terms are not set.
 struct Piece {
-    SightTerms terms;
+    HWY_ALIGN SightTerms terms;
+    int degree;
     double value_error;
     UvBox box;
     int halvings;
@@ -59,35 +39,108 @@ struct Piece {
     Contraction contraction;
 };
 
-/// The polynomials over a half of a box, along p or along q.
-inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
-    const hn::CappedTag<double, 4> d4;
-    constexpr std::size_t step = hn::MaxLanes(hn::CappedTag<double, 4>());
-    const auto shift = hn::Set(d4, sign * half_shift);
-    double size = 0.0;
-    for (std::size_t k = 0; k < 4; k += step) {
-        hn::Vec<decltype(d4)> terms[patch_degree + 1];
-        for (int other = 0; other <= patch_degree; ++other) {
-            const int degree = patch_degree - other;
+/// Calls `call` with the degree as a constant, or one above it.
+template <class Call>
+HWY_INLINE auto with_degree(int degree, Call call) {
+    if (degree <= 2) return call(std::integral_constant<int, 2>());
+    if (degree == 3) return call(std::integral_constant<int, 3>());
+    if (degree == 4) return call(std::integral_constant<int, 4>());
+    if (degree == 5) return call(std::integral_constant<int, 5>());
+    return call(std::integral_constant<int, patch_degree>());
+}
+
+/// Sums of the sizes of the terms of each degree, in a coordinate each.
+HWY_INLINE V4 size_of_degree(const SightTerms& terms, int degree, std::size_t k) {
+    const D4 d4;
+    V4 size = hn::Zero(d4);
+    for (std::size_t i = patch_term(degree, 0); i < terms_of(degree); ++i)
+        size = hn::Add(size, hn::Abs(hn::LoadU(d4, terms[i].data() + k)));
+    return size;
+}
+
+/// Leaves out terms of high degree, whose sizes go to the error, as long as they make no more of it
+/// than `most`.
+inline void lower_degree(Piece& piece, double most) {
+    const D4 d4;
+    HWY_ALIGN double sizes[4] = {};
+    double left_out = 0.0;
+    for (; piece.degree > 2; --piece.degree) {
+        for (std::size_t k = 0; k < 4; k += step4) {
+            const V4 more = size_of_degree(piece.terms, piece.degree, k);
+            hn::Store(hn::Add(hn::Load(d4, sizes + k), more), d4, sizes + k);
+        }
+        const double all = std::max({sizes[0], sizes[1], sizes[2]});
+        if (!(all <= most)) break;
+        left_out = all;
+    }
+    piece.value_error += left_out;
+    // with_degree goes on with terms that are left out.
+    if (piece.degree == 6) piece.degree = patch_degree;
+}
+
+/// The polynomials of a model in the axes of a view.
+inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& terms) {
+    const D4 d4;
+    for (std::size_t k = 0; k < 4; k += step4) {
+        V4 by[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            HWY_ALIGN const double turned[4] = {axes.right[axis], axes.up[axis], axes.forward[axis],
+                                                0.0};
+            by[axis] = hn::Load(d4, turned + k);
+        }
+        for (std::size_t i = 0; i < patch_terms; ++i) {
+            double x = model.terms[0][i];
+            double y = model.terms[1][i];
+            double z = model.terms[2][i];
+            if (i == 0) {
+                x -= axes.base.x;
+                y -= axes.base.y;
+                z -= axes.base.z;
+            }
+            V4 term = hn::Mul(by[0], hn::Set(d4, x));
+            term = hn::MulAdd(by[1], hn::Set(d4, y), term);
+            hn::Store(hn::MulAdd(by[2], hn::Set(d4, z), term), d4, terms[i].data() + k);
+        }
+    }
+}
+
+template <int degree>
+HWY_INLINE void halve_terms(const SightTerms& whole, bool along_p, double sign, SightTerms& half) {
+    const D4 d4;
+    const V4 shift = hn::Set(d4, sign * half_shift);
+    for (std::size_t k = 0; k < 4; k += step4) {
+        for (int other = 0; other <= degree; ++other) {
+            V4 terms[std::size_t{degree} + 1];
+            const int highest = degree - other;
             const auto term = [&](int i) {
                 return along_p ? patch_term(i, other) : patch_term(other, i);
             };
-            for (int i = 0; i <= degree; ++i)
-                terms[i] = hn::LoadU(d4, whole.terms[term(i)].data() + k);
-            for (int i = 0; i < degree; ++i) {
-                for (int j = degree - 1; j >= i; --j)
+            for (int i = 0; i <= highest; ++i)
+                terms[i] = hn::Load(d4, whole[term(i)].data() + k);
+            for (int i = 0; i < highest; ++i) {
+                for (int j = highest - 1; j >= i; --j)
                     terms[j] = hn::MulAdd(terms[j + 1], shift, terms[j]);
             }
             double scale = 1.0;
-            for (int i = 0; i <= degree; ++i) {
-                hn::StoreU(hn::Mul(terms[i], hn::Set(d4, scale)), d4,
-                           half.terms[term(i)].data() + k);
+            for (int i = 0; i <= highest; ++i) {
+                hn::Store(hn::Mul(terms[i], hn::Set(d4, scale)), d4, half[term(i)].data() + k);
                 scale *= 0.5;
             }
         }
     }
-    for (const auto& term : whole.terms)
+}
+
+/// The polynomials over a half of a box, along p or along q.
+inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
+    half.degree = with_degree(whole.degree, [&](auto degree) HWY_ATTR {
+        halve_terms<degree()>(whole.terms, along_p, sign, half.terms);
+        return static_cast<int>(degree);
+    });
+    double size = 0.0;
+    for (std::size_t i = 0; i < terms_of(half.degree); ++i) {
+        const auto& term = whole.terms[i];
         size += std::abs(term[0]) + std::abs(term[1]) + std::abs(term[2]);
+    }
     half.value_error = whole.value_error + 0x1p-48 * size;
     half.halvings = whole.halvings + 1;
     half.box = whole.box;
@@ -97,24 +150,24 @@ inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
 }
 
 /// Sets the linear form of a piece.
-inline void see(Piece& piece) {
-    const hn::CappedTag<double, 4> d4;
-    constexpr std::size_t step = hn::MaxLanes(hn::CappedTag<double, 4>());
+template <int degree>
+HWY_INLINE void see_terms(Piece& piece) {
+    const D4 d4;
     HWY_ALIGN double c[4];
     HWY_ALIGN double e[4];
     HWY_ALIGN double by_p[4];
     HWY_ALIGN double by_q[4];
     HWY_ALIGN double size[4];
-    for (std::size_t k = 0; k < 4; k += step) {
+    for (std::size_t k = 0; k < 4; k += step4) {
         const auto load = [&](std::size_t i)
-                              HWY_ATTR { return hn::LoadU(d4, piece.terms[i].data() + k); };
+                              HWY_ATTR { return hn::Load(d4, piece.terms[i].data() + k); };
         const auto zero = hn::Zero(d4);
         auto middle = load(0);
         auto whole = hn::Add(hn::Abs(middle), hn::Add(hn::Abs(load(1)), hn::Abs(load(2))));
         auto spread = zero;
         auto p = zero;
         auto q = zero;
-        for (std::size_t i = patch_term(2, 0); i < patch_terms; ++i) {
+        for (std::size_t i = patch_term(2, 0); i < terms_of(degree); ++i) {
             const auto term = load(i);
             const auto most = hn::Abs(term);
             const PatchPower power = patch_powers[i];
@@ -143,6 +196,10 @@ inline void see(Piece& piece) {
     sight.e = vector(e) + sight.value_error;
     sight.dp_radius = vector(by_p) + rounding * glm::abs(sight.dp);
     sight.dq_radius = vector(by_q) + rounding * glm::abs(sight.dq);
+}
+
+inline void see(Piece& piece) {
+    with_degree(piece.degree, [&](auto degree) HWY_ATTR { see_terms<degree()>(piece); });
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -216,6 +216,7 @@ PatchHit PatchSearch::search(const PatchQuest& quest, PatchNode& node, const Pat
         const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
         if (!zeros.any || zeros.beyond(inner)) continue;
         add_slopes(item.sight, item.form, quest.axes);
+        add_value_error(item.sight, item.form);
         if (certify(quest, item, sight, zeros) == Outcome::Done) continue;
         const glm::dvec3 spread = sight.spread();
         const double least = item.form.continuous ? least_radius : least_of_jumps;

@@ -34,12 +34,16 @@ void add_slopes(PatchSight& sight, const PatchForm& form, const SightAxes& axes)
     sight.dq = axes.turned(form.dv);
     sight.dp_radius = turned_radius(form.du_radius, form.du);
     sight.dq_radius = turned_radius(form.dv_radius, form.dv);
+}
+
+void add_value_error(PatchSight& sight, const PatchForm& form) {
     sight.value_error += 2.0 * most(form.value_error);
 }
 
 PatchSight sight_of(const PatchForm& form, const SightAxes& axes) {
     PatchSight sight = place_of(form, axes);
     add_slopes(sight, form, axes);
+    add_value_error(sight, form);
     return sight;
 }
 

@@ -70,8 +70,9 @@ struct PatchSight {
 PatchSight sight_of(const PatchForm& form, const SightAxes& axes);
 /// As above, but for the derivatives and value_error.
 PatchSight place_of(const PatchForm& form, const SightAxes& axes);
-/// Adds these to `place_of`.
+/// Add the derivatives, and what value_error lacks, to `place_of`.
 void add_slopes(PatchSight& sight, const PatchForm& form, const SightAxes& axes);
+void add_value_error(PatchSight& sight, const PatchForm& form);
 
 /// A 2 x 2 matrix.
 struct Matrix2 {

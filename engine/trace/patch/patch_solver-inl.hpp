@@ -1,5 +1,5 @@
-// Newton's method on a piece of a leaf, and Krawczyk's test: zero_test (patch_sight.hpp) for a
-// vector of rays. Included once for each instruction set, after Highway.
+// Newton's method on a piece of a leaf in float, and Krawczyk's test in double: zero_test
+// (patch_sight.hpp) for a vector of rays. Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_PATCH_SOLVER_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZEROSET_PATCH_SOLVER_INL
@@ -12,21 +12,118 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// What zero_test says of rays at (p, q).
-struct Test {
-    Mask none;   ///< no zero within `inner`
-    Mask found;  ///< one, and its depth is known well enough
-    Mask wide;   ///< one, but that is not
-    Vector step_p, step_q, radius, s_radius;
+/// As many floats as two vectors of doubles have numbers.
+using Floats = hn::Vec<hn::CappedTag<float, 2 * width>>;
+constexpr hn::CappedTag<float, 2 * width> df{};
+
+HWY_INLINE Floats float_number(double x) { return hn::Set(df, static_cast<float>(x)); }
+
+/// Two vectors of doubles as floats, and floats as doubles.
+HWY_INLINE Floats floats_of(Vector lower, Vector upper) {
+    const hn::Rebind<float, D> half;
+    return hn::Combine(df, hn::DemoteTo(half, upper), hn::DemoteTo(half, lower));
+}
+HWY_INLINE std::array<Vector, 2> doubles_of(Floats floats) {
+    const hn::Rebind<float, D> half;
+    const D d;
+    return {hn::PromoteTo(d, hn::LowerHalf(half, floats)),
+            hn::PromoteTo(d, hn::UpperHalf(half, floats))};
+}
+
+/// A polynomial's value and slopes.
+struct FloatSlopes {
+    Floats value, by_p, by_q;
 };
 
-/// Newton's method on the rays of a vector, until Krawczyk's test has decided.
+/// The terms of a piece in float: of (a, b, s), without those of degree 0.
+struct FloatTerms {
+    float terms[patch_terms][4];
+};
+
+/// A coordinate, but for its constant.
+template <int degree>
+HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, Floats p, Floats q) {
+    const auto term = [&](int i, int j)
+                          HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
+    FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
+    for (int i = degree - 1; i >= 0; --i) {
+        // The terms with p^i, and their slope by q.
+        Floats row = term(i, degree - i);
+        Floats by_q = row;
+        for (int j = degree - i - 1; j >= 1; --j) {
+            row = hn::MulAdd(row, q, term(i, j));
+            by_q = hn::MulAdd(by_q, q, row);
+        }
+        row = i == 0 ? hn::Mul(row, q) : hn::MulAdd(row, q, term(i, 0));
+        all.by_p = i == degree - 1 ? all.value : hn::MulAdd(all.by_p, p, all.value);
+        all.value = hn::MulAdd(all.value, p, row);
+        all.by_q = i == degree - 1 ? by_q : hn::MulAdd(all.by_q, p, by_q);
+    }
+    return all;
+}
+
+/// (a, b, s) at places.
+struct Values {
+    Vector a, b, s;
+};
+
+template <int degree>
+HWY_INLINE Values values_of(const SightTerms& terms, Vector p, Vector q) {
+    const auto term = [&](int i, int j, int k) HWY_ATTR {
+        return number(terms[patch_term(i, j)][static_cast<std::size_t>(k)]);
+    };
+    const auto row_of = [&](int i, int k) HWY_ATTR {
+        Vector row = term(i, degree - i, k);
+        for (int j = degree - i - 1; j >= 0; --j)
+            row = hn::MulAdd(row, q, term(i, j, k));
+        return row;
+    };
+    Values all{.a = term(degree, 0, 0), .b = term(degree, 0, 1), .s = term(degree, 0, 2)};
+    for (int i = degree - 1; i >= 0; --i) {
+        all.a = hn::MulAdd(all.a, p, row_of(i, 0));
+        all.b = hn::MulAdd(all.b, p, row_of(i, 1));
+        all.s = hn::MulAdd(all.s, p, row_of(i, 2));
+    }
+    return all;
+}
+
+/// What zero_test says of rays at (p, q).
+struct Test {
+    Mask none;             ///< no zero within `inner`
+    Mask found;            ///< one, and its depth is known well enough
+    Mask wide;             ///< one, but that is not
+    Mask inside, outside;  ///< of the unit square, the places of the zeros
+    Vector step_p, step_q, radius, s_radius;
+
+    /// Whether nothing is to be learnt from a better place.
+    [[nodiscard]] HWY_INLINE Mask settled() const {
+        return hn::Or(hn::Or(none, wide), hn::And(found, hn::Or(inside, outside)));
+    }
+};
+
+/// As many rays as a vector of doubles has numbers.
+struct HalfRays {
+    Vector u, v, p, q;
+    Vector g1, g2;
+    Values at;
+    Test test;
+};
+
+/// Twice as many, with the slopes by (p, q) where Newton's method went to.
+struct SolverEnd {
+    std::array<HalfRays, 2> halves;
+    Floats u, v;
+    FloatSlopes a, b, s;
+};
+
+/// Rays on a piece, until Krawczyk's test has decided.
 class Solver {
 public:
     HWY_INLINE Solver(const Piece& piece, const SightAxes& axes, double tolerance)
@@ -43,73 +140,139 @@ public:
         };
         is_within_ = is_within(piece.box.u, piece.box.u_radius) &&
                      is_within(piece.box.v, piece.box.v_radius);
+        const D4 d4;
+        const hn::Rebind<float, D4> f4;
+        for (std::size_t i = 0; i < terms_of(piece.degree); ++i) {
+            for (std::size_t k = 0; k < 4; k += step4)
+                hn::StoreU(hn::DemoteTo(f4, hn::Load(d4, piece.terms[i].data() + k)), f4,
+                           floats_.terms[i] + k);
+        }
     }
 
-    /// Where the search ended.
-    struct End {
-        Vector u, v, p, q;
-        Slopes f1, f2;
-        Test test;
-        Mask inside, outside;  ///< of the unit square, the places of the zeros
-    };
-
-    HWY_INLINE End solve(Vector u, Vector v, Vector from_p, Vector from_q) const {
+    /// `end`: with u, v and where the search begins of each half.
+    template <int degree>
+    HWY_INLINE void solve(SolverEnd& end) const {
         const D d;
-        const Vector one = number(1.0);
-        End end;
-        end.u = u;
-        end.v = v;
-        end.p = hn::Min(hn::Max(from_p, hn::Neg(one)), one);
-        end.q = hn::Min(hn::Max(from_q, hn::Neg(one)), one);
-        Polynomial g1;
-        Polynomial g2;
-        for (std::size_t i = 0; i < patch_terms; ++i) {
-            const auto& term = piece_.terms[i];
-            g1.terms[i] = hn::NegMulAdd(u, number(term[2]), number(term[0]));
-            g2.terms[i] = hn::NegMulAdd(v, number(term[2]), number(term[1]));
-        }
-        g1.terms[0] = hn::NegMulAdd(u, number(axes_.distance), g1.terms[0]);
-        g2.terms[0] = hn::NegMulAdd(v, number(axes_.distance), g2.terms[0]);
-        constexpr int most_steps = 4;
-        for (int step = 1;; ++step) {
-            end.f1 = slopes_of(g1, end.p, end.q);
-            end.f2 = slopes_of(g2, end.p, end.q);
-            test_at(end);
-            const Mask known = hn::Or(end.inside, end.outside);
-            const Mask settled =
-                hn::Or(hn::Or(end.test.none, end.test.wide), hn::And(end.test.found, known));
-            if (step == most_steps || hn::AllTrue(d, settled)) return end;
-            const Slopes& f1 = end.f1;
-            const Slopes& f2 = end.f2;
-            const Vector determinant = hn::NegMulAdd(f1.by_q, f2.by_p, hn::Mul(f1.by_p, f2.by_q));
-            const Vector inverse = hn::Div(one, determinant);
-            const Vector dp =
-                hn::Mul(hn::NegMulAdd(f2.by_q, f1.value, hn::Mul(f1.by_q, f2.value)), inverse);
-            const Vector dq =
-                hn::Mul(hn::NegMulAdd(f1.by_p, f2.value, hn::Mul(f2.by_p, f1.value)), inverse);
-            const auto moved = [&](Vector at, Vector by) HWY_ATTR {
-                const Vector to = hn::Min(hn::Max(hn::Add(at, by), hn::Neg(one)), one);
-                return hn::IfThenElse(hn::Or(settled, hn::IsNaN(by)), at, to);
-            };
-            end.p = moved(end.p, dp);
-            end.q = moved(end.q, dq);
+        find<degree>(end);
+        constexpr int most_tests = 3;
+        for (int test = 1;; ++test) {
+            bool is_settled = true;
+            for (HalfRays& half : end.halves) {
+                test_at<degree>(half);
+                is_settled = is_settled && hn::AllTrue(d, half.test.settled());
+            }
+            if (is_settled || test == most_tests) return;
+            improve(end);
         }
     }
 
 private:
-    HWY_INLINE void test_at(End& end) const {
+    /// Newton's method in float.
+    template <int degree>
+    HWY_INLINE void find(SolverEnd& end) const {
+        const auto& [lower, upper] = end.halves;
+        const Floats one = float_number(1.0);
+        const auto clamped = [&](Floats at)
+                                 HWY_ATTR { return hn::Min(hn::Max(at, hn::Neg(one)), one); };
+        Floats p = clamped(floats_of(lower.p, upper.p));
+        Floats q = clamped(floats_of(lower.q, upper.q));
+        end.u = floats_of(lower.u, upper.u);
+        end.v = floats_of(lower.v, upper.v);
+        // What is constant on a ray is large: in double.
+        const auto& constant = piece_.terms[0];
+        const Vector far = number(axes_.distance + constant[2]);
+        const auto beside = [&](Vector along, double at)
+                                HWY_ATTR { return hn::NegMulAdd(along, far, number(at)); };
+        const Floats first1 = floats_of(beside(lower.u, constant[0]), beside(upper.u, constant[0]));
+        const Floats first2 = floats_of(beside(lower.v, constant[1]), beside(upper.v, constant[1]));
+        constexpr int most_steps = 5;
+        for (int step = 1;; ++step) {
+            end.a = slopes_of<degree>(floats_, 0, p, q);
+            end.b = slopes_of<degree>(floats_, 1, p, q);
+            end.s = slopes_of<degree>(floats_, 2, p, q);
+            const Floats g1 = hn::NegMulAdd(end.u, end.s.value, hn::Add(first1, end.a.value));
+            const Floats g2 = hn::NegMulAdd(end.v, end.s.value, hn::Add(first2, end.b.value));
+            const Slopes2 by = slopes(end);
+            const Floats dp = hn::Mul(hn::NegMulAdd(by.qq, g1, hn::Mul(by.pq, g2)), by.inverse);
+            const Floats dq = hn::Mul(hn::NegMulAdd(by.pp, g2, hn::Mul(by.qp, g1)), by.inverse);
+            const auto moved = [&](Floats at, Floats step_by) HWY_ATTR {
+                return hn::IfThenElse(hn::IsNaN(step_by), at, clamped(hn::Add(at, step_by)));
+            };
+            const Floats next_p = moved(p, dp);
+            const Floats next_q = moved(q, dq);
+            const Floats small = float_number(0x1p-11);
+            const auto is_small = hn::And(hn::Le(hn::Abs(hn::Sub(next_p, p)), small),
+                                          hn::Le(hn::Abs(hn::Sub(next_q, q)), small));
+            p = next_p;
+            q = next_q;
+            if (step == most_steps || hn::AllTrue(df, is_small)) break;
+        }
+        const auto ps = doubles_of(p);
+        const auto qs = doubles_of(q);
+        for (std::size_t i = 0; i < 2; ++i) {
+            end.halves[i].p = ps[i];
+            end.halves[i].q = qs[i];
+        }
+    }
+
+    /// The derivatives of g, and 1 over their determinant.
+    struct Slopes2 {
+        Floats pp, pq, qp, qq, inverse;
+    };
+    static HWY_INLINE Slopes2 slopes(const SolverEnd& end) {
+        Slopes2 by;
+        by.pp = hn::NegMulAdd(end.u, end.s.by_p, end.a.by_p);
+        by.pq = hn::NegMulAdd(end.u, end.s.by_q, end.a.by_q);
+        by.qp = hn::NegMulAdd(end.v, end.s.by_p, end.b.by_p);
+        by.qq = hn::NegMulAdd(end.v, end.s.by_q, end.b.by_q);
+        const Floats determinant = hn::NegMulAdd(by.pq, by.qp, hn::Mul(by.pp, by.qq));
+        by.inverse = hn::Div(float_number(1.0), determinant);
+        return by;
+    }
+
+    /// A step of Newton's method in double, with the slopes of before.
+    static HWY_INLINE void improve(SolverEnd& end) {
+        const Slopes2 by = slopes(end);
+        const auto pp = doubles_of(by.pp);
+        const auto pq = doubles_of(by.pq);
+        const auto qp = doubles_of(by.qp);
+        const auto qq = doubles_of(by.qq);
+        const auto inverse = doubles_of(by.inverse);
+        const Vector one = number(1.0);
+        for (std::size_t i = 0; i < 2; ++i) {
+            HalfRays& half = end.halves[i];
+            const Vector dp =
+                hn::Mul(hn::NegMulAdd(qq[i], half.g1, hn::Mul(pq[i], half.g2)), inverse[i]);
+            const Vector dq =
+                hn::Mul(hn::NegMulAdd(pp[i], half.g2, hn::Mul(qp[i], half.g1)), inverse[i]);
+            const Mask settled = half.test.settled();
+            const auto moved = [&](Vector at, Vector by_step) HWY_ATTR {
+                const Vector to = hn::Min(hn::Max(hn::Add(at, by_step), hn::Neg(one)), one);
+                return hn::IfThenElse(hn::Or(settled, hn::IsNaN(by_step)), at, to);
+            };
+            half.p = moved(half.p, dp);
+            half.q = moved(half.q, dq);
+        }
+    }
+
+    template <int degree>
+    HWY_INLINE void test_at(HalfRays& rays) const {
         const PatchSight& sight = piece_.sight;
-        Test& test = end.test;
+        Test& test = rays.test;
+        rays.at = values_of<degree>(piece_.terms, rays.p, rays.q);
+        const Vector distance = number(axes_.distance);
+        rays.g1 = hn::NegMulAdd(rays.u, rays.at.s, hn::NegMulAdd(rays.u, distance, rays.at.a));
+        rays.g2 = hn::NegMulAdd(rays.v, rays.at.s, hn::NegMulAdd(rays.v, distance, rays.at.b));
         const auto error_of = [&](Vector at, double most, Vector g) HWY_ATTR {
             const Vector size = hn::Abs(at);
             const Vector terms = hn::MulAdd(size, number(axes_.distance + s_most_), number(most));
             const Vector lost = hn::Mul(hn::Add(terms, hn::Abs(g)), number(rounding));
             return hn::MulAdd(hn::Add(number(1.0), size), number(sight.value_error), lost);
         };
-        const Vector g1 = end.f1.value;
-        const Vector g2 = end.f2.value;
-        const Vector e1 = error_of(end.u, a_most_, g1);
-        const Vector e2 = error_of(end.v, b_most_, g2);
+        const Vector g1 = rays.g1;
+        const Vector g2 = rays.g2;
+        const Vector e1 = error_of(rays.u, a_most_, g1);
+        const Vector e2 = error_of(rays.v, b_most_, g2);
         const Matrix2& y = piece_.contraction.inverse;
         const Matrix2& size = piece_.contraction.size;
         test.step_p = hn::Neg(hn::MulAdd(number(y.pp), g1, hn::Mul(number(y.pq), g2)));
@@ -122,15 +285,15 @@ private:
         // 1 / (1 - norm), with 1 - norm rounded downward.
         const double per_rest = 1.0 / -(norm - 1.0) * (1.0 + rounding);
         const Vector reach = hn::Mul(hn::Add(hn::Max(size_p, size_q), lost), number(per_rest));
-        const Vector out = hn::Max(hn::Abs(end.p), hn::Abs(end.q));
+        const Vector out = hn::Max(hn::Abs(rays.p), hn::Abs(rays.q));
         const Vector far = hn::Min(reach, hn::Add(number(1.0), out));
         test.radius = hn::Add(hn::MulAdd(number(norm), far, lost), number(0x1p-50));
         const Vector along = hn::MulAdd(number(sight.dp_radius.z), size_p,
                                         hn::Mul(number(sight.dq_radius.z), size_q));
         test.s_radius = hn::Add(hn::MulAdd(number(by_radius_), test.radius, along),
                                 number(sight.value_error + rounding * s_most_));
-        const Vector to_p = hn::Add(end.p, test.step_p);
-        const Vector to_q = hn::Add(end.q, test.step_q);
+        const Vector to_p = hn::Add(rays.p, test.step_p);
+        const Vector to_q = hn::Add(rays.q, test.step_q);
         const auto beyond = [&](Vector at) HWY_ATTR {
             return hn::Gt(hn::Sub(hn::Abs(at), test.radius), number(inner));
         };
@@ -141,16 +304,14 @@ private:
         // More steps do not help where most of it is the model's error.
         const Mask settled = hn::Le(hn::Max(size_p, size_q), hn::Mul(number(4.0), lost));
         test.wide = hn::And(hn::AndNot(hn::Or(test.none, narrow), one), settled);
-        end.inside = hn::Eq(u_zero(), u_zero());
-        end.outside = hn::Ne(u_zero(), u_zero());
+        test.inside = hn::Eq(number(0.0), number(0.0));
+        test.outside = hn::Ne(number(0.0), number(0.0));
         if (is_within_) return;
         const Side in_u = side_of(to_p, test.radius, piece_.box.u, piece_.box.u_radius);
         const Side in_v = side_of(to_q, test.radius, piece_.box.v, piece_.box.v_radius);
-        end.inside = hn::And(in_u.inside, in_v.inside);
-        end.outside = hn::Or(in_u.outside, in_v.outside);
+        test.inside = hn::And(in_u.inside, in_v.inside);
+        test.outside = hn::Or(in_u.outside, in_v.outside);
     }
-
-    static HWY_INLINE Vector u_zero() { return number(0.0); }
 
     /// Where places are in [0, 1].
     struct Side {
@@ -174,6 +335,7 @@ private:
     double a_most_, b_most_, s_most_;
     double by_radius_;
     bool is_within_;  ///< the piece does not touch the ends of the ranges
+    FloatTerms floats_;
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -9,8 +9,6 @@ namespace zeroset {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-/// How much of a box its form stands for.
-constexpr double inner = 1.0 / form_growth;
 /// Leaves are so flat that two or three steps of Newton's method find a zero.
 constexpr double flat_norm = 0.4;
 /// Leaves with a model need not be flatter than this: trace_leaf halves them.
@@ -21,10 +19,6 @@ constexpr double small_pixels = 24.0;
 constexpr double least_pixels = 5.0;
 /// Nor where S is not continuous: such parts may be as many as there are along a line.
 constexpr int most_levels_of_jumps = 4;
-/// Krawczyk's test says enough below this.
-constexpr double most_norm = 0.5;
-constexpr std::size_t candidates_at_once = 512;
-constexpr int most_steps = 4;
 constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
 std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
@@ -70,7 +64,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
     room_.candidates.clear();
     room_.rest.clear();
     room_.best.resize(tile_pixels);
-    room_.is_set.assign(tile_pixels, 0);
+    room_.found.assign(tile_pixels, LeafFound{.normal = {}, .state = RayState::Open});
     room_.reach = room_.to;
     find_bounds();
     const DepthRange range =
@@ -179,7 +173,9 @@ bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {
     if (pixels < least_pixels) return true;
     if (!node->form.continuous || !is_fine(*node, sight)) return false;
     if (node->model != nullptr && pixels < small_pixels) return true;
-    return contraction_of(sight, rays_of(rect)).norm <=
+    PatchSight with_slopes = sight;
+    add_slopes(with_slopes, node->form, axes_);
+    return contraction_of(with_slopes, rays_of(rect)).norm <=
            (node->model != nullptr ? model_norm : flat_norm);
 }
 
@@ -212,7 +208,7 @@ void PatchTile::visit(Part& part) {
     PatchNode& node = *part.node;
     const Rect rect = pixels_of(part);
     if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
-    add_slopes(part.sight, node.form, axes_);
+    add_value_error(part.sight, node.form);
     if (!is_leaf(part, rect)) {
         const bool is_new = node.children.load(std::memory_order_acquire) == nullptr;
         if (PatchNode::Children* const parts = tree_.parts(node)) {
@@ -220,7 +216,10 @@ void PatchTile::visit(Part& part) {
             return visit_parts(*parts);
         }
     }
-    if (node.model == nullptr || !is_fine(node, part.sight)) return scan(part, rect);
+    if (node.model == nullptr || !is_fine(node, part.sight)) {
+        add_slopes(part.sight, node.form, axes_);
+        return scan(part, rect);
+    }
     room_.rects.clear();
     for_each_rect(part.sight, rect, [&](const Rect& some) { room_.rects.push_back(some); });
     trace_model(part, {.rects = room_.rects, .others = {}});
@@ -228,10 +227,25 @@ void PatchTile::visit(Part& part) {
 
 std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
                                    Order& order) const {
+    SeenParts seen;
+    const PartWindow window{.axes = axes_,
+                            .rays = bounds_,
+                            .clip = clip_,
+                            .depths = {.near = depths_.near, .far = limit_}};
+    const std::uint32_t met = look_at_parts(children.forms, window, seen);
     std::size_t count = 0;
-    for (PatchNode& node : children.nodes) {
-        if (!look_at(node, parts[count])) continue;
-        order[count] = {parts[count].sight.c.z, count};
+    for (std::size_t i = 0; i < children.nodes.size(); ++i) {
+        PatchNode& node = children.nodes[i];
+        Part& part = parts[count];
+        if ((children.forms.known >> i & 1U) == 0) {
+            if (!look_at(node, part)) continue;
+        } else {
+            if ((met >> i & 1U) == 0) continue;
+            part.node = &node;
+            part.sight = seen.sight(i);
+            part.depths = part.sight.depths();
+        }
+        order[count] = {part.sight.c.z, count};
         ++count;
     }
     std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
@@ -246,68 +260,6 @@ void PatchTile::visit_parts(PatchNode::Children& children) {
         visit(parts[order[i].second]);
 }
 
-template <class Scan>
-void PatchTile::for_each_rect(const PatchSight& sight, const Rect& rect, Scan scan) const {
-    if (wish_ == Wish::FirstHits) return scan(rect);
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (is_beside(sight, axes_, blocks_[i])) continue;
-        const int col = static_cast<int>(i) % (tile_size / block) * block;
-        const int row = static_cast<int>(i) / (tile_size / block) * block;
-        scan(Rect{.col = col,
-                  .row = row,
-                  .end_col = std::min(col + block, cols_),
-                  .end_row = std::min(row + block, rows_)});
-    }
-}
-
-void PatchTile::scan(const Part& part, const Rect& rect) {
-    const std::size_t leaf = room_.leaves.size();
-    room_.leaves.push_back({.node = part.node,
-                            .sight = part.sight,
-                            .contraction = contraction_of(part.sight, rays_of(rect))});
-    for_each_rect(part.sight, rect,
-                  [&](const Rect& some) { scan_rect(leaf, some, part.depths.near); });
-    if (room_.candidates.size() >= candidates_at_once) solve();
-}
-
-void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
-    for (int row = rect.row; row < rect.end_row; ++row) {
-        for (int col = rect.col; col < rect.end_col; ++col)
-            scan_pixel(index_of(col, row), leaf, near);
-    }
-}
-
-void PatchTile::scan_pixel(std::size_t pixel, std::size_t leaf, double near) {
-    if (near > room_.reach[pixel]) return;
-    const auto& [node, sight, contraction] = room_.leaves[leaf];
-    const SightRay ray = ray_of(pixel);
-    const LinearZeros zeros = linear_zeros(sight, axes_, ray);
-    if (!zeros.any || zeros.beyond(inner)) return;
-    const bool may_solve = node->model == nullptr && node->form.continuous;
-    if (may_solve && zeros.known && contraction.norm < most_norm) {
-        room_.candidates.push_back(
-            {.pixel = pixel,
-             .leaf = leaf,
-             .place = {.p = std::clamp(zeros.p, -1.0, 1.0), .q = std::clamp(zeros.q, -1.0, 1.0)}});
-        return;
-    }
-    room_.rest.push_back({.pixel = pixel, .node = node, .near = near});
-}
-
-void PatchTile::solve() {
-    if (room_.candidates.empty()) return;
-    for (int step = 1; step <= most_steps && !room_.candidates.empty(); ++step)
-        advance(step == most_steps);
-    for (const Candidate& candidate : room_.candidates) {
-        const Leaf& leaf = room_.leaves[candidate.leaf];
-        room_.rest.push_back(
-            {.pixel = candidate.pixel, .node = leaf.node, .near = leaf.sight.depths().near});
-    }
-    room_.candidates.clear();
-    room_.leaves.clear();
-    find_limit();
-}
-
 void PatchTile::find_limit() {
     new_hits_ = 0;
     double farthest = -unbounded;
@@ -316,69 +268,6 @@ void PatchTile::find_limit() {
             farthest = std::max(farthest, room_.reach[index_of(col, row)]);
     }
     limit_ = std::min(limit_, farthest);
-}
-
-void PatchTile::advance(bool is_last) {
-    const std::size_t count = room_.candidates.size();
-    room_.places.resize(count);
-    room_.points.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Candidate& candidate = room_.candidates[i];
-        const UvBox place = place_in(room_.leaves[candidate.leaf].node->box, candidate.place.p,
-                                     candidate.place.q, 0.0);
-        room_.places[i] = {place.u, place.v};
-    }
-    tree_.forms().evaluate(room_.places, room_.points);
-    counters_.value += count;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        Candidate candidate = room_.candidates[i];
-        const Leaf& leaf = room_.leaves[candidate.leaf];
-        const PatchPoint& point = room_.points[i];
-        const SightRay ray = ray_of(candidate.pixel);
-        const glm::dvec3 at = axes_.place(point.s);
-        const ZeroTest test = zero_test(leaf.sight, axes_, ray, leaf.contraction, at,
-                                        candidate.place.p, candidate.place.q, inner);
-        if (settle(candidate, test, point, is_last)) continue;
-        const UvBox& box = leaf.node->box;
-        candidate.place =
-            newton_place(test, axes_, ray, at, form_growth * box.u_radius * axes_.turned(point.su),
-                         form_growth * box.v_radius * axes_.turned(point.sv), candidate.place);
-        room_.candidates[kept++] = candidate;
-    }
-    room_.candidates.resize(kept);
-}
-
-bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const PatchPoint& point,
-                       bool is_last) {
-    if (test.found == ZeroTest::Found::None) return true;
-    const PatchHit& best = room_.hit(candidate.pixel);
-    if (test.s - test.s_radius > best.s) return true;
-    if (test.found != ZeroTest::Found::One || !(2.0 * test.s_radius <= rays_.tolerance()))
-        return false;
-    const UvBox& box = room_.leaves[candidate.leaf].node->box;
-    const PatchForm& form = room_.leaves[candidate.leaf].node->form;
-    const InSquare where = both(in_square(place_in(box, test.p, test.q, test.radius)),
-                                in_own_box(tree_, form, test, candidate.place, point));
-    if (where == InSquare::Outside) return true;
-    if (where == InSquare::Unknown && !is_last) return false;
-    if (!(test.s < best.s)) return true;
-    const SightRay ray = ray_of(candidate.pixel);
-    const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
-    if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.to[candidate.pixel]) ||
-        test.s < rays_.first_depth())
-        return true;
-    changed_blocks_ = ~std::uint64_t{0};
-    room_.set(candidate.pixel, {.s = test.s,
-                                .s_radius = test.s_radius,
-                                .is_proved = where == InSquare::Inside,
-                                .normal = glm::cross(point.su, point.sv),
-                                .unsettled = best.unsettled});
-    if (wish_ == Wish::AnyHits && where == InSquare::Inside) {
-        room_.to[candidate.pixel] = -unbounded;
-        room_.reach[candidate.pixel] = -unbounded;
-    }
-    return true;
 }
 
 void PatchTile::search_rest() {

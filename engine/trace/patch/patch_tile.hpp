@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/trace/patch/patch_leaf.hpp"
+#include "engine/trace/patch/patch_look.hpp"
 #include "engine/trace/patch/patch_search.hpp"
 #include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -20,11 +21,6 @@ namespace zeroset {
 
 /// The axes of the rays of tiles.
 SightAxes axes_of(const TileRays& rays);
-
-/// Some rays in the image plane; none where lo > hi.
-struct RayBounds {
-    double u_lo, u_hi, v_lo, v_hi;
-};
 
 /// Whether a part of the patch is on one side of a plane through the eye that bounds rays.
 bool is_beside(const PatchSight& sight, const SightAxes& axes, const RayBounds& bounds);
@@ -58,17 +54,21 @@ public:
     /// itself; and what was found.
     struct Room {
         std::vector<double> u, v, to;
-        std::vector<double> reach;  ///< of the first hit so far, or `to`: what is nearer counts
-        std::vector<std::uint8_t> is_set;  ///< else there is no hit, and `best` is of before
-        std::vector<PatchHit> best;
+        std::vector<double> reach;     ///< of the first hit so far, or `to`: what is nearer counts
+        std::vector<LeafFound> found;  ///< whose depths are in `reach`
+        std::vector<PatchHit> best;    ///< of RayState::Kept
 
-        [[nodiscard]] const PatchHit& hit(std::size_t pixel) const {
-            static const PatchHit none;
-            return is_set[pixel] != 0 ? best[pixel] : none;
+        [[nodiscard]] PatchHit hit(std::size_t pixel) const {
+            const LeafFound& leaf = found[pixel];
+            if (leaf.state == RayState::Open) return {};
+            if (leaf.state == RayState::Kept) return best[pixel];
+            return {.s = reach[pixel],
+                    .is_proved = leaf.state == RayState::Proved,
+                    .normal = {leaf.normal[0], leaf.normal[1], leaf.normal[2]}};
         }
         void set(std::size_t pixel, const PatchHit& hit) {
             best[pixel] = hit;
-            is_set[pixel] = 1;
+            found[pixel].state = RayState::Kept;
             reach[pixel] = std::min(hit.s, to[pixel]);
         }
         LeafLists lists;
@@ -105,6 +105,8 @@ private:
     using Order = std::array<std::pair<double, std::size_t>, PatchForms::at_once>;
 
     void find_bounds();
+    /// Marks the blocks of a rectangle: there are new hits in them.
+    void change(const Rect& rect);
     /// Sets a part; false where no ray meets it.
     bool look_at(PatchNode& node, Part& part) const;
     void visit(Part& part);
@@ -126,14 +128,14 @@ private:
     void trace_model(const Part& part, const LeafPixels& pixels);
     /// As above on the parts of a node for which its model is too coarse on some rays.
     void trace_parts(PatchNode& node, std::span<const std::size_t> pixels);
-    void take(const LeafHit& hit) override;
+    RayState judge(const LeafHit& hit) override;
     void leave(std::size_t pixel, double near, LeafLeft why) override;
     /// Whether a hit is in the box that the patch itself is cut to.
     [[nodiscard]] InSquare side_of_own_box(const LeafHit& hit) const;
     /// The parts that rays of the tile may meet, with their order from front to back.
     std::size_t order_parts(PatchNode::Children& children, Parts& parts, Order& order) const;
-    /// Whether all of a part is where hits are wanted, whatever the pixel.
-    [[nodiscard]] bool is_inside(const PatchForm& form, const SightDepths& depths) const;
+    /// Which hits of a part count.
+    [[nodiscard]] LeafWindow window_of(const PatchForm& form, const SightDepths& depths) const;
     void scan(const Part& part, const Rect& rect);
     void scan_rect(std::size_t leaf, const Rect& rect, double near);
     void scan_pixel(std::size_t pixel, std::size_t leaf, double near);
@@ -171,10 +173,23 @@ private:
     std::uint64_t changed_blocks_ = ~std::uint64_t{0};
     std::size_t new_hits_ = 0;   ///< since limit_ was found
     PatchNode* leaf_ = nullptr;  ///< the one with a model that is looked at
-    bool is_leaf_inside_ = false;
-    SightDepths depths_{};  ///< of all rays, within the clip box and the region
+    SightDepths depths_{};       ///< of all rays, within the clip box and the region
     double limit_ = -std::numeric_limits<double>::infinity();  ///< behind it nothing is wanted
     PatchSearch search_;
 };
+
+template <class Scan>
+void PatchTile::for_each_rect(const PatchSight& sight, const Rect& rect, Scan scan) const {
+    if (wish_ == Wish::FirstHits) return scan(rect);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (is_beside(sight, axes_, blocks_[i])) continue;
+        const int col = static_cast<int>(i) % (tile_size / block) * block;
+        const int row = static_cast<int>(i) / (tile_size / block) * block;
+        scan(Rect{.col = col,
+                  .row = row,
+                  .end_col = std::min(col + block, cols_),
+                  .end_row = std::min(row + block, rows_)});
+    }
+}
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #include "engine/trace/patch/patch_tracer.hpp"
 
+#include "engine/trace/patch/patch_found.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 
 #include <algorithm>
@@ -91,10 +92,20 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
     place_rays(tile, rays, room);
     PatchTile(frame, rays, tile.cols, tile.rows, PatchTile::Wish::FirstHits, counters, room).run();
     if (frame.stopped()) return hits.leave_undecided(tile);
+    put_found({.u = room.u.data(),
+               .v = room.v.data(),
+               .reach = room.reach.data(),
+               .found = room.found.data(),
+               .look_distance = rays.look_distance(),
+               .cols = tile.cols,
+               .rows = tile.rows},
+              hits);
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
             const std::size_t pixel = index_of(col, row);
-            if (room.is_set[pixel] == 0) continue;
+            const LeafFound& found = room.found[pixel];
+            const bool is_put = found.state != RayState::Kept && std::isfinite(found.normal[0]);
+            if (found.state == RayState::Open || is_put) continue;
             put_hit(room.hit(pixel),
                     {.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
                     rays, room.u[pixel], room.v[pixel], hits);
@@ -112,7 +123,7 @@ void find_patch_blocks(const TraceFrame& frame, const TileRays& rays, std::span<
     room.to.assign(to.begin(), to.end());
     PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::AnyHits, counters, room).run();
     for (std::size_t i = 0; i < tile_pixels; ++i) {
-        const PatchHit& hit = room.hit(i);
+        const PatchHit hit = room.hit(i);
         const bool is_open = !hit.is_proved && (hit.is_hit() || hit.unsettled < to[i]);
         blocks[i] = hit.is_hit() && hit.is_proved                        ? PatchBlock::Proved
                     : is_open || (to[i] > -unbounded && frame.stopped()) ? PatchBlock::Unknown

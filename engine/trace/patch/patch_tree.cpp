@@ -12,12 +12,23 @@
 namespace zeroset {
 namespace {
 
-/// The trees of a kernel: of the last uniforms.
+/// The tree of a kernel, for the last uniforms.
 struct KeptTree {
     std::mutex mutex;
-    Uniforms uniforms;
+    std::vector<double> uniforms;  ///< the ends of those that the code reads
     std::shared_ptr<const PatchTree> tree;
 };
+
+std::vector<double> ends_read(const PatchCode& code, const Uniforms& uniforms) {
+    const std::vector<double>& all = uniforms.neg_lo_hi_double;
+    if (!code.reads) return all;
+    std::vector<double> ends;
+    for (const std::size_t item : *code.reads) {
+        for (std::size_t end = 2 * item; end < 2 * item + 2; ++end)
+            ends.push_back(end < all.size() ? all[end] : std::numeric_limits<double>::infinity());
+    }
+    return ends;
+}
 
 PatchForms::Boxes grown_boxes(const PatchForms::Boxes& boxes) {
     PatchForms::Boxes grown = boxes;
@@ -39,6 +50,22 @@ PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
                     .v_radius = v_radius};
     }
     return parts;
+}
+
+PartForms forms_of(const std::array<PatchNode, PatchForms::at_once>& nodes) {
+    PartForms all;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const PatchForm& form = nodes[i].form;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = static_cast<int>(k);
+            all.c[k][i] = form.c[at];
+            all.ku[k][i] = form.ku[at];
+            all.kv[k][i] = form.kv[at];
+            all.e[k][i] = form.e[at];
+        }
+        if (form.known() && !form.nowhere) all.known |= std::uint32_t{1} << i;
+    }
+    return all;
 }
 
 /// Whether little of a form's error is what its model does not know.
@@ -132,6 +159,7 @@ PatchNode::Children* PatchTree::parts(PatchNode& node) const {
         made->nodes[i].level = node.level + 1;
     }
     make_forms(grown_boxes(boxes), *made);
+    made->forms = forms_of(made->nodes);
     // Where two threads make the same parts, those of the first one count.
     PatchNode::Children* before = nullptr;
     if (!node.children.compare_exchange_strong(before, made.get(), std::memory_order_acq_rel))
@@ -174,11 +202,12 @@ std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms
     assert(is_patch(kernel));
     const std::shared_ptr<KeptTree> kept = kernel.memory->of<KeptTree>();
     const std::scoped_lock lock(kept->mutex);
-    const bool is_same = kept->tree != nullptr && !kept->tree->is_full() &&
-                         kept->uniforms.neg_lo_hi_double == uniforms.neg_lo_hi_double;
+    const auto code = patch_code_of(kernel);
+    std::vector<double> ends = ends_read(*code, uniforms);
+    const bool is_same = kept->tree != nullptr && !kept->tree->is_full() && kept->uniforms == ends;
     if (!is_same) {
-        kept->uniforms = uniforms;
-        kept->tree = std::make_shared<const PatchTree>(patch_code_of(kernel), uniforms);
+        kept->uniforms = std::move(ends);
+        kept->tree = std::make_shared<const PatchTree>(code, uniforms);
     }
     return kept->tree;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,11 +42,20 @@ struct PatchNode {
     ~PatchNode();
 };
 
+/// The forms of the parts of a node, a part in each lane.
+struct PartForms {
+    using Numbers = std::array<std::array<double, PatchForms::at_once>, 3>;
+
+    Numbers c, ku, kv, e;
+    std::uint32_t known = 0;  ///< a bit for each part that is known in all coordinates
+};
+
 struct PatchNode::Children {
     using Models = std::array<PatchModel, PatchForms::at_once>;
 
     std::array<PatchNode, PatchForms::at_once> nodes;
     std::unique_ptr<const Models> models;  ///< of the nodes that have one; else nullptr
+    PartForms forms;                       ///< those of the nodes again
 };
 
 /// What is known of a patch for some values of the uniforms, whatever the view: a tree of boxes in

@@ -6,13 +6,16 @@
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -216,6 +219,79 @@ void expect_first_hits(const PatchCase& c, Way way) {
 
 TEST_P(PatchTracer, FindsTheFirstHits) { expect_first_hits(GetParam(), Way::ByModels); }
 TEST_P(PatchTracer, FindsThemWithoutModels) { expect_first_hits(GetParam(), Way::WithoutModels); }
+
+/// The tracer runs with one instruction set while this lives.
+class OnlyTarget {
+public:
+    explicit OnlyTarget(std::int64_t target) { choose(target); }
+    ~OnlyTarget() { choose(0); }
+    OnlyTarget(const OnlyTarget&) = delete;
+    OnlyTarget& operator=(const OnlyTarget&) = delete;
+
+private:
+    static void choose(std::int64_t target) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+};
+
+TEST_P(PatchTracer, FindsThemWithEachInstructionSet) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        SCOPED_TRACE(hwy::TargetName(target));
+        const OnlyTarget only(target);
+        expect_first_hits(GetParam(), Way::ByModels);
+    }
+}
+
+/// A coordinate of a surface that nobody chose.
+std::string random_coordinate(std::mt19937& numbers) {
+    const auto number = [&](double most) {
+        return std::to_string(std::uniform_real_distribution(-most, most)(numbers));
+    };
+    const auto wave = [&](const std::string& variable) {
+        const bool is_sine = numbers() % 2 == 0;
+        return std::string(is_sine ? "sin(" : "cos(") + number(5.0) + "*" + variable + "+" +
+               number(3.0) + ")";
+    };
+    return "(" + number(0.9) + ")*" + wave("x") + "*" + wave("y") + "+(" + number(0.9) + ")*x*y+(" +
+           number(0.8) + ")*" + wave(numbers() % 2 == 0 ? "x" : "y") + "+(" + number(0.5) +
+           ")*exp(x-y^2)";
+}
+
+/// What is proved by models is what is proved without them.
+TEST(RandomPatches, AreTheSameByModelsAndWithout) {
+    std::mt19937 numbers(20261126);
+    const Box clip = Box::cube(1.2);
+    int hits = 0;
+    int undecided = 0;
+    for (int i = 0; i < 24; ++i) {
+        const std::array<std::string, 3> texts{
+            random_coordinate(numbers), random_coordinate(numbers), random_coordinate(numbers)};
+        SCOPED_TRACE(texts[0] + ", " + texts[1] + ", " + texts[2]);
+        const auto picture = [&](Way way) {
+            Framebuffer frame(56, 48);
+            render_frame(patch_scene(texts, way, clip), default_camera(clip),
+                         settings_at("beams", 20), frame);
+            return frame;
+        };
+        const Framebuffer by_models = picture(Way::ByModels);
+        const Framebuffer without = picture(Way::WithoutModels);
+        for (std::size_t at = 0; at < without.depth.size(); ++at) {
+            if (by_models.certificate[at] == Certificate::Undecided ||
+                without.certificate[at] == Certificate::Undecided) {
+                ++undecided;
+                continue;
+            }
+            const bool is_hit = std::isfinite(without.depth[at]);
+            EXPECT_EQ(std::isfinite(by_models.depth[at]), is_hit) << at;
+            if (!is_hit) continue;
+            EXPECT_NEAR(by_models.depth[at], without.depth[at], 2e-5F * without.depth[at]) << at;
+            ++hits;
+        }
+    }
+    EXPECT_GT(hits, 4000);
+    EXPECT_LE(undecided, hits / 100);
+}
 
 /// The colours of a floor below a ball do not depend on how their shadows are searched.
 TEST(PatchShadows, AreThoseWithoutModels) {

@@ -1,0 +1,75 @@
+#include "engine/trace/patch/patch_found.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/trace/patch/patch_found.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include "engine/trace/patch/patch_solver-inl.hpp"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// TileRays::distance_at of some rays.
+HWY_INLINE Vector distances(const TileFound& tile, std::size_t at) {
+    const D d;
+    const Vector u = hn::LoadU(d, tile.u + at);
+    const Vector v = hn::LoadU(d, tile.v + at);
+    const Vector slant = hn::Sqrt(hn::MulAdd(u, u, hn::MulAdd(v, v, number(1.0))));
+    return hn::Mul(hn::Add(number(tile.look_distance), hn::LoadU(d, tile.reach + at)), slant);
+}
+
+/// The rays from `at` on, as many as a vector of floats has numbers.
+inline void put_some(const TileFound& tile, std::size_t at, TileHits& hits) {
+    const hn::RebindToUnsigned<decltype(df)> dw;
+    Floats normal[3];
+    Floats state;
+    hn::LoadInterleaved4(df, tile.found[at].normal.data(), normal[0], normal[1], normal[2], state);
+    const auto states = hn::BitCast(dw, state);
+    const auto is = [&](RayState one) HWY_ATTR {
+        return hn::Eq(states, hn::Set(dw, static_cast<std::uint32_t>(one)));
+    };
+    const auto proved = hn::RebindMask(df, is(RayState::Proved));
+    const auto hit = hn::Or(proved, hn::RebindMask(df, is(RayState::Drawn)));
+    if (hn::AllFalse(df, hit)) return;
+    hits.any = true;
+    const auto put = [&](Floats numbers, std::vector<float>& to) HWY_ATTR {
+        hn::StoreU(hn::IfThenElse(hit, numbers, hn::LoadU(df, to.data() + at)), df, to.data() + at);
+    };
+    put(floats_of(distances(tile, at), distances(tile, at + width)), hits.depth);
+    for (std::size_t k = 0; k < 3; ++k)
+        put(normal[k], hits.gradient[k]);
+    const LaneBits is_hit = bits_of(df, hit);
+    const LaneBits is_proved = bits_of(df, proved);
+    for (std::size_t lane = 0; lane < 2 * width; ++lane) {
+        if ((is_hit >> lane & 1U) == 0) continue;
+        hits.certificate[at + lane] =
+            (is_proved >> lane & 1U) != 0 ? Certificate::Certified : Certificate::Undecided;
+    }
+}
+
+void put_all(const TileFound& tile, TileHits& hits) {
+    for (int row = 0; row < tile.rows; ++row) {
+        const auto first = static_cast<std::size_t>(row) * tile_size;
+        for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += 2 * width)
+            put_some(tile, first + col, hits);
+    }
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+
+HWY_EXPORT(put_all);
+
+void put_found(const TileFound& tile, TileHits& hits) { HWY_DYNAMIC_DISPATCH(put_all)(tile, hits); }
+
+}  // namespace zeroset
+
+#endif
