@@ -48,7 +48,8 @@ Placement swap_axes() {
 
 class SceneReader {
 public:
-    explicit SceneReader(std::string_view text) : script_(text), formulas_(script_, result_) {
+    explicit SceneReader(std::string_view text)
+        : script_(text), formulas_(script_, modifiers_, result_) {
         script_.on_note = [this](std::size_t line, std::string_view entry, std::string reason) {
             result_.note(line, entry, std::move(reason));
         };
@@ -201,7 +202,7 @@ private:
             return true;
         }
         if (modifiers_.declare(name)) return true;
-        if (script_.raw().at_sign("{", 1)) {
+        if (script_.sign_follows("{")) {
             script_.next();
             if (auto parts = object(word.text, word.line))
                 objects_.insert_or_assign(name, std::move(*parts));

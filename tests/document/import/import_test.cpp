@@ -218,16 +218,127 @@ TEST(Imports, PovTurnsAxisByAxis) {
     EXPECT_NEAR(value(plane, 0, 1.0, 0.0, 1.0), 1.0, 1e-12);
 }
 
+/// f of the row of a scene's surface without what closes it, at a point of POV-Ray's.
+double inner_value(std::string_view scene, double x, double y, double z) {
+    const Imported imported = read("a.pov", std::string(scene));
+    return value(imported.documents[0], 0, x, z, y);
+}
+
+TEST(Imports, PovMacrosAreCalled) {
+    constexpr std::string_view open = " } open contained_by { sphere { 0, 99 } } }";
+    const auto macros = [&](const std::string& definitions, const std::string& formula) {
+        return definitions + " isosurface { function { " + formula + std::string(open);
+    };
+    // In a formula arguments stand as they are written, as one operand.
+    EXPECT_NEAR(inner_value(macros("#macro Twice(A) 2*A #end", "Twice(x + 1) - y"), 3, 1, 0), 7.0,
+                1e-12);
+    // Elsewhere they are values, which end with the call; the macro's own names do, too.
+    const std::string square = "#macro Square(A) #local R = A*A; R #end ";
+    EXPECT_NEAR(inner_value(macros("#declare R = 5; #declare A = 7;" + square +
+                                       "#declare B = Square(R + 1);",
+                                   "x + B + R + 100*A"),
+                            0, 0, 0),
+                36.0 + 5.0 + 700.0, 1e-12);
+    // A macro that declares its parameter changes the name that it was given.
+    EXPECT_NEAR(inner_value(macros("#macro Add(N) #declare N = N + 1; #end #declare K = 1; Add(K) "
+                                   "Add(K)",
+                                   "x + K"),
+                            0, 0, 0),
+                3.0, 1e-12);
+    // Macros call others, in loops, with their parameters.
+    EXPECT_NEAR(inner_value(macros(square + "#macro Sum(N) #local S = 0; #for (I, 1, N) #local S = "
+                                            "S + Square(I); #end S #end #declare T = Sum(4);",
+                                   "x + T"),
+                            0, 0, 0),
+                30.0, 1e-12);
+    // Objects are arguments, too.
+    const Imported twice = read(
+        "a.pov",
+        "#macro Pair(Object) union { object { Object } object { Object translate <9, 0, 0> } } "
+        "#end Pair(isosurface { function { x*x + y*y + z*z - 1 } contained_by { sphere { 0, 2 } "
+        "} })");
+    const auto rows = read_rows(twice.documents[0].document);
+    ASSERT_TRUE(rows);
+    EXPECT_EQ(rows->program->surfaces.size(), 2U);
+    EXPECT_NEAR(value(twice.documents[0], 1, 10.0, 0.0, 0.0), 0.0, 1e-12);
+}
+
+TEST(Imports, PovFormulasMayHaveLoops) {
+    EXPECT_NEAR(inner_value("isosurface { function { y #for (I, 1, 3) + pow(x, I)/I #end } open contained_by { sphere { 0, 99 } } }",
+                            2, 5, 0),
+                5.0 + 2.0 + 2.0 + 8.0 / 3.0, 1e-12);
+    EXPECT_NEAR(
+        inner_value("#declare V = <3, -2, 1>; isosurface { function { x*V.x - y*V.y } open contained_by { sphere { 0, 99 } } }", 2, 5,
+                    0),
+        16.0, 1e-12);
+}
+
+TEST(Imports, PovPatternsAreFunctions) {
+    // A gradient of period 2 that begins at x = 1: white from 3/4 on.
+    const std::string scene =
+        "#declare P = function { pigment { gradient x color_map { [0.25 rgb 0] "
+        "[0.75 rgb <1, 0.5, 1>] } scale 2 translate <1, 0, 0> } }"
+        "isosurface { function { y + P(x, y, z).";
+    const auto part = [&](const std::string& name, double x) {
+        return inner_value(scene + name + " } open contained_by { sphere { 0, 99 } } }", x, 0, 0);
+    };
+    EXPECT_NEAR(part("red", 2.0), 0.5, 1e-12);
+    EXPECT_NEAR(part("green", 2.0), 0.25, 1e-12);
+    EXPECT_NEAR(part("red", 2.75), 1.0, 1e-12);
+    EXPECT_NEAR(part("red", 1.25), 0.0, 1e-12);
+    EXPECT_NEAR(part("gray", 2.75), 0.297 + 0.5 * 0.589 + 0.114, 1e-12);
+    EXPECT_NEAR(part("hf", 2.75), 0.996093 * (1.0 + 0.5 / 255.0), 1e-12);
+}
+
+TEST(Imports, PovRandomNumbersAreThoseOfPovRay) {
+    // 1812433253 x + 12345 modulo 2^32, divided by 2^32 - 1, from 7 on.
+    EXPECT_NEAR(
+        inner_value("#declare S = seed(7); #declare A = rand(S); #declare B = rand(S); "
+                    "isosurface { function { x + B } open contained_by { sphere { 0, 99 } } }",
+                    0, 0, 0),
+        static_cast<double>(
+            (((7ULL * 1812433253ULL + 12345ULL) % 4294967296ULL) * 1812433253ULL + 12345ULL) %
+            4294967296ULL) /
+            4294967295.0,
+        1e-15);
+}
+
+TEST(Imports, PovMacrosEnd) {
+    for (const std::string text :
+         {"#macro A(X) A(X) #end A(1) isosurface { function { x } }",
+          "#macro A(X) A(X) A(X) #end A(1)", "#macro A(X) #while (1) A(2) #end #end A(1)",
+          "#macro A(X X #end A(A(A(A(1", "#macro A( #macro B() #end A() B() #end B()",
+          "#macro A(X) #end #end #end A(<1, 2) A({) A(}) isosurface { function { A(x) } }",
+          "#macro A(X) } isosurface { function { x #end A(1) y } }",
+          "#for (I, 0, 9) #macro A(X) #end #end A(I) #if (A(1)) #end #undef A"}) {
+        const auto imported = read_import("a.pov", text);
+        EXPECT_TRUE(imported || !imported.error().empty()) << text;
+    }
+    std::string nested = "#macro A(X) X #end #declare B = ";
+    for (int i = 0; i < 20'000; ++i)
+        nested += "A(";
+    EXPECT_FALSE(read_import("a.pov", nested));
+    // Each doubles what the one before it has.
+    std::string doubled = "#macro M_0(X) X + X #end ";
+    for (int i = 1; i < 60; ++i)
+        doubled += "#macro M_" + std::to_string(i) + "(X) M_" + std::to_string(i - 1) + "(X) + M_" +
+                   std::to_string(i - 1) + "(X) #end ";
+    const auto imported =
+        read_import("a.pov", doubled +
+                                 "isosurface { function { M_59(x) } } isosurface { function "
+                                 "{ y } }");
+    EXPECT_TRUE(imported || !imported.error().empty());
+}
+
 TEST(Imports, RowsThatTheLanguageRefusesBecomeRemarks) {
-    const Imported imported =
-        read("a.pov",
-             "isosurface { function { x + f_crackle(x, y, z) } }\nisosurface { function { y } }");
+    const Imported imported = read(
+        "a.pov", "isosurface { function { x + f_waves(x, y, z) } }\nisosurface { function { y } }");
     const ImportedDocument& half = imported.documents[0];
     EXPECT_EQ(half.refusal, "");
-    EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_crackle"));
+    EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_waves"));
     EXPECT_TRUE(half.document.statements.front().text.starts_with("# "));
     EXPECT_LT(value(half, 0, 0.0, 0.0, -0.5), 0.0);
-    const Imported none = read("a.pov", "isosurface { function { f_crackle(x, y, z) } }");
+    const Imported none = read("a.pov", "isosurface { function { f_waves(x, y, z) } }");
     EXPECT_NE(none.documents[0].refusal, "");
     EXPECT_TRUE(none.documents[0].document.statements.front().text.starts_with("shape"));
 }
