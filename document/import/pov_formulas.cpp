@@ -15,9 +15,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> renamed{
 
 }  // namespace
 
-std::vector<std::string> PovFormulas::parameters() {
+std::vector<std::string> PovFormulas::parameters(const std::vector<std::string>& usual) {
     std::vector<std::string> names;
-    if (!script_.take_sign("(")) return {"x", "y", "z"};
+    if (!script_.take_sign("(")) return usual;
     while (script_.peek().kind == ScriptKind::Name || script_.at_sign(",")) {
         const ScriptToken token = script_.next();
         if (token.kind == ScriptKind::Name && token.text != "float") names.emplace_back(token.text);
@@ -26,8 +26,9 @@ std::vector<std::string> PovFormulas::parameters() {
     return names;
 }
 
-std::optional<std::string> PovFormulas::read(std::string_view wanted) {
-    const std::vector<std::string> names = parameters();
+std::optional<std::string> PovFormulas::read(std::string_view wanted,
+                                             const std::vector<std::string>& usual) {
+    const std::vector<std::string> names = parameters(usual);
     const std::size_t line = script_.line();
     const auto refused = [&](std::string reason) {
         result_.note(line, wanted.empty() ? "function" : wanted, std::move(reason));

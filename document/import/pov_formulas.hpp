@@ -22,10 +22,12 @@ public:
     PovFormulas(PovScript& script, PovModifiers& modifiers, ImportedDocument& result)
         : script_(script), modifiers_(modifiers), result_(result) {}
 
-    /// Reads "function (names) { formula }" from behind its first word, and gives it a row. The
+    /// Reads "function (names) { formula }" from behind its first word, and gives it a row; names
+    /// that are left out are the usual ones. The
     /// name in the language, or nothing, with a note, where it cannot be taken over. `wanted`: its
     /// name in the file.
-    std::optional<std::string> read(std::string_view wanted);
+    std::optional<std::string> read(std::string_view wanted,
+                                    const std::vector<std::string>& usual = {"x", "y", "z"});
 
     /// The function of the scene that has this name, as it is called here.
     [[nodiscard]] std::optional<std::string> find(std::string_view name) const;
@@ -34,7 +36,7 @@ public:
     std::string add(std::string_view wanted, const std::string& formula, std::size_t line);
 
 private:
-    std::vector<std::string> parameters();
+    std::vector<std::string> parameters(const std::vector<std::string>& usual);
     /// Reads "pattern { ... }" or "pigment { ... }" behind the brace of a function.
     std::optional<std::string> pattern(std::string_view wanted, std::size_t line);
     /// The name of a definition of the part of a pigment's colours.
