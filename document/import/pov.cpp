@@ -142,27 +142,7 @@ private:
             .functions = {}, .container = {}, .placement = {}, .look = {}, .line = line};
         script_.take_sign("{");
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            if (modifiers_.read(surface.placement, surface.look) || script_.take_sign(","))
-                continue;
-            if (parametric && script_.at_sign("<")) {
-                if (const auto corner = script_.value())
-                    surface.corners.push_back(vector_of(*corner));
-                continue;
-            }
-            const ScriptToken word = script_.next();
-            if (word.text == "function") {
-                const auto own = parametric ? formulas_.read("", {"u", "v"}) : formulas_.read("");
-                if (own) surface.functions.push_back(*own);
-            } else if (word.text == "contained_by") {
-                container(surface.container);
-            } else if (word.text == "threshold") {
-                if (const auto value = modifiers_.number(word)) surface.threshold = *value;
-            } else if (word.text == "open") {
-                surface.open = true;
-            } else if (script_.at_sign("{")) {
-                script_.skip_block();
-                result_.note(word.line, word.text, tr("not taken over"));
-            }
+            surface_item(surface, parametric);
         }
         const std::size_t corners = surface.corners.size();
         if (surface.functions.size() != (parametric ? 3U : 1U) || (parametric && corners != 2)) {
@@ -170,6 +150,28 @@ private:
             return {};
         }
         return {surface};
+    }
+
+    void surface_item(PovSurface& surface, bool parametric) {
+        if (modifiers_.read(surface.placement, surface.look) || script_.take_sign(",")) return;
+        if (parametric && script_.at_sign("<")) {
+            if (const auto corner = script_.value()) surface.corners.push_back(vector_of(*corner));
+            return;
+        }
+        const ScriptToken word = script_.next();
+        if (word.text == "function") {
+            const auto own = parametric ? formulas_.read("", {"u", "v"}) : formulas_.read("");
+            if (own) surface.functions.push_back(*own);
+        } else if (word.text == "contained_by") {
+            container(surface.container);
+        } else if (word.text == "threshold") {
+            if (const auto value = modifiers_.number(word)) surface.threshold = *value;
+        } else if (word.text == "open") {
+            surface.open = true;
+        } else if (script_.at_sign("{")) {
+            script_.skip_block();
+            result_.note(word.line, word.text, tr("not taken over"));
+        }
     }
 
     void container(Container& container) {

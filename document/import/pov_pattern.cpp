@@ -17,6 +17,11 @@ constexpr std::array<std::string_view, 19> known{
     "cylindrical", "dents",     "granite", "leopard", "marble",  "onion",   "planar",
     "radial",      "spherical", "spotted", "wood",    "wrinkles"};
 
+/// The map that mixes two colours by values from 0 to 1.
+std::vector<PovPattern::Entry> gradient_of(const PovValue& first, const PovValue& last) {
+    return {{.at = 0.0, .color = first}, {.at = 1.0, .color = last}};
+}
+
 class PatternReader {
 public:
     PatternReader(PovScript& script, PovModifiers& modifiers, ImportedDocument& result)
@@ -39,7 +44,7 @@ public:
         if (!back) return std::unexpected(tr("it is scaled to nothing; it is left out"));
         pattern_.call = *function + "(" + bent() + ")";
         if (!back->is_identity()) pattern_.moved = coordinates_of(*back);
-        if (pigment_ && pattern_.map.empty()) pattern_.map = {{0.0, {0, 0, 0}}, {1.0, {1, 1, 1}}};
+        if (pigment_ && pattern_.map.empty()) pattern_.map = gradient_of({0, 0, 0}, {1, 1, 1});
         std::ranges::stable_sort(pattern_.map, {}, &PovPattern::Entry::at);
         return std::move(pattern_);
     }
@@ -74,7 +79,7 @@ private:
             if (!color) break;
             colors.push_back(*color);
         }
-        if (colors.size() == 2) pattern_.map = {{0.0, colors[0]}, {1.0, colors[1]}};
+        if (colors.size() == 2) pattern_.map = gradient_of(colors[0], colors[1]);
     }
 
     void modifier() {

@@ -98,7 +98,9 @@ private:
     void leave_macro();
     /// Gives a name a value until the innermost call ends.
     void set_local(const std::string& name, PovValue value);
-    [[nodiscard]] Place place() const { return {tokens_.position(), frames_.size()}; }
+    [[nodiscard]] Place place() const {
+        return {.position = tokens_.position(), .frames = frames_.size()};
+    }
     /// Goes back to where the same call, or one around it, was read.
     void go_to(const Place& place);
 

@@ -13,39 +13,44 @@
 namespace zeroset {
 namespace {
 
+struct NodeName {
+    Op op;
+    std::string_view node;
+};
+/// The operators that are nodes as they stand.
+constexpr std::array node_names{NodeName{.op = Op::Add, .node = "addition"},
+                                NodeName{.op = Op::Subtract, .node = "subtraction"},
+                                NodeName{.op = Op::Multiply, .node = "multiplication"},
+                                NodeName{.op = Op::Divide, .node = "division"},
+                                NodeName{.op = Op::Oriented, .node = "division"},
+                                NodeName{.op = Op::Sqrt, .node = "sqrt"},
+                                NodeName{.op = Op::Abs, .node = "abs"},
+                                NodeName{.op = Op::Sign, .node = "sign"},
+                                NodeName{.op = Op::Floor, .node = "floor"},
+                                NodeName{.op = Op::Ceil, .node = "ceil"},
+                                NodeName{.op = Op::Mod, .node = "mod"},
+                                NodeName{.op = Op::Min, .node = "min"},
+                                NodeName{.op = Op::Max, .node = "max"},
+                                NodeName{.op = Op::Exp, .node = "exp"},
+                                NodeName{.op = Op::Log, .node = "log"},
+                                NodeName{.op = Op::Log10, .node = "log10"},
+                                NodeName{.op = Op::Log2, .node = "log2"},
+                                NodeName{.op = Op::Sin, .node = "sin"},
+                                NodeName{.op = Op::Cos, .node = "cos"},
+                                NodeName{.op = Op::Tan, .node = "tan"},
+                                NodeName{.op = Op::Asin, .node = "arcsin"},
+                                NodeName{.op = Op::Acos, .node = "arccos"},
+                                NodeName{.op = Op::Atan, .node = "arctan"},
+                                NodeName{.op = Op::Atan2, .node = "arctan2"},
+                                NodeName{.op = Op::Angle, .node = "arctan2"},
+                                NodeName{.op = Op::Sinh, .node = "sinh"},
+                                NodeName{.op = Op::Cosh, .node = "cosh"},
+                                NodeName{.op = Op::Tanh, .node = "tanh"}};
+
 /// The node that an operator is as it stands; empty: there is none.
 std::string_view node_of(Op op) {
-    switch (op) {
-        case Op::Add: return "addition";
-        case Op::Subtract: return "subtraction";
-        case Op::Multiply: return "multiplication";
-        case Op::Divide:
-        case Op::Oriented: return "division";
-        case Op::Sqrt: return "sqrt";
-        case Op::Abs: return "abs";
-        case Op::Sign: return "sign";
-        case Op::Floor: return "floor";
-        case Op::Ceil: return "ceil";
-        case Op::Mod: return "mod";
-        case Op::Min: return "min";
-        case Op::Max: return "max";
-        case Op::Exp: return "exp";
-        case Op::Log: return "log";
-        case Op::Log10: return "log10";
-        case Op::Log2: return "log2";
-        case Op::Sin: return "sin";
-        case Op::Cos: return "cos";
-        case Op::Tan: return "tan";
-        case Op::Asin: return "arcsin";
-        case Op::Acos: return "arccos";
-        case Op::Atan: return "arctan";
-        case Op::Atan2:
-        case Op::Angle: return "arctan2";
-        case Op::Sinh: return "sinh";
-        case Op::Cosh: return "cosh";
-        case Op::Tanh: return "tanh";
-        default: return "";
-    }
+    const auto* const found = std::ranges::find(node_names, op, &NodeName::op);
+    return found == node_names.end() ? std::string_view() : found->node;
 }
 
 std::string reference(std::string_view name, std::string_view identifier,
@@ -65,29 +70,14 @@ std::string refusal(const Node& node) {
                   {node.op == Op::Field ? tr("volumes, noise and soft balls") : name});
 }
 
+/// The operators that are made of several nodes.
+constexpr std::array composed{Op::Negate,   Op::IntPower, Op::OddRoot,   Op::Round, Op::Cot,
+                              Op::AngleSin, Op::AngleCos, Op::Length,    Op::Asinh, Op::Acosh,
+                              Op::Atanh,    Op::Less,     Op::LessEqual, Op::And,   Op::Or,
+                              Op::Not,      Op::If};
+
 bool can_be_written(Op op) {
-    switch (op) {
-        case Op::Constant:
-        case Op::Variable:
-        case Op::Negate:
-        case Op::IntPower:
-        case Op::OddRoot:
-        case Op::Round:
-        case Op::Cot:
-        case Op::AngleSin:
-        case Op::AngleCos:
-        case Op::Length:
-        case Op::Asinh:
-        case Op::Acosh:
-        case Op::Atanh:
-        case Op::Less:
-        case Op::LessEqual:
-        case Op::And:
-        case Op::Or:
-        case Op::Not:
-        case Op::If: return true;
-        default: return !node_of(op).empty();
-    }
+    return !node_of(op).empty() || std::ranges::find(composed, op) != composed.end();
 }
 
 bool is_condition(Op op) {
@@ -132,83 +122,80 @@ FunctionNodes::Output FunctionNodes::node(std::string_view kind,
     return known = name + ".result";
 }
 
+std::expected<FunctionNodes::Output, std::string> FunctionNodes::leaf(
+    const Node& given, std::span<const double> values) {
+    if (given.op == Op::Variable) {
+        if (given.number < variable_w) return coordinate(given.number);
+        const auto index = static_cast<std::size_t>(given.number - variable_w);
+        return constant(index < values.size() ? values[index] : 0.0);
+    }
+    const double value = given.lo == given.hi ? given.lo : std::midpoint(given.lo, given.hi);
+    if (!std::isfinite(value))
+        return std::unexpected(tr("it has a constant that is no number; 3MF could not say it"));
+    return constant(value);
+}
+
 std::expected<FunctionNodes::Output, std::string> FunctionNodes::add(
     const Expr& expr, std::span<const double> values) {
     std::vector<Output> outputs;
     outputs.reserve(expr.nodes().size());
-    for (const Node& node : expr.nodes()) {
-        if (!can_be_written(node.op)) return std::unexpected(refusal(node));
-        if (node.op == Op::Constant) {
-            const double value = node.lo == node.hi ? node.lo : std::midpoint(node.lo, node.hi);
-            if (!std::isfinite(value))
-                return std::unexpected(
-                    tr("it has a constant that is no number; 3MF could not say it"));
-            outputs.push_back(constant(value));
-        } else if (node.op == Op::Variable) {
-            const bool axis = node.number < variable_w;
-            const auto index = static_cast<std::size_t>(std::max(node.number - variable_w, 0));
-            outputs.push_back(axis ? coordinate(node.number)
-                                   : constant(index < values.size() ? values[index] : 0.0));
-        } else {
-            // What counts as a condition is above 0.
-            const bool chooses = node.op == Op::If && !is_condition(expr.node(node.a).op);
-            if (chooses) outputs.push_back(truth(outputs[node.a]));
-            Node joined = node;
-            if (chooses) joined.a = static_cast<NodeId>(outputs.size() - 1);
-            Output result = of_operator(joined, outputs);
-            if (chooses) outputs.pop_back();
-            outputs.push_back(std::move(result));
+    for (const Node& given : expr.nodes()) {
+        if (arity(given.op) == 0) {
+            auto output = leaf(given, values);
+            if (!output) return output;
+            outputs.push_back(std::move(*output));
+            continue;
         }
+        if (!can_be_written(given.op)) return std::unexpected(refusal(given));
+        Operands operands{.a = outputs[given.a], .b = outputs[given.b], .c = outputs[given.c]};
+        // What counts as a condition is above 0.
+        if (given.op == Op::If && !is_condition(expr.node(given.a).op))
+            operands.a = truth(operands.a);
+        outputs.push_back(of_operator(given, operands));
     }
     return outputs.back();
 }
 
-FunctionNodes::Output FunctionNodes::of_operator(const Node& given,
-                                                 const std::vector<Output>& outputs) {
-    const Output& a = outputs[given.a];
-    const Output& b = outputs[given.b];
+FunctionNodes::Output FunctionNodes::of_operator(const Node& given, const Operands& operands) {
+    const auto& [a, b, c] = operands;
     const std::string_view kind = node_of(given.op);
     if (!kind.empty()) return arity(given.op) == 1 ? node(kind, {a}) : node(kind, {a, b});
-    if (given.op == Op::If) return node("select", {constant(0.0), a, b, outputs[given.c]});
-    return is_condition(given.op) ? of_condition(given, a, b) : of_function(given, a, b);
+    if (given.op == Op::If) return node("select", {constant(0.0), a, b, c});
+    return is_condition(given.op) ? of_condition(given.op, a, b) : of_function(given, a, b);
 }
 
 FunctionNodes::Output FunctionNodes::of_function(const Node& given, const Output& a,
                                                  const Output& b) {
-    switch (given.op) {
-        case Op::Negate: return node("subtraction", {constant(0.0), a});
-        case Op::IntPower: return power(a, given.number);
-        case Op::OddRoot: return odd_root(a, given.number);
-        case Op::Round: return node("floor", {node("addition", {a, constant(0.5)})});
-        case Op::Cot: return node("division", {node("cos", {a}), node("sin", {a})});
-        case Op::Length:
-            return node("sqrt", {node("addition", {node("multiplication", {a, a}),
-                                                   node("multiplication", {b, b})})});
-        case Op::AngleSin:
-        case Op::AngleCos: {
-            const Output angle = node("arctan2", {a, b});
-            const Output times = node("multiplication", {constant(given.number), angle});
-            return node(given.op == Op::AngleSin ? "sin" : "cos", {times});
-        }
-        default: return inverse_hyperbolic(given.op, a);
+    if (given.op == Op::Negate) return node("subtraction", {constant(0.0), a});
+    if (given.op == Op::IntPower) return power(a, given.number);
+    if (given.op == Op::OddRoot) return odd_root(a, given.number);
+    if (given.op == Op::Round) return node("floor", {node("addition", {a, constant(0.5)})});
+    if (given.op == Op::Cot) return node("division", {node("cos", {a}), node("sin", {a})});
+    if (given.op == Op::Length) {
+        const Output squares =
+            node("addition", {node("multiplication", {a, a}), node("multiplication", {b, b})});
+        return node("sqrt", {squares});
     }
+    if (given.op == Op::AngleSin || given.op == Op::AngleCos) {
+        const Output angle = node("arctan2", {a, b});
+        const Output times = node("multiplication", {constant(given.number), angle});
+        return node(given.op == Op::AngleSin ? "sin" : "cos", {times});
+    }
+    return inverse_hyperbolic(given.op, a);
 }
 
 FunctionNodes::Output FunctionNodes::truth(const Output& a) {
     return node("select", {constant(0.0), a, constant(1.0), constant(0.0)});
 }
 
-FunctionNodes::Output FunctionNodes::of_condition(const Node& given, const Output& a,
-                                                  const Output& b) {
+FunctionNodes::Output FunctionNodes::of_condition(Op op, const Output& a, const Output& b) {
     const Output no = constant(0.0);
     const Output yes = constant(1.0);
-    switch (given.op) {
-        case Op::Less: return node("select", {a, b, yes, no});
-        case Op::LessEqual: return node("select", {b, a, no, yes});
-        case Op::And: return node("min", {truth(a), truth(b)});
-        case Op::Or: return node("max", {truth(a), truth(b)});
-        default: return node("select", {no, a, no, yes});
-    }
+    if (op == Op::Less) return node("select", {a, b, yes, no});
+    if (op == Op::LessEqual) return node("select", {b, a, no, yes});
+    if (op == Op::And) return node("min", {truth(a), truth(b)});
+    if (op == Op::Or) return node("max", {truth(a), truth(b)});
+    return node("select", {no, a, no, yes});
 }
 
 FunctionNodes::Output FunctionNodes::power(const Output& base, int exponent) {

@@ -38,9 +38,15 @@ public:
     [[nodiscard]] std::size_t count() const { return count_; }
 
 private:
-    Output of_operator(const Node& node, const std::vector<Output>& outputs);
-    Output of_function(const Node& node, const Output& a, const Output& b);
-    Output of_condition(const Node& node, const Output& a, const Output& b);
+    struct Operands {
+        Output a, b, c;
+    };
+
+    /// A constant, a coordinate, or the value of another variable.
+    std::expected<Output, std::string> leaf(const Node& given, std::span<const double> values);
+    Output of_operator(const Node& given, const Operands& operands);
+    Output of_function(const Node& given, const Output& a, const Output& b);
+    Output of_condition(Op op, const Output& a, const Output& b);
     Output power(const Output& base, int exponent);
     Output odd_root(const Output& a, int degree);
     Output inverse_hyperbolic(Op op, const Output& a);

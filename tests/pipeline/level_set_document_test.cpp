@@ -69,18 +69,18 @@ void expect_same(const LevelSetFile& file, const ImportedDocument& again, const 
     ASSERT_TRUE(rows) << name << ": " << rows.error().reason;
     ASSERT_EQ(rows->program->surfaces.size(), file.surfaces.size()) << name;
     RandomNumbers random(11);
-    const double walls = -1e-3 * glm::length(file.hi - file.lo);
     for (int round = 0; round < 300; ++round) {
-        const glm::dvec3 place(random.uniform(0.1, 0.9), random.uniform(0.1, 0.9),
-                               random.uniform(0.1, 0.9));
+        const glm::dvec3 place(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
         const glm::dvec3 at = glm::mix(file.lo, file.hi, place);
         const glm::dvec3 mm = file.mm_per_unit * at;
+        const glm::dvec3 beyond =
+            glm::max(file.mm_per_unit * file.lo - mm, mm - file.mm_per_unit * file.hi);
+        const double wall = std::max({beyond.x, beyond.y, beyond.z});
         for (std::size_t i = 0; i < file.surfaces.size(); ++i) {
-            const double expected = expected_value(file, file.surfaces[i], at);
+            const double inside = expected_value(file, file.surfaces[i], at);
             const double value = value_at(rows->program->surfaces[i], {mm.x, mm.y, mm.z, 0}).value;
-            // The walls of the box are written in millimetres.
-            if (std::isnan(expected) || !(expected > walls)) continue;
-            if (!(std::abs(expected) < 1e12)) continue;
+            if (std::isnan(inside) || !(std::abs(inside) < 1e12)) continue;
+            const double expected = std::max(inside, wall);
             ASSERT_NEAR(value, expected, 1e-8 * std::max(1.0, std::abs(expected)))
                 << name << " at " << at.x << ", " << at.y << ", " << at.z;
         }
@@ -111,7 +111,7 @@ TEST(LevelSets, EveryOperatorComesBack) {
 TEST(LevelSets, WhatEndsASurfaceEndsItThere) {
     const auto change = [](Document& document) {
         document.region.sections.push_back(make_section({1.0, 2.0, -1.0}, 0.25));
-        document.region.ball = true;
+        document.region.ball = Ball{.centre = {0.1, 0.0, 0.0}, .radius = 1.2};
     };
     expect_same_again(request_of("x^2 + y^2 + z^2 = 1, x < y, z > -0.5 or y < 0", 1.5, change),
                       "bounds");
@@ -139,6 +139,17 @@ TEST(LevelSets, TheGalleryComesBack) {
         expect_same(*file, read_again(*encoded), name);
     }
     EXPECT_GT(written, 80U);
+}
+
+TEST(LevelSets, SurfacesKeepTheirColors) {
+    const auto change = [](Document& document) { document.statements[0].color = 0x12AB05; };
+    const auto file = level_sets_of(request_of("x = y", 1.0, change), 50.0);
+    ASSERT_TRUE(file);
+    const auto encoded = encode_level_sets(*file);
+    ASSERT_TRUE(encoded);
+    const ImportedDocument again = read_again(*encoded);
+    EXPECT_EQ(again.document.statements.back().color, 0x12AB05U);
+    EXPECT_NEAR(again.document.clip.hi.x, 25.0 * 1.02, 1e-9);
 }
 
 TEST(LevelSets, WhatTheyCannotSayIsRefusedInOneLine) {
