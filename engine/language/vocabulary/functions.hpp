@@ -86,8 +86,8 @@ std::vector<std::string_view> function_spellings();
 const Function* inverse_of(const Function& function);
 
 /// The node of a call of a function of op.def or functions.def, except those that the elaborator
-/// writes out: sum, prod, least, greatest, iterate, distance_estimate, psh, csd and noise. `arguments`: as many as the function
-/// takes.
+/// writes out: sum, prod, least, greatest, iterate, distance_estimate, psh, csd and noise.
+/// `arguments`: as many as the function takes.
 NodeId make_function(ExprBuilder& builder, const Function& function,
                      std::span<const NodeId> arguments);
 
