@@ -189,7 +189,7 @@ class MeshTest(ProgramTest):
         self.assertTrue(is_closed(triangles))
         self.assertAlmostEqual(volume_of(corners, triangles), 80.0 ** 3, 6)
         # What was written opens again, as the same surface.
-        again = self.run_ok("explain", path, "--at", "12,-8,4", "--json")
+        again = self.run_ok("explain", path, "--at", "6,-4,2", "--json")
         ball = (0.3 ** 2 + 0.2 ** 2 + 0.1 ** 2) - 1.5
         self.assertAlmostEqual(json.loads(again.out)["surfaces"][0]["value"], max(ball, 0.1 - 0.3), 12)
 
