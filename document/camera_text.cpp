@@ -1,5 +1,6 @@
 #include "document/camera_text.hpp"
 
+#include "engine/base/digits.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/view/navigation.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -23,14 +23,7 @@ constexpr std::array<std::pair<std::string_view, glm::dvec3 Camera::*>, 3> point
 /// Documents hold no larger numbers.
 constexpr double farthest = 1e30;
 
-/// The shortest text that is read as this number.
-std::string digits_of(double number) {
-    std::array<char, 32> digits{};
-    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    return {digits.data(), written.ptr};
-}
-
-std::string digits_of(const glm::dvec3& point) {
+std::string text_of(const glm::dvec3& point) {
     return digits_of(point.x) + "," + digits_of(point.y) + "," + digits_of(point.z);
 }
 
@@ -100,7 +93,7 @@ std::optional<std::string> Reading::take(std::string_view word, std::string_view
 std::string camera_text(const Camera& camera) {
     std::string text;
     for (const auto& [name, member] : points)
-        text += std::string(name) + " " + digits_of(camera.*member) + "; ";
+        text += std::string(name) + " " + text_of(camera.*member) + "; ";
     if (camera.projection == Projection::Orthographic)
         return text + "height " + digits_of(shown_height(camera));
     return text + "fov " + digits_of(glm::degrees(camera.fov_rad));

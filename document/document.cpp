@@ -1,11 +1,11 @@
 #include "document/document.hpp"
 
+#include "engine/base/digits.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/base/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 namespace zeroset {
@@ -28,13 +28,6 @@ std::string with_joined_lines(std::string row) {
         if (sign) row[end] = '\v';
     }
     return row;
-}
-
-/// The shortest text that is read as this number.
-std::string digits_of(double number) {
-    std::array<char, 32> digits{};
-    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    return {digits.data(), written.ptr};
 }
 
 }  // namespace

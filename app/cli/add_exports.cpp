@@ -157,6 +157,9 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
                        "and its bounds end it");
     mesh_app->add_flag("--no-thin", mesh.no_thin,
                        "keep all triangles: the mesh that the proof is about");
+    mesh_app->add_flag("--implicit", mesh.implicit,
+                       "no triangles but the formulas themselves, as implicit functions of a .3mf "
+                       "(its volumetric and implicit extensions)");
     add_value(*mesh_app, "--depth", mesh.depth,
               "the smallest cells are about the clip box's edge times 2^-N (default: no larger "
               "than the tolerance)");

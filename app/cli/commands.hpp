@@ -68,8 +68,9 @@ struct MeshCommand {
     std::string output;
     std::optional<std::string> tolerance, size, triangles, wall, surface, depth, budget, stats,
         threads;
-    bool open = false;     ///< the surface alone
-    bool no_thin = false;  ///< all triangles, as they were proved
+    bool open = false;      ///< the surface alone
+    bool no_thin = false;   ///< all triangles, as they were proved
+    bool implicit = false;  ///< the formula itself, as 3MF's implicit functions
 };
 int run_mesh(const MeshCommand& command);
 

@@ -5,13 +5,16 @@
 #include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
+#include "pipeline/level_set_document.hpp"
 #include "pipeline/mesh_document.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/prepare.hpp"
 
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace zeroset {
@@ -145,6 +148,48 @@ std::expected<void, std::string> write_mesh(const std::string& output, const Mes
     return {};
 }
 
+/// What --implicit does not go with: all that is about triangles.
+std::optional<InputError> implicit_refusal(const MeshCommand& command, const MeshPlan& plan) {
+    if (plan.format->ending != ".3mf")
+        return InputError{.reason = "--implicit writes 3MF alone: type -o NAME.3mf"};
+    const std::array<std::pair<std::string_view, bool>, 8> others{
+        {{"--tolerance", command.tolerance.has_value()},
+         {"--triangles", command.triangles.has_value()},
+         {"--wall", command.wall.has_value()},
+         {"--depth", command.depth.has_value()},
+         {"--budget", command.budget.has_value()},
+         {"--stats", command.stats.has_value()},
+         {"--open", command.open},
+         {"--no-thin", command.no_thin}}};
+    for (const auto& [option, given] : others) {
+        if (given)
+            return InputError{.reason = std::string(option) +
+                                        " is about triangles, which --implicit does not make: "
+                                        "leave one of them out"};
+    }
+    return std::nullopt;
+}
+
+int write_implicit(const MeshCommand& command, const MeshPlan& plan) {
+    if (auto wrong = implicit_refusal(command, plan)) return report(*wrong);
+    auto prepared = prepare(plan.document, plan.rows, Preparation::Interpreted);
+    if (!prepared) return report(prepared.error());
+    constexpr glm::ivec2 size_px(64, 64);  // for a camera that is not used
+    const PictureRequest request =
+        picture_request(prepared->formula, prepared->colors, plan.document, {}, size_px);
+    const auto file = level_sets_of(request, plan.settings.size_mm, plan.settings.surface);
+    if (!file) return report(file.error());
+    const auto encoded = encode_level_sets(*file);
+    if (!encoded) return report({.reason = encoded.error()});
+    if (const auto written = write_file(command.output, encoded->bytes); !written)
+        return report_run_time(written.error().message);
+    const std::size_t count = file->surfaces.size();
+    std::cout << "wrote " << command.output << ": " << count
+              << (count == 1 ? " surface of " : " surfaces of ") << encoded->nodes
+              << " nodes, in a box of " << short_number(plan.settings.size_mm) << " mm\n";
+    return exit_ok;
+}
+
 }  // namespace
 
 int run_mesh(const MeshCommand& command) {
@@ -153,6 +198,7 @@ int run_mesh(const MeshCommand& command) {
     if (!plan) return report(plan.error());
     if (const auto message = first_unwritable({command.output, command.stats}))
         return report_run_time(*message);
+    if (command.implicit) return write_implicit(command, *plan);
     const MeshFormat& format = *plan->format;
     const double budget_s = plan->budget_s;
     const auto meshes = make_meshes(std::move(*plan));

@@ -175,7 +175,13 @@ private:
         Term name{.kind = TermKind::Name, .text = std::string(token.text), .line = token.line};
         if (!tokens_.at_sign("(")) return name;
         name.kind = TermKind::Call;
-        return arguments_of(std::move(name));
+        ReadTerm call = arguments_of(std::move(name));
+        const bool part = call && dialect_.parts_of_calls && tokens_.at_sign(".") &&
+                          tokens_.peek(1).kind == ScriptKind::Name;
+        if (!part) return call;
+        tokens_.next();
+        call->text += "." + std::string(tokens_.next().text);
+        return call;
     }
 
     ReadTerm arguments_of(Term call) {
@@ -216,20 +222,23 @@ void write_chain(std::string& text, const Term& term) {
     }
 }
 
+void write_call(std::string& text, const Term& call) {
+    const std::size_t dot = std::min(call.text.find('.'), call.text.size());
+    text += call.text.substr(0, dot) + "(";
+    for (std::size_t i = 0; i < call.operands.size(); ++i) {
+        if (i > 0) text += ", ";
+        write(text, call.operands[i], 0);
+    }
+    text += ")" + call.text.substr(dot);
+}
+
 void write(std::string& text, const Term& term, std::size_t least) {
     const bool bracketed = level_of(term) < least;
     if (bracketed) text += '(';
     switch (term.kind) {
         case TermKind::Number:
         case TermKind::Name: text += term.text; break;
-        case TermKind::Call:
-            text += term.text + "(";
-            for (std::size_t i = 0; i < term.operands.size(); ++i) {
-                if (i > 0) text += ", ";
-                write(text, term.operands[i], 0);
-            }
-            text += ')';
-            break;
+        case TermKind::Call: write_call(text, term); break;
         case TermKind::Prefix:
             text += term.text == "!" ? "not " : term.text;
             write(text, term.operands[0], power_level);

@@ -21,12 +21,13 @@ struct Dialect {
     bool minus_before_power = false;  ///< -x^2 is (-x)^2, as in surf
     bool power_from_left = false;     ///< x^y^z is (x^y)^z
     bool equals_is_condition = true;  ///< a single = compares
+    bool parts_of_calls = false;      ///< f(x).gray is a part of the value of f
 };
 
 enum class TermKind : std::uint8_t {
     Number,
     Name,
-    Call,    ///< text(operands)
+    Call,    ///< text(operands); text is "f.part" for a part of the value
     Prefix,  ///< text is - or !
     Power,   ///< operands[0]^operands[1]
     Chain,   ///< operands with signs of one precedence between them

@@ -144,7 +144,9 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     const std::string_view kind = local_name(node);
     const std::string name = node.attribute("identifier").value();
     if (kind == "constresourceid") {
-        values[name + ".value"] = {node.attribute("resourceid").value()};
+        // Files of drafts of the extension call it resourceid.
+        const pugi::xml_attribute id = node.attribute("value");
+        values[name + ".value"] = {(id ? id : node.attribute("resourceid")).value()};
         return {};
     }
     if (kind == "functioncall") return call_node(node, values);

@@ -1,5 +1,6 @@
 #include "document/import/import.hpp"
 
+#include "document/import/cannot_open.hpp"
 #include "document/import/readers.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
@@ -83,15 +84,11 @@ ReadImport read_import(std::string_view file_name, std::string_view bytes) {
 }
 
 ReadImport load_import(const fs::path& path) {
-    const auto refused = [&path](const std::string& reason) {
-        return std::unexpected(
-            filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
-    };
     const ImportFormat* const format = import_format(path.filename().string());
     const auto bytes = bytes_of(path, format ? format->largest : largest_script);
-    if (!bytes) return refused(bytes.error());
+    if (!bytes) return cannot_open(path, bytes.error());
     ReadImport imported = read_import(path.filename().string(), *bytes);
-    if (!imported) return refused(imported.error());
+    if (!imported) return cannot_open(path, imported.error());
     return imported;
 }
 

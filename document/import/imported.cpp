@@ -1,12 +1,11 @@
 #include "document/import/imported.hpp"
 
 #include "document/row_program.hpp"
+#include "engine/base/digits.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -97,9 +96,7 @@ std::uint32_t shown_color(double red, double green, double blue) {
 }
 
 std::string exact_number(double value, bool inner) {
-    std::array<char, 32> digits{};
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    const std::string text(digits.data(), end);
+    const std::string text = digits_of(value);
     return inner && text.starts_with('-') ? "(" + text + ")" : text;
 }
 

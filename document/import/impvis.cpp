@@ -17,7 +17,6 @@ namespace {
 struct Entry {
     std::string value;
     std::size_t line;
-    bool quoted;
 };
 using Table = std::map<std::string, Entry, std::less<>>;
 
@@ -104,7 +103,7 @@ private:
             result += letter;
             pass();
         }
-        return Entry{.value = std::string(trimmed(result)), .line = line, .quoted = false};
+        return Entry{.value = std::string(trimmed(result)), .line = line};
     }
 
     std::expected<Entry, std::string> quoted(std::string_view quote) {
@@ -125,7 +124,7 @@ private:
         }
         if (!at(quote)) return import_error(line, tr("the end of a text in quotes is missing"));
         at_ += quote.size();
-        return Entry{.value = result, .line = line, .quoted = true};
+        return Entry{.value = result, .line = line};
     }
 
     std::string_view text_;

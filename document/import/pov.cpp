@@ -1,3 +1,4 @@
+#include "document/import/pov_camera.hpp"
 #include "document/import/pov_formulas.hpp"
 #include "document/import/pov_modifiers.hpp"
 #include "document/import/pov_script.hpp"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 // Scenes of POV-Ray 3.7: their isosurfaces. POV-Ray's axes are left-handed, y is up and z leads
 // into the picture: (x, y, z) there is (x, z, y) here, where z is up. f below the threshold is
@@ -23,9 +23,10 @@ struct Container {
     double radius = 1.0;
 };
 
-/// An isosurface in its own coordinates, and where it stands.
+/// An isosurface or a parametric surface in its own coordinates, and where it stands.
 struct PovSurface {
-    std::string function;
+    std::vector<std::string> functions;    ///< one of (x, y, z), or three of (u, v)
+    std::vector<glm::dvec3> corners = {};  ///< of (u, v): the least and the greatest
     Container container;
     double threshold = 0.0;
     bool open = false;
@@ -37,9 +38,6 @@ struct PovSurface {
 constexpr int deepest = 60;
 constexpr std::size_t most_surfaces = 90;
 
-/// (x, y, z) of POV-Ray here, and back.
-glm::dvec3 swapped(const glm::dvec3& v) { return {v.x, v.z, v.y}; }
-
 Placement swap_axes() {
     Placement result;
     result.linear = glm::dmat3(1, 0, 0, 0, 0, 1, 0, 1, 0);
@@ -48,7 +46,8 @@ Placement swap_axes() {
 
 class SceneReader {
 public:
-    explicit SceneReader(std::string_view text) : script_(text), formulas_(script_, result_) {
+    explicit SceneReader(std::string_view text)
+        : script_(text), formulas_(script_, modifiers_, result_) {
         script_.on_note = [this](std::size_t line, std::string_view entry, std::string reason) {
             result_.note(line, entry, std::move(reason));
         };
@@ -59,8 +58,8 @@ public:
         while (script_.peek().kind != ScriptKind::End)
             item(shown_);
         if (shown_.empty())
-            return import_error(
-                0, tr("it shows no isosurface, which is what is read of scenes of POV-Ray"));
+            return import_error(0, tr("it shows no isosurface or parametric surface, which is what "
+                                      "is read of scenes of POV-Ray"));
         add_rows();
         result_.note(
             0, "",
@@ -84,7 +83,10 @@ private:
     void item(Surfaces& surfaces) {
         const ScriptToken word = script_.next();
         if (word.kind != ScriptKind::Name) return;
-        if (word.text == "camera") return camera();
+        if (word.text == "camera") {
+            if (const auto camera = read_pov_camera(script_, modifiers_, result_)) camera_ = camera;
+            return;
+        }
         if (word.text == "background") return background();
         if (!script_.at_sign("{")) return;
         if (auto found = object(word.text, word.line)) {
@@ -100,7 +102,7 @@ private:
     std::optional<Surfaces> object(std::string_view word, std::size_t line) {
         static constexpr std::array<std::string_view, 5> groups{"union", "merge", "object",
                                                                 "intersection", "difference"};
-        if (word == "isosurface") return isosurface(line);
+        if (word == "isosurface" || word == "parametric") return surface(word, line);
         if (std::ranges::find(groups, word) == groups.end() || depth_ >= deepest)
             return std::nullopt;
         if (word == "intersection" || word == "difference")
@@ -129,39 +131,47 @@ private:
         return parts;
     }
 
-    Surfaces isosurface(std::size_t line) {
+    Surfaces surface(std::string_view kind, std::size_t line) {
+        const bool parametric = kind == "parametric";
         if (++read_ > 2 * most_surfaces) {
-            result_.note(line, "isosurface", tr("the script runs too long; the rest is left out"));
+            result_.note(line, kind, tr("the script runs too long; the rest is left out"));
             script_.stop();
             return {};
         }
         PovSurface surface{
-            .function = {}, .container = {}, .placement = {}, .look = {}, .line = line};
+            .functions = {}, .container = {}, .placement = {}, .look = {}, .line = line};
         script_.take_sign("{");
-        bool complete = false;
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            if (modifiers_.read(surface.placement, surface.look)) continue;
-            const ScriptToken word = script_.next();
-            if (word.text == "function") {
-                const auto own = formulas_.read("");
-                complete = own.has_value();
-                surface.function = own.value_or("");
-            } else if (word.text == "contained_by") {
-                container(surface.container);
-            } else if (word.text == "threshold") {
-                if (const auto value = modifiers_.number(word)) surface.threshold = *value;
-            } else if (word.text == "open") {
-                surface.open = true;
-            } else if (script_.at_sign("{")) {
-                script_.skip_block();
-                result_.note(word.line, word.text, tr("not taken over"));
-            }
+            surface_item(surface, parametric);
         }
-        if (!complete) {
-            result_.note(line, "isosurface", tr("without its function it is left out"));
+        const std::size_t corners = surface.corners.size();
+        if (surface.functions.size() != (parametric ? 3U : 1U) || (parametric && corners != 2)) {
+            result_.note(line, kind, tr("without its function it is left out"));
             return {};
         }
         return {surface};
+    }
+
+    void surface_item(PovSurface& surface, bool parametric) {
+        if (modifiers_.read(surface.placement, surface.look) || script_.take_sign(",")) return;
+        if (parametric && script_.at_sign("<")) {
+            if (const auto corner = script_.value()) surface.corners.push_back(vector_of(*corner));
+            return;
+        }
+        const ScriptToken word = script_.next();
+        if (word.text == "function") {
+            const auto own = parametric ? formulas_.read("", {"u", "v"}) : formulas_.read("");
+            if (own) surface.functions.push_back(*own);
+        } else if (word.text == "contained_by") {
+            container(surface.container);
+        } else if (word.text == "threshold") {
+            if (const auto value = modifiers_.number(word)) surface.threshold = *value;
+        } else if (word.text == "open") {
+            surface.open = true;
+        } else if (script_.at_sign("{")) {
+            script_.skip_block();
+            result_.note(word.line, word.text, tr("not taken over"));
+        }
     }
 
     void container(Container& container) {
@@ -201,7 +211,7 @@ private:
             return true;
         }
         if (modifiers_.declare(name)) return true;
-        if (script_.raw().at_sign("{", 1)) {
+        if (script_.sign_follows("{")) {
             script_.next();
             if (auto parts = object(word.text, word.line))
                 objects_.insert_or_assign(name, std::move(*parts));
@@ -220,47 +230,6 @@ private:
         if (look.color)
             result_.document.light.background =
                 Background{.top = *look.color, .bottom = *look.color};
-    }
-
-    void camera() {
-        if (!script_.take_sign("{")) return;
-        const std::size_t line = script_.line();
-        glm::dvec3 eye(0.0), target(0.0, 0.0, 1.0), sky(0.0, 1.0, 0.0), right(4.0 / 3.0, 0.0, 0.0),
-            up(0.0, 1.0, 0.0);
-        double angle = 67.380135;
-        bool parallel = false;
-        Placement placement;
-        while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-            if (const auto step = modifiers_.transformation()) {
-                placement = placement.then(*step);
-                continue;
-            }
-            const ScriptToken word = script_.next();
-            const auto take = [&](std::string_view name, glm::dvec3& into) {
-                if (word.text != name) return;
-                if (const auto value = modifiers_.vector(word)) into = *value;
-            };
-            take("location", eye);
-            take("look_at", target);
-            take("sky", sky);
-            take("right", right);
-            take("up", up);
-            if (word.text == "angle") angle = modifiers_.number(word).value_or(angle);
-            if (word.text == "orthographic") parallel = true;
-            if (script_.at_sign("{")) script_.skip_block();
-        }
-        const double half = std::tan(std::clamp(angle, 0.1, 170.0) * std::numbers::pi / 360.0);
-        const double ratio = glm::length(right) > 0.0 ? glm::length(up) / glm::length(right) : 1.0;
-        const Camera camera{
-            .eye = swapped(placement.of(eye)),
-            .look_at = swapped(placement.of(target)),
-            .up = swapped(placement.linear * sky),
-            .fov_rad = 2.0 * std::atan(half * ratio),
-            .projection = parallel ? Projection::Orthographic : Projection::Perspective};
-        if (camera_defect(camera) == nullptr)
-            camera_ = camera;
-        else
-            result_.note(line, "camera", tr("it cannot see anything; it is left out"));
     }
 
     /// What is 0 on the container and negative in it.
@@ -288,9 +257,38 @@ private:
                               : text;
     }
 
+    /// "(x(u, v), y(u, v), z(u, v)), 0 < u < 1, 0 < v < 1", moved to where it is placed.
+    static std::string parametric_row(const PovSurface& surface, const Placement& placed) {
+        std::string text = "(";
+        for (int row = 0; row < 3; ++row) {
+            std::string sum;
+            for (int part = 0; part < 3; ++part) {
+                const double factor = placed.linear[part][row];
+                if (factor == 0.0) continue;
+                const std::string call =
+                    surface.functions[static_cast<std::size_t>(part)] + "(u, v)";
+                sum += (sum.empty() ? "" : " + ") +
+                       (factor == 1.0 ? call : exact_number(factor, true) + "*" + call);
+            }
+            if (placed.shift[row] != 0.0 || sum.empty())
+                sum += (sum.empty() ? "" : " + ") + exact_number(placed.shift[row], true);
+            text += (row > 0 ? ", " : "") + sum;
+        }
+        const auto range = [&surface](int axis, const char* letter) {
+            return ", " + exact_number(surface.corners[0][axis]) + " < " + letter + " < " +
+                   exact_number(surface.corners[1][axis]);
+        };
+        return text + ")" + range(0, "u") + range(1, "v");
+    }
+
     /// Adds the rows of a surface and returns the box that it is in.
     std::optional<Box> add_surface(const PovSurface& surface) {
         const Placement placed = surface.placement.then(swap_axes());
+        if (surface.functions.size() == 3) {
+            result_.add_row(parametric_row(surface, placed), surface.line, surface.look.color)
+                .opacity = surface.look.opacity;
+            return box_of(surface.container, placed);
+        }
         const auto back = placed.inverse();
         if (!back) {
             result_.note(surface.line, "isosurface", tr("it is scaled to nothing; it is left out"));
@@ -301,11 +299,11 @@ private:
         std::string text;
         if (surface.open) {
             const std::string container = surface.container.ball ? limits : "max(" + limits + ")";
-            text = surface.function + coordinates + " = " + exact_number(surface.threshold);
+            text = surface.functions[0] + coordinates + " = " + exact_number(surface.threshold);
             text +=
                 ", " + formulas_.add("container", container, surface.line) + coordinates + " < 0";
         } else {
-            std::string f = surface.function + "(x, y, z)";
+            std::string f = surface.functions[0] + "(x, y, z)";
             if (surface.threshold != 0.0)
                 f += (surface.threshold < 0.0 ? " + " : " - ") +
                      exact_number(std::abs(surface.threshold));

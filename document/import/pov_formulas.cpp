@@ -15,9 +15,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> renamed{
 
 }  // namespace
 
-std::vector<std::string> PovFormulas::parameters() {
+std::vector<std::string> PovFormulas::parameters(const std::vector<std::string>& usual) {
     std::vector<std::string> names;
-    if (!script_.take_sign("(")) return {"x", "y", "z"};
+    if (!script_.take_sign("(")) return usual;
     while (script_.peek().kind == ScriptKind::Name || script_.at_sign(",")) {
         const ScriptToken token = script_.next();
         if (token.kind == ScriptKind::Name && token.text != "float") names.emplace_back(token.text);
@@ -26,26 +26,27 @@ std::vector<std::string> PovFormulas::parameters() {
     return names;
 }
 
-std::optional<std::string> PovFormulas::read(std::string_view wanted) {
-    const std::vector<std::string> names = parameters();
+std::optional<std::string> PovFormulas::read(std::string_view wanted,
+                                             const std::vector<std::string>& usual) {
+    const std::vector<std::string> names = parameters(usual);
     const std::size_t line = script_.line();
-    const std::size_t begin = script_.raw().position();
     const auto refused = [&](std::string reason) {
         result_.note(line, wanted.empty() ? "function" : wanted, std::move(reason));
-        script_.raw().go_to(begin);
-        script_.skip_block();
         return std::nullopt;
     };
-    if (!script_.take_sign("{")) return refused(tr("a function is { ... }; it is left out"));
+    if (!script_.at_sign("{")) return refused(tr("a function is { ... }; it is left out"));
     for (const std::string_view word : {"pigment", "pattern", "spline", "transform"}) {
-        if (script_.at_name(word))
-            return refused(filled(tr("functions of a {0} are not taken over"), {word}));
+        if (!script_.name_follows(word)) continue;
+        if (word == "pigment" || word == "pattern") return pattern(wanted, line);
+        script_.skip_block();
+        return refused(filled(tr("functions of a {0} are not taken over"), {word}));
     }
-    auto term = read_term(script_.raw(), {});
+    TokenReader tokens(script_.block(names));
+    auto term = read_term(tokens, {.parts_of_calls = true});
     if (!term) return refused(filled(tr("{0}; it is left out"), {term.error().reason}));
-    if (!script_.take_sign("}")) {
+    if (!tokens.at_end()) {
         return refused(
-            filled(tr("'{0}' does not continue the formula"), {script_.peek().text.substr(0, 20)}));
+            filled(tr("'{0}' does not continue the formula"), {tokens.peek().text.substr(0, 20)}));
     }
     // A call of a known function alone needs no row of its own.
     const bool plain = wanted.empty() && term->kind == TermKind::Call &&
@@ -86,7 +87,17 @@ std::string PovFormulas::translated(Term term, const std::vector<std::string>& p
     return text_of(term);
 }
 
-void PovFormulas::translate_call(Term& call) const {
+bool PovFormulas::translate_part(Term& call) {
+    const std::size_t dot = call.text.find('.');
+    if (dot == std::string::npos) return false;
+    const std::string own =
+        part_of(call.text.substr(0, dot), std::string_view(call.text).substr(dot + 1), call.line);
+    if (!own.empty()) call.text = own;
+    return true;
+}
+
+void PovFormulas::translate_call(Term& call) {
+    if (translate_part(call)) return;
     if (const auto own = find(call.text)) {
         call.text = *own;
         return;
@@ -130,6 +141,50 @@ void PovFormulas::translate_name(Term& name, const std::vector<std::string>& par
         result_.add_definition(constants_[key] + " := " + exact_number(key.second), name.line);
     }
     name.text = constants_[key];
+}
+
+std::optional<std::string> PovFormulas::pattern(std::string_view wanted, std::size_t line) {
+    const auto read = PovPattern::read(script_, modifiers_, result_);
+    if (!read) {
+        result_.note(line, wanted.empty() ? "function" : wanted, read.error());
+        return std::nullopt;
+    }
+    const std::string name(wanted.empty() ? "pattern" : wanted);
+    std::string value = add(name, read->call, line);
+    if (!read->moved.empty()) {
+        // The pattern in its own coordinates, which turbulence bends, and then where it stands.
+        value = add(name, value + "(" + read->moved + ")", line);
+    }
+    if (read->map.empty()) return value;
+    std::array<std::string, 3>& channels = colors_[name];
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::string mapped = read->mapped(value + "(x, y, z)", channel);
+        const bool known = channel > 0 && mapped == read->mapped(value + "(x, y, z)", channel - 1);
+        const auto index = static_cast<std::size_t>(channel);
+        channels[index] = known ? channels[index - 1] : add(name, mapped, line);
+    }
+    return channels[0];
+}
+
+std::string PovFormulas::part_of(const std::string& function, std::string_view part,
+                                 std::size_t line) {
+    const auto colors = colors_.find(function);
+    if (colors == colors_.end()) return {};
+    const auto& [red, green, blue] = colors->second;
+    if (part == "red" || part == "x") return red;
+    if (part == "green" || part == "y") return green;
+    if (part == "blue" || part == "z") return blue;
+    if (part != "gray" && part != "grey" && part != "hf") return {};
+    if (red == green && green == blue) return red;
+    std::string& own = parts_[function + "." + std::string(part)];
+    if (!own.empty()) return own;
+    const std::string at = "(x, y, z)";
+    own =
+        add(function,
+            part == "hf" ? "0.996093*(" + red + at + " + " + green + at + "/255)"
+                         : "0.297*" + red + at + " + 0.589*" + green + at + " + 0.114*" + blue + at,
+            line);
+    return own;
 }
 
 }  // namespace zeroset

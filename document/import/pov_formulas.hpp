@@ -3,8 +3,10 @@
 #include "document/import/foreign_formula.hpp"
 #include "document/import/imported.hpp"
 #include "document/import/names.hpp"
+#include "document/import/pov_pattern.hpp"
 #include "document/import/pov_script.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,12 +18,16 @@ namespace zeroset {
 /// The functions of a scene of POV-Ray, and the rows that define them.
 class PovFormulas {
 public:
-    PovFormulas(PovScript& script, ImportedDocument& result) : script_(script), result_(result) {}
+    /// All must outlive it.
+    PovFormulas(PovScript& script, PovModifiers& modifiers, ImportedDocument& result)
+        : script_(script), modifiers_(modifiers), result_(result) {}
 
-    /// Reads "function (names) { formula }" from behind its first word, and gives it a row. The
+    /// Reads "function (names) { formula }" from behind its first word, and gives it a row; names
+    /// that are left out are the usual ones. The
     /// name in the language, or nothing, with a note, where it cannot be taken over. `wanted`: its
     /// name in the file.
-    std::optional<std::string> read(std::string_view wanted);
+    std::optional<std::string> read(std::string_view wanted,
+                                    const std::vector<std::string>& usual = {"x", "y", "z"});
 
     /// The function of the scene that has this name, as it is called here.
     [[nodiscard]] std::optional<std::string> find(std::string_view name) const;
@@ -30,16 +36,25 @@ public:
     std::string add(std::string_view wanted, const std::string& formula, std::size_t line);
 
 private:
-    std::vector<std::string> parameters();
+    std::vector<std::string> parameters(const std::vector<std::string>& usual);
+    /// Reads "pattern { ... }" or "pigment { ... }" behind the brace of a function.
+    std::optional<std::string> pattern(std::string_view wanted, std::size_t line);
+    /// The name of a definition of the part of a pigment's colours.
+    std::string part_of(const std::string& function, std::string_view part, std::size_t line);
+    bool translate_part(Term& call);
     std::string translated(Term term, const std::vector<std::string>& parameters);
-    void translate_call(Term& call) const;
+    void translate_call(Term& call);
     void translate_name(Term& name, const std::vector<std::string>& parameters);
 
     PovScript& script_;
+    PovModifiers& modifiers_;
     ImportedDocument& result_;
     ImportedNames names_;
     std::map<std::string, std::string, std::less<>> functions_;  ///< names here by those there
     std::map<std::pair<std::string, double>, std::string> constants_;
+    /// Definitions of colours, by the function there; those of its parts, by "function.part".
+    std::map<std::string, std::array<std::string, 3>, std::less<>> colors_;
+    std::map<std::string, std::string, std::less<>> parts_;
 };
 
 }  // namespace zeroset

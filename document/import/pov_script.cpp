@@ -1,12 +1,9 @@
 #include "document/import/pov_script.hpp"
 
-#include "document/import/real_functions.hpp"
-#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace zeroset {
 namespace {
@@ -34,13 +31,21 @@ void PovScript::note(std::size_t line, std::string_view entry, std::string reaso
 }
 
 const ScriptToken& PovScript::peek() {
-    while (tokens_.at_sign("#") && directive_depth_ < deepest) {
+    while (directive_depth_ < deepest) {
+        const bool macro_ends = !frames_.empty() && tokens_.at_end();
+        const bool macro_begins = !macro_ends && at_macro();
+        if (!macro_ends && !macro_begins && !tokens_.at_sign("#")) break;
         if (++steps_ > most_steps) {
             stop_long();
             break;
         }
         ++directive_depth_;
-        directive();
+        if (macro_ends)
+            leave_macro();
+        else if (macro_begins)
+            call_macro();
+        else
+            directive();
         --directive_depth_;
     }
     return tokens_.peek();
@@ -51,9 +56,14 @@ void PovScript::stop_long() {
     stop();
 }
 
+bool PovScript::repeat(std::size_t tokens) {
+    repeated_ += tokens;
+    if (repeated_ > most_repeated) stop_long();
+    return repeated_ <= most_repeated;
+}
+
 void PovScript::go_back(const Block& block) {
-    repeated_ += tokens_.position() - block.begin;
-    if (repeated_ > most_repeated) return stop_long();
+    if (!repeat(tokens_.position() - block.begin)) return;
     tokens_.go_to(block.begin);
     if (block.kind == Block::Kind::While) {
         begin_while(block.begin);
@@ -63,6 +73,8 @@ void PovScript::go_back(const Block& block) {
 }
 
 void PovScript::stop() {
+    while (!frames_.empty())
+        leave_macro();
     while (!tokens_.at_end())
         tokens_.next();
     blocks_.clear();
@@ -82,11 +94,12 @@ void PovScript::directive() {
     const std::size_t line = tokens_.line();
     tokens_.next();
     const std::string word(tokens_.next().text);
-    if (word == "declare" || word == "local") return declare();
+    if (word == "declare" || word == "local") return declare(word == "local");
     if (word == "if") return begin_if(condition());
     if (word == "ifdef" || word == "ifndef") {
         tokens_.take_sign("(");
-        const bool known = value_of(tokens_.next().text).has_value();
+        const std::string_view name = tokens_.next().text;
+        const bool known = value_of(name).has_value() || macros_.contains(name);
         tokens_.take_sign(")");
         return begin_if(known == (word == "ifdef"));
     }
@@ -108,15 +121,11 @@ void PovScript::directive() {
         return;
     }
     if (word == "end") return end_block();
-    if (word == "macro") {
-        note(line, "#macro " + std::string(tokens_.peek().text), tr("macros are not called"));
-        skip_to({});
-        return;
-    }
+    if (word == "macro") return define_macro();
     if (word == "include") return include();
     if (word == "default") return tokens_.skip_block("{", "}");
     if (word == "undef") {
-        tokens_.next();
+        values_.erase(std::string(tokens_.next().text));
         return;
     }
     skip_line(line);
@@ -132,7 +141,7 @@ void PovScript::include() {
     }
 }
 
-void PovScript::declare() {
+void PovScript::declare(bool local) {
     const std::size_t line = tokens_.line();
     const std::string name(tokens_.next().text);
     if (!tokens_.take_sign("=")) {
@@ -144,13 +153,15 @@ void PovScript::declare() {
         tokens_.take_sign(";");
         return;
     }
-    const std::size_t begin = tokens_.position();
+    const Place begin = place();
     const auto read = value();
-    if (read) {
+    if (read && local) {
+        set_local(name, *read);
+    } else if (read) {
         values_.insert_or_assign(name, *read);
     } else {
         values_.erase(name);
-        tokens_.go_to(begin);
+        go_to(begin);
         note(line, "#declare " + name, tr("its value is not known; it is left out"));
         skip_line(line);
     }
@@ -232,7 +243,7 @@ void PovScript::begin_switch() {
 }
 
 void PovScript::end_block() {
-    if (blocks_.empty()) return;
+    if (blocks_.size() <= (frames_.empty() ? 0 : frames_.back().blocks)) return;
     const Block block = blocks_.back();
     blocks_.pop_back();
     if (block.kind == Block::Kind::While) {
@@ -249,146 +260,17 @@ void PovScript::end_block() {
 
 bool PovScript::condition() {
     const std::size_t line = tokens_.line();
-    const std::size_t begin = tokens_.position();
+    const Place begin = place();
     tokens_.take_sign("(");
     const auto read = compared();
     if (!read) {
         note(line, "#if", tr("its condition is not known; it counts as false"));
-        tokens_.go_to(begin);
+        go_to(begin);
         tokens_.skip_block("(", ")");
         return false;
     }
     tokens_.take_sign(")");
     return (*read)[0] != 0.0;
-}
-
-std::optional<PovValue> PovScript::compared() {
-    auto result = sum();
-    constexpr std::array<std::string_view, 9> signs{"<",  ">",  "<=", ">=", "=",
-                                                    "==", "!=", "&",  "|"};
-    while (result && peek().kind == ScriptKind::Sign && is_one_of(signs, peek().text)) {
-        const std::string_view sign = next().text;
-        const bool joins = sign == "&" || sign == "|";
-        // All behind & and | is one deeper: sum() ends it.
-        depth_ += joins ? 1 : 0;
-        const auto other = joins ? compared() : sum();
-        depth_ -= joins ? 1 : 0;
-        if (!other) return std::nullopt;
-        const double a = (*result)[0];
-        const double b = (*other)[0];
-        result = PovValue{holds(a, sign, b).value_or(false) ? 1.0 : 0.0};
-    }
-    return result;
-}
-
-std::optional<PovValue> PovScript::value() { return sum(); }
-
-std::optional<PovValue> PovScript::value_of(std::string_view name) const {
-    const auto found = values_.find(name);
-    if (found != values_.end()) return found->second;
-    return pov_constant(name);
-}
-
-std::optional<PovValue> PovScript::sum() {
-    if (depth_ >= deepest) return std::nullopt;
-    ++depth_;
-    auto result = product();
-    while (result && (at_sign("+") || at_sign("-"))) {
-        const char sign = next().text[0];
-        const auto other = product();
-        result = other ? std::optional(joined(*result, sign, *other)) : std::nullopt;
-    }
-    --depth_;
-    return result;
-}
-
-std::optional<PovValue> PovScript::product() {
-    auto result = factor();
-    while (result && (at_sign("*") || at_sign("/"))) {
-        const char sign = next().text[0];
-        const auto other = factor();
-        result = other ? std::optional(joined(*result, sign, *other)) : std::nullopt;
-    }
-    return result;
-}
-
-std::optional<PovValue> PovScript::factor() {
-    bool negative = false;
-    while (at_sign("-") || at_sign("+"))
-        negative = (next().text == "-") != negative;
-    auto result = operand();
-    if (result) result = part_of(std::move(*result));
-    if (result && negative) result = joined({-1.0}, '*', *result);
-    return result;
-}
-
-std::optional<PovValue> PovScript::part_of(PovValue value) {
-    static constexpr std::array<std::string_view, 8> parts{"x",   "y",     "z",    "t",
-                                                           "red", "green", "blue", "filter"};
-    while (at_sign(".")) {
-        next();
-        const auto* const part = std::ranges::find(parts, next().text);
-        if (part == parts.end()) return std::nullopt;
-        const auto index = static_cast<std::size_t>(part - parts.begin()) % 4;
-        value = {index < value.size() ? value[index] : 0.0};
-    }
-    return value;
-}
-
-std::optional<PovValue> PovScript::operand() {
-    const ScriptToken token = peek();
-    if (token.kind == ScriptKind::Number) {
-        next();
-        const auto number = number_from<double>(token.text);
-        if (!number) return std::nullopt;
-        return PovValue{*number};
-    }
-    if (take_sign("(")) {
-        auto inner = compared();
-        if (!take_sign(")")) return std::nullopt;
-        return inner;
-    }
-    if (take_sign("<")) return vector();
-    if (token.kind == ScriptKind::Name) return named();
-    return std::nullopt;
-}
-
-std::optional<PovValue> PovScript::vector() {
-    PovValue result;
-    do {
-        const auto part = sum();
-        if (!part || result.size() == 5) return std::nullopt;
-        result.push_back((*part)[0]);
-        take_sign(",");
-    } while (!at_sign(">") && !tokens_.at_end());
-    if (!take_sign(">")) return std::nullopt;
-    return result;
-}
-
-std::optional<PovValue> PovScript::named() {
-    const std::string name(next().text);
-    static constexpr std::array<std::string_view, 9> colors{
-        "rgb", "rgbf", "rgbt", "rgbft", "srgb", "color", "colour", "srgbf", "srgbt"};
-    if (is_one_of(colors, name)) {
-        auto color = sum();
-        if (!color) return std::nullopt;
-        if (color->size() == 1 && name != "color" && name != "colour")
-            color = PovValue(3, color->front());
-        // rgbt: the fourth number is transmitted light, which stands fifth elsewhere.
-        if ((name == "rgbt" || name == "srgbt") && color->size() == 4)
-            color->insert(color->begin() + 3, 0.0);
-        return color;
-    }
-    if (!at_sign("(")) return value_of(name);
-    std::vector<PovValue> arguments;
-    do {
-        next();
-        auto argument = sum();
-        if (!argument) return std::nullopt;
-        arguments.push_back(std::move(*argument));
-    } while (at_sign(","));
-    if (!take_sign(")")) return std::nullopt;
-    return pov_function(name, arguments);
 }
 
 }  // namespace zeroset

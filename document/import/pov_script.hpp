@@ -6,9 +6,11 @@
 #include "document/import/script_tokens.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +18,8 @@
 namespace zeroset {
 
 /// The tokens of a scene of POV-Ray with its directives carried out on the way: #if, #while, #for,
-/// #switch and #declare of values. Whoever reads sees the tokens in between. Ends on any text.
+/// #switch, #declare of values, and calls of macros. Whoever reads sees the tokens in between.
+/// Ends on any text.
 class PovScript {
 public:
     explicit PovScript(std::string_view text);
@@ -38,8 +41,16 @@ public:
     [[nodiscard]] std::size_t line() { return peek().line; }
     /// Leaves out the rest.
     void stop();
-    /// The tokens as they are, for a formula.
-    TokenReader& raw() { return tokens_; }
+    /// Whether the sign or name follows the next token, which is not looked at.
+    [[nodiscard]] bool sign_follows(std::string_view sign) const {
+        return tokens_.at_sign(sign, 1);
+    }
+    [[nodiscard]] bool name_follows(std::string_view name) const {
+        return tokens_.at_name(name, 1);
+    }
+    /// The tokens of the block { ... } that is next, without its braces, with an End. Names whose
+    /// values a loop or a macro has in it are replaced by numbers, but those of `kept`.
+    std::vector<ScriptToken> block(std::span<const std::string> kept);
 
     /// Reads a value; nothing where none is next, and then some tokens may have been read.
     std::optional<PovValue> value();
@@ -54,13 +65,54 @@ private:
         double last = 0.0, step = 0.0;
     };
 
+    /// A macro, and a call of it that is being read: its tokens lie behind all others.
+    struct Macro {
+        std::vector<std::string> parameters = {};
+        std::vector<ScriptToken> body = {};
+    };
+    struct Frame {
+        std::size_t back = 0;    ///< the position behind the call
+        std::size_t begin = 0;   ///< of its tokens
+        std::size_t blocks = 0;  ///< open before it
+        std::map<std::string, std::optional<PovValue>, std::less<>> hidden = {};  ///< by its own
+    };
+    /// A value, or where that is not known, tokens.
+    struct Argument {
+        std::optional<PovValue> value = {};
+        std::vector<ScriptToken> tokens = {};
+    };
+    struct Place {
+        std::size_t position, frames;
+    };
+
+    void define_macro();
+    [[nodiscard]] bool at_macro() const;
+    void call_macro();
+    Argument argument();
+    ScriptToken number_token(double value, std::size_t line);
+    std::vector<ScriptToken> argument_tokens();
+    /// The body of a macro with what stands for its parameters.
+    [[nodiscard]] std::vector<ScriptToken> expanded(const Macro& macro,
+                                                    std::vector<Argument>& given) const;
+    /// Leaves the innermost call.
+    void leave_macro();
+    /// Gives a name a value until the innermost call ends.
+    void set_local(const std::string& name, PovValue value);
+    [[nodiscard]] Place place() const {
+        return {.position = tokens_.position(), .frames = frames_.size()};
+    }
+    /// Goes back to where the same call, or one around it, was read.
+    void go_to(const Place& place);
+
     void note(std::size_t line, std::string_view entry, std::string reason) const;
+    /// Counts tokens that are read again; false where there are too many, and the rest is left out.
+    bool repeat(std::size_t tokens);
     /// Leaves out the rest, and says so.
     void stop_long();
     /// Goes on with the next time of a loop.
     void go_back(const Block& block);
     void directive();
-    void declare();
+    void declare(bool local);
     void include();
     void begin_if(bool holds);
     void begin_while(std::size_t begin);
@@ -80,14 +132,21 @@ private:
     std::optional<PovValue> vector();
     std::optional<PovValue> named();
     std::optional<PovValue> part_of(PovValue value);
+    /// The values of seed(n) and rand(stream).
+    std::optional<PovValue> random(std::string_view name, const PovValue& argument);
 
     TokenReader tokens_;
     std::map<std::string, PovValue, std::less<>> values_;
     std::vector<Block> blocks_;
+    std::map<std::string, Macro, std::less<>> macros_;
+    std::vector<Frame> frames_;
+    std::vector<std::uint32_t> streams_;  ///< of random numbers
+    std::deque<std::string> numbers_;     ///< the texts of tokens that stand for values
+    bool in_formula_ = false;
     int depth_ = 0;
     int directive_depth_ = 0;
     std::size_t steps_ = 0;
-    std::size_t repeated_ = 0;  ///< tokens of loops, each time that they are read again
+    std::size_t repeated_ = 0;  ///< tokens of loops, and macros, each time that they are read again
 };
 
 }  // namespace zeroset

@@ -21,7 +21,7 @@ public:
         std::vector<ScriptToken> tokens;
         while (skip_blanks(), at_ < text_.size())
             tokens.push_back(token());
-        tokens.push_back({.line = line_, .offset = text_.size()});
+        tokens.push_back({.line = line_});
         return tokens;
     }
 
@@ -84,14 +84,13 @@ private:
     }
 
     ScriptToken cut(ScriptKind kind, std::size_t end) {
-        const ScriptToken token{
-            .kind = kind, .text = text_.substr(at_, end - at_), .line = line_, .offset = at_};
+        const ScriptToken token{.kind = kind, .text = text_.substr(at_, end - at_), .line = line_};
         at_ = end;
         return token;
     }
 
     ScriptToken quoted() {
-        ScriptToken token{.kind = ScriptKind::Text, .line = line_, .offset = at_};
+        ScriptToken token{.kind = ScriptKind::Text, .line = line_};
         const std::size_t begin = ++at_;
         while (at_ < text_.size() && text_[at_] != '"')
             pass();
@@ -155,6 +154,10 @@ bool TokenReader::take_name(std::string_view name) {
     if (!at_name(name)) return false;
     next();
     return true;
+}
+
+void TokenReader::append(std::span<const ScriptToken> tokens) {
+    tokens_.insert(tokens_.end(), tokens.begin(), tokens.end());
 }
 
 void TokenReader::skip_block(std::string_view open, std::string_view close) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,7 @@ enum class ScriptKind : std::uint8_t { Number, Name, Text, Sign, End };
 struct ScriptToken {
     ScriptKind kind = ScriptKind::End;
     std::string_view text = {};
-    std::size_t line = 1;    ///< from 1
-    std::size_t offset = 0;  ///< in bytes; of a Text that of its quote
+    std::size_t line = 1;  ///< from 1
 };
 
 /// Splits any text into tokens; the last one is End. Remarks are left out, /* */ within each other
@@ -40,6 +40,11 @@ public:
     [[nodiscard]] std::size_t line() const { return peek().line; }
     [[nodiscard]] std::size_t position() const { return at_; }
     void go_to(std::size_t position) { at_ = position; }
+    [[nodiscard]] std::span<const ScriptToken> tokens() const { return tokens_; }
+    /// Adds tokens behind the end; the last one should be an End.
+    void append(std::span<const ScriptToken> tokens);
+    /// Leaves only the first `count` tokens, at least one.
+    void truncate(std::size_t count) { tokens_.resize(count); }
     /// Passes over what is between the bracket that is next and the one that closes it.
     void skip_block(std::string_view open, std::string_view close);
 

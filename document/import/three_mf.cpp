@@ -7,7 +7,9 @@
 #include <zip.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 // Packages of 3MF: the level sets of the volumetric extension whose functions are implicit. What is
@@ -107,6 +109,8 @@ private:
                 functions_.add_function(resource);
             else if (kind == "object")
                 objects_.insert_or_assign(resource.attribute("id").value(), resource);
+            else if (kind == "colorgroup" || kind == "basematerials")
+                colors_.insert_or_assign(resource.attribute("id").value(), resource);
             else if (resource.type() == pugi::node_element)
                 result_.note(0, kind, tr("not taken over"));
         }
@@ -126,7 +130,8 @@ private:
         if (found == objects_.end() || depth > deepest) return;
         for (const pugi::xml_node& part : found->second.children()) {
             const std::string_view kind = local_name(part);
-            if (kind == "levelset") add_level_set(part, placement, "object " + id);
+            if (kind == "levelset")
+                add_level_set(part, placement, "object " + id, color_of(found->second));
             if (kind == "mesh") result_.note(0, "object " + id, tr("meshes are not taken over"));
             if (kind != "components") continue;
             for (const pugi::xml_node& component : part.children()) {
@@ -136,6 +141,23 @@ private:
                            inner.value_or(Placement{}).then(placement), depth + 1);
             }
         }
+    }
+
+    /// The colour of an object: that of its property group at its index, "#RRGGBB" or "#RRGGBBAA".
+    [[nodiscard]] std::optional<std::uint32_t> color_of(const pugi::xml_node& object) const {
+        const auto group = colors_.find(object.attribute("pid").value());
+        if (group == colors_.end()) return std::nullopt;
+        int index = object.attribute("pindex").as_int();
+        for (const pugi::xml_node& color : group->second.children()) {
+            if (index-- != 0) continue;
+            const pugi::xml_attribute base = color.attribute("displaycolor");
+            const std::string_view text = (base ? base : color.attribute("color")).value();
+            std::uint32_t value = 0;
+            if (text.size() < 7 || text[0] != '#') return std::nullopt;
+            const auto read = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+            return read.ptr == text.data() + 7 ? std::optional(value) : std::nullopt;
+        }
+        return std::nullopt;
     }
 
     std::optional<Box> box_of_mesh(const std::string& id) {
@@ -159,7 +181,7 @@ private:
     }
 
     void add_level_set(const pugi::xml_node& set, const Placement& placement,
-                       const std::string& entry) {
+                       const std::string& entry, std::optional<std::uint32_t> color) {
         const auto to_field = placement_of(set.attribute("transform").value());
         const auto back = placement.inverse();
         const auto box = box_of_mesh(set.attribute("meshid").value());
@@ -189,7 +211,7 @@ private:
             text += ", " + exact_number(box->lo[i]) + " - " + letter + ", " + letter + " - " +
                     exact_number(box->hi[i], true);
         }
-        result_.add_row(text + ") = 0", 0);
+        result_.add_row(text + ") = 0", 0, color);
         extend(*box, placement);
     }
 
@@ -197,7 +219,8 @@ private:
     GraphValue named_coordinates(const Placement& map) {
         if (map.is_identity()) return {"x", "y", "z"};
         GraphValue names;
-        for (const std::string_view part : split(coordinates_of(map), ','))
+        const std::string all = coordinates_of(map);
+        for (const std::string_view part : split(all, ','))
             names.push_back(functions_.named(std::string(part)));
         return names;
     }
@@ -217,7 +240,7 @@ private:
     GraphWriter functions_;
     std::size_t written_ = 0;
     std::size_t components_ = 0;
-    std::map<std::string, pugi::xml_node, std::less<>> objects_;
+    std::map<std::string, pugi::xml_node, std::less<>> objects_, colors_;
     std::optional<Box> all_;
 };
 

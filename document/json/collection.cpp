@@ -1,5 +1,6 @@
 #include "document/json/collection.hpp"
 
+#include "document/import/cannot_open.hpp"
 #include "document/import/import.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
@@ -85,14 +86,10 @@ std::vector<fs::path> files_of(const fs::path& folder, std::error_code& error) {
     return files;
 }
 
-std::unexpected<std::string> no_collection(const fs::path& path, const std::string& reason) {
-    return std::unexpected(filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
-}
-
 std::expected<Collection, std::string> folder_collection(const fs::path& folder) {
     std::error_code error;
     const std::vector<fs::path> files = files_of(folder, error);
-    if (error) return no_collection(folder, error.message());
+    if (error) return cannot_open(folder, error.message());
     const fs::path named = folder.has_filename() ? folder : folder.parent_path();
     Collection collection{.name = named.filename().string(), .items = {}};
     for (const fs::path& file : files) {
@@ -100,7 +97,7 @@ std::expected<Collection, std::string> folder_collection(const fs::path& folder)
         add_file(file, collection);
     }
     if (!collection.items.empty()) return collection;
-    return no_collection(folder, tr("there is no document in this folder"));
+    return cannot_open(folder, tr("there is no document in this folder"));
 }
 
 }  // namespace
@@ -116,7 +113,7 @@ std::expected<std::optional<Collection>, std::string> collection_at(const fs::pa
     Collection collection{.name = path.filename().string(), .items = {}};
     add_imported(path, std::move(*imported), collection);
     if (!collection.items.empty()) return collection;
-    return no_collection(path, tr("it has no surface that can be drawn"));
+    return cannot_open(path, tr("it has no surface that can be drawn"));
 }
 
 }  // namespace zeroset

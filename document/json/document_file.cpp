@@ -1,5 +1,6 @@
 #include "document/json/document_file.hpp"
 
+#include "document/import/cannot_open.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_json.hpp"
 #include "engine/base/translation.hpp"
@@ -24,10 +25,6 @@ namespace fs = std::filesystem;
 
 /// Files larger than this, in bytes, are not read as documents.
 constexpr std::uintmax_t largest_file = 64U << 20U;
-
-std::unexpected<std::string> cannot_read(const fs::path& path, const std::string& reason) {
-    return std::unexpected(filled(tr("cannot open {0}: {1}"), {"'" + path.string() + "'", reason}));
-}
 
 std::string note_of(const std::vector<std::string>& unknown) {
     if (unknown.empty()) return {};
@@ -83,13 +80,13 @@ bool is_document_name(const std::string& name) { return name.ends_with(document_
 std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     if (is_import_path(path.string())) return imported_document(path);
     std::error_code error;
-    if (!fs::exists(path, error)) return cannot_read(path, tr("there is no such file"));
-    if (!fs::is_regular_file(path, error)) return cannot_read(path, tr("it is no file"));
+    if (!fs::exists(path, error)) return cannot_open(path, tr("there is no such file"));
+    if (!fs::is_regular_file(path, error)) return cannot_open(path, tr("it is no file"));
     const bool from_picture = is_picture_name(path.string());
     auto text = from_picture ? session_of_picture(path) : text_of_file(path);
-    if (!text) return cannot_read(path, text.error());
+    if (!text) return cannot_open(path, text.error());
     auto read = document_from(*text);
-    if (!read) return cannot_read(path, read.error());
+    if (!read) return cannot_open(path, read.error());
     return LoadedDocument{.document = std::move(read->document),
                           .note = note_of(read->unknown),
                           .shown_on = read->shown_on,

@@ -1,6 +1,7 @@
 #include "engine/blobs/blobs.hpp"
 
 #include "engine/blobs/blob_lanes.hpp"
+#include "engine/real/bounds_product.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,13 +76,6 @@ HeightAt height_at(BlobKind kind, double q) {
     }
     const double value = std::exp(2 * (1 - q));
     return {.slope = -2 * value, .bend = 4 * value};
-}
-
-ValueBounds product_of(const ValueBounds& a, const ValueBounds& b) {
-    ValueBounds hull{.lo = a.lo * b.lo, .hi = a.lo * b.lo};
-    for (const double product : {a.lo * b.hi, a.hi * b.lo, a.hi * b.hi})
-        hull.add({.lo = product, .hi = product});
-    return hull;
 }
 
 }  // namespace

@@ -224,7 +224,14 @@ private:
     Built library_call(const Syntax& syntax, const Binding* scope);
     bool fits(const Syntax& syntax, Values& arguments);
     bool make_point(char kind, Value& argument, const Syntax& syntax, std::size_t index);
+
+    // elaborator_iteration.cpp: steps done again and again
     Built iterated(const Syntax& syntax, const Binding* scope);
+    Built distance_estimate(const Syntax& syntax, const Binding* scope);
+    std::optional<int> step_count(const Syntax& syntax, const Binding* scope);
+    bool is_within_budget(const Syntax& syntax, std::size_t before, int steps);
+    NodeId square_of(const Value& value);
+    Value kept_where(NodeId condition, const Value& kept, const Value& other);
 
     // elaborator_fields.cpp, elaborator_blobs.cpp: noise, soft balls
     Built noise(const Syntax& syntax, const Binding* scope);

@@ -40,7 +40,8 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     if (syntax.function->is_of_library()) return library_call(syntax, scope);
     if (syntax.function->is_noise()) return noise(syntax, scope);
     const std::optional<Composed> composed = syntax.function->composed;
-    if (composed == Composed::Iterate) return iterated(syntax, scope);
+    if (composed == Composed::DistanceEstimate) return distance_estimate(syntax, scope);
+    if (syntax.function->iterates()) return iterated(syntax, scope);
     if (composed == Composed::Keep || composed == Composed::Kept) return kept_value(syntax, scope);
     const std::optional<Op> op = syntax.function->op;
     Values arguments;

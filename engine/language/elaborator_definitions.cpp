@@ -141,8 +141,7 @@ void DefinitionTable::collect_uses(SyntaxId id, Bound& bound) {
         --bound[syntax.text];
         return;
     }
-    const bool iterates =
-        syntax.function != nullptr && syntax.function->composed == Composed::Iterate;
+    const bool iterates = syntax.function != nullptr && syntax.function->iterates();
     if (iterates && tree_[syntax.operands[0]].kind == SyntaxKind::Name) {
         const std::string_view name = tree_[syntax.operands[0]].text;
         collect_uses(syntax.operands[1], bound);

@@ -1,4 +1,4 @@
-// Builds calls of the words of shapes.def, and iterations.
+// Builds calls of the words of shapes.def.
 
 #include "engine/base/translation.hpp"
 #include "engine/language/elaborator.hpp"
@@ -7,9 +7,6 @@
 
 namespace zeroset {
 namespace {
-
-constexpr double most_steps = 100;
-constexpr std::size_t most_nodes = 20'000;  // of one iteration
 
 /// The name of the argument at `index` of a list "p, r, h".
 std::string_view name_at(std::string_view list, std::size_t index) {
@@ -56,37 +53,6 @@ bool Elaborator::make_point(char kind, Value& argument, const Syntax& syntax, st
                 {name, word + "(" + list + ")", described(argument)}),
          filled(tr("type a vector such as {0}"), {"(x, y, z)"}));
     return false;
-}
-
-/// Writes out iterate(p, n, start, step).
-Elaborator::Built Elaborator::iterated(const Syntax& syntax, const Binding* scope) {
-    const Syntax& name = tree_[syntax.operands[0]];
-    const std::string example = filled(tr("for example {0}"), {"iterate(u, 3, x, u^2 + y)"});
-    if (name.kind != SyntaxKind::Name)
-        return fail(name.offset, tr("the first argument of iterate is a name"), example);
-    const auto count =
-        whole_number(syntax.operands[1], scope,
-                     {.reason = tr("the number of steps is a whole number"), .hint = example});
-    if (!count) return std::nullopt;
-    if (*count < 0 || *count > most_steps) {
-        return fail(tree_[syntax.operands[1]].offset,
-                    filled(tr("iterate takes from 0 to {0} steps"),
-                           {std::to_string(static_cast<int>(most_steps))}),
-                    tr("use fewer"));
-    }
-    Built value = operand(syntax.operands[2], scope);
-    const std::size_t before = builder_.size();
-    for (int step = 0; value && step < static_cast<int>(*count); ++step) {
-        const Binding binding{.name = name.text, .value = *value, .outer = scope};
-        value = operand(syntax.operands[3], &binding);
-        if (value && builder_.size() - before > most_nodes) {
-            return fail(syntax.offset,
-                        filled(tr("{0} steps of this iteration have more than {1} operations"),
-                               {std::to_string(step + 1), std::to_string(most_nodes)}),
-                        tr("use fewer steps or a shorter step"));
-        }
-    }
-    return value;
 }
 
 }  // namespace zeroset

@@ -96,6 +96,8 @@ constexpr Line vectors[] = {
      marked("two balls: the least of a list of distances")},
     {"iterate(q, 5, (x, y, z, 0), f(q))",
      marked("a step f done 5 times: up to 100 steps, 20 000 operations")},
+    {"distance_estimate(q, 8, (x, y, z, 0), f(q)) = 0.01",
+     marked("how far a point is from a Julia set, about: a thin shell around it")},
     {"vec3 q = abs(p) - b;",
      marked("vectors as GLSL writes them, within functions, too; p.xy *= 2. is read there")},
 };

@@ -1,17 +1,13 @@
 #include "engine/noise/cell_mean.hpp"
 
+#include "engine/real/bounds_product.hpp"
+
 #include <algorithm>
 
 namespace zeroset {
 namespace {
 
 ValueBounds hull_of(double a, double b) { return {.lo = std::min(a, b), .hi = std::max(a, b)}; }
-
-ValueBounds product_of(const ValueBounds& a, const ValueBounds& b) {
-    ValueBounds hull = hull_of(a.lo * b.lo, a.lo * b.hi);
-    hull.add(hull_of(a.hi * b.lo, a.hi * b.hi));
-    return hull;
-}
 
 /// Whether a derivative is taken along an axis of which the corner is at the far side.
 bool is_gone(std::size_t corner, const FadeOrders& orders) {

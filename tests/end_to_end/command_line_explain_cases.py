@@ -78,7 +78,7 @@ class ExplainTest(ProgramTest):
                             ("x = cos(u); y = sin(v); z = u", "as a point in one row"),
                             ("f(u) = f(u - 1); f(x)", "defined by itself"),
                             ("for (i = 0; i < 3; i++) x", "program"),
-                            ("f_crackle(x, y, z)", "noise")]:
+                            ("f_waves(x, y, z)", "noise")]:
             with self.subTest(text):
                 result = run("explain", text, cwd=self.folder)
                 self.assertEqual(result.code, 2, str(result))

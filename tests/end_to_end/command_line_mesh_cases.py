@@ -1,6 +1,7 @@
 """Tests of `zeroset mesh`: its files, read by readers of their own, and what it refuses."""
 
 import json
+import math
 import struct
 import zipfile
 from collections import Counter
@@ -12,6 +13,37 @@ SPHERE = "x^2 + y^2 + z^2 = 1"
 PLENTY = ["--budget", "600"]  # of seconds, however busy the machine is
 CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 MATERIAL = "{http://schemas.microsoft.com/3dmanufacturing/material/2015/02}"
+
+
+IMPLICIT = "{http://schemas.3mf.io/3dmanufacturing/implicit/2023/12}"
+VOLUMETRIC = "{http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01}"
+NODES = {"addition": lambda a, b: a + b, "subtraction": lambda a, b: a - b,
+         "multiplication": lambda a, b: a * b, "division": lambda a, b: a / b,
+         "sqrt": math.sqrt, "sin": math.sin, "exp": math.exp, "abs": abs, "min": min, "max": max,
+         "floor": math.floor, "select": lambda a, b, c, d: c if a < b else d}
+
+
+def value_of_function(function, point):
+    """The output of an implicit function of 3MF at a point, node by node."""
+    nodes = list(function)
+    assert [node.tag for node in (nodes[0], nodes[-1])] == [IMPLICIT + "in", IMPLICIT + "out"]
+    values = {}
+    for node in nodes[1:-1]:
+        kind, name = node.tag.removeprefix(IMPLICIT), node.get("identifier")
+        assert name.isalnum() and name not in ("inputs", "outputs")
+        outputs = [out.get("identifier") for out in node.find(IMPLICIT + "out")]
+        if kind == "constant":
+            results = [float(node.get("value"))]
+        elif kind == "decomposevector":
+            assert node.find(IMPLICIT + "in")[0].get("ref") == "inputs.pos"
+            results = point
+        else:
+            inputs = node.find(IMPLICIT + "in")
+            assert [i.get("identifier") for i in inputs] == list("ABCD"[:len(inputs)])
+            results = [NODES[kind](*[values[i.get("ref")] for i in inputs])]
+        assert len(outputs) == len(results)
+        values |= {f"{name}.{output}": value for output, value in zip(outputs, results)}
+    return values[nodes[-1][0].get("ref")]
 
 
 def is_closed(triangles):
@@ -134,6 +166,44 @@ class MeshTest(ProgramTest):
             colors = groups[item.get("pid")]
             self.assertGreater(colors, 10)
             self.assertTrue(all(int(t.get("p3")) < colors for t in triangles))
+
+    def test_3mf_holds_the_formulas_themselves(self):
+        path = self.folder / "a.3mf"
+        two = "x^2 + y^2 + z^2 = a, z < x\n(x - 1)^2 + sin(3y) + exp(z) = sqrt(2)"
+        self.run_ok("mesh", two, "-o", path, "--implicit", "--set", "a=1.5", "--box", "2", "--size", "80")
+        model = read_3mf(path)
+        self.assertEqual(model.get("requiredextensions"), "v i")
+        functions = model.findall(f"{CORE}resources/{IMPLICIT}implicitfunction")
+        self.assertEqual(len(functions), 2)
+        for x, y, z in ((0.3, -0.2, 0.1), (1.5, 1, -1), (-0.5, 1.9, 1.2)):
+            ball = x * x + y * y + z * z - 1.5
+            self.assertAlmostEqual(value_of_function(functions[0], (x, y, z)), max(ball, z - x), 12)
+            wave = (x - 1) ** 2 + math.sin(3 * y) + math.exp(z) - math.sqrt(2)
+            self.assertAlmostEqual(abs(value_of_function(functions[1], (x, y, z))), abs(wave), 12)
+        sets = model.findall(f"{CORE}resources/{CORE}object/{VOLUMETRIC}levelset")
+        self.assertEqual([s.get("functionid") for s in sets], [f.get("id") for f in functions])
+        self.assertEqual(sets[0].get("transform").split()[::4], ["0.05"] * 3)
+        box = model.find(f"{CORE}resources/{CORE}object/{CORE}mesh")
+        corners = [[float(v.get(c)) for c in "xyz"] for v in box.iter(f"{CORE}vertex")]
+        triangles = [[int(t.get(f"v{k}")) for k in (1, 2, 3)] for t in box.iter(f"{CORE}triangle")]
+        self.assertTrue(is_closed(triangles))
+        self.assertAlmostEqual(volume_of(corners, triangles), 80.0 ** 3, 6)
+        # What was written opens again, as the same surface.
+        again = self.run_ok("explain", path, "--at", "6,-4,2", "--json")
+        ball = (0.3 ** 2 + 0.2 ** 2 + 0.1 ** 2) - 1.5
+        self.assertAlmostEqual(json.loads(again.out)["surfaces"][0]["value"], max(ball, 0.1 - 0.3), 12)
+
+    def test_what_formulas_in_3mf_do_not_go_with_is_refused(self):
+        path = self.folder / "a.3mf"
+        for text, options, words in ((SPHERE, ["--wall", "2"], "--wall is about triangles"),
+                                     ("noise(x, y, z) = 0", [], "no node for volumes, noise"),
+                                     ("(u, v, u v), 0 < u < 1, 0 < v < 1", [], "parametric")):
+            result = run("mesh", text, "-o", path, "--implicit", *options, cwd=self.folder)
+            self.assertEqual(result.code, 2, str(result))
+            self.assertIn(words, result.err)
+        result = run("mesh", SPHERE, "-o", self.folder / "a.stl", "--implicit", cwd=self.folder)
+        self.assertEqual(result.code, 2, str(result))
+        self.assertIn("-o NAME.3mf", result.err)
 
     def test_glb_is_in_metres_with_y_up(self):
         about, data = read_glb(self.mesh("a.glb", equation="x^2 + y^2 + z^2/4 = 1"))

@@ -70,9 +70,7 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
     constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
     const bool is_noise =
         std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||
-        is_one_of(word, {"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
-                         "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted",
-                         "f_waves", "f_wrinkles"});
+        is_one_of(word, {"f_hetero_mf", "f_ridge", "f_ripples", "f_waves"});
     const Function* const known = is_noise ? find_function(name) : nullptr;
     if (is_noise && known == nullptr) {
         return ParseError{

@@ -43,6 +43,10 @@ struct Function {
         return composed == Composed::Sum || composed == Composed::Product ||
                composed == Composed::Least || composed == Composed::Greatest;
     }
+    /// Whether the first argument is the name of a value that goes from step to step.
+    [[nodiscard]] bool iterates() const {
+        return composed == Composed::Iterate || composed == Composed::DistanceEstimate;
+    }
     /// Whether the function makes one vector of what it is given.
     [[nodiscard]] bool makes_vector() const {
         return composed == Composed::Vector2 || composed == Composed::Vector3 ||
@@ -82,8 +86,8 @@ std::vector<std::string_view> function_spellings();
 const Function* inverse_of(const Function& function);
 
 /// The node of a call of a function of op.def or functions.def, except those that the elaborator
-/// writes out: sum, prod, least, greatest, psh, csd and noise. `arguments`: as many as the function
-/// takes.
+/// writes out: sum, prod, least, greatest, iterate, distance_estimate, psh, csd and noise.
+/// `arguments`: as many as the function takes.
 NodeId make_function(ExprBuilder& builder, const Function& function,
                      std::span<const NodeId> arguments);
 

@@ -215,6 +215,7 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Vector3:
         case Composed::Vector4:
         case Composed::Iterate:
+        case Composed::DistanceEstimate:
         case Composed::Keep:
         case Composed::Kept:
         case Composed::Least:

@@ -174,7 +174,7 @@ std::vector<std::string> indices_in(Tokens statement) {
                     ? find_function(in_small_letters(statement[i - 1].text))
                     : nullptr;
             open.push_back({.repeats = function != nullptr && function->repeats(), .commas = 0});
-            const bool iterates = function != nullptr && function->composed == Composed::Iterate;
+            const bool iterates = function != nullptr && function->iterates();
             if (iterates && i + 1 < statement.size() && is_plain_name(statement[i + 1]))
                 indices.push_back(plain_name(statement[i + 1].text));
         } else if (open.empty()) {

@@ -4,9 +4,8 @@
 #include "document/import/import.hpp"
 
 #include "document/import/import_choice.hpp"
-#include "document/row_program.hpp"
+#include "tests/document/import/imported_values.hpp"
 #include "tests/document/import/samples.hpp"
-#include "tests/support/mpfr_number.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,35 +17,6 @@
 
 namespace zeroset::test {
 namespace {
-
-Imported read(std::string_view file, std::string_view bytes) {
-    auto imported = read_import(file, bytes);
-    EXPECT_TRUE(imported) << imported.error();
-    return imported ? *imported : Imported{};
-}
-
-/// f of a document's surface at a point, its parameters as its sliders say, without its conditions.
-double value(const ImportedDocument& imported, std::size_t surface, double x, double y, double z,
-             double w = 0.0) {
-    Document document = imported.document;
-    // Sliders become values.
-    for (const auto& [name, slider] : document.parameters) {
-        Statement row;
-        row.id = unused_id(document);
-        row.text = name + " := " + std::to_string(slider.value);
-        document.statements.insert(document.statements.begin(), row);
-    }
-    const auto rows = read_rows(document);
-    EXPECT_TRUE(rows) << rows.error().reason;
-    if (!rows || surface >= rows->program->surfaces.size()) return std::nan("");
-    const Reference at = reference(rows->program->surfaces[surface], std::array{x, y, z, w});
-    return at.defined ? at.value.nearest() : std::nan("");
-}
-
-bool has_note(const ImportedDocument& imported, std::string_view entry) {
-    return std::ranges::any_of(
-        imported.notes, [entry](const ImportNote& note) { return note.entry.contains(entry); });
-}
 
 TEST(Imports, FormatsAreFoundByName) {
     EXPECT_EQ(import_format("A.JSURF")->name, "SURFER");
@@ -176,58 +146,16 @@ TEST(Imports, ImpVisPresets) {
     EXPECT_NEAR(value(cube, 0, 1.0, 2.0, 0.0), 1.0 + 16.0 - 0.5, 1e-12);
 }
 
-TEST(Imports, PovScenePlacesItsSurfaces) {
-    const Imported imported = read("scene.pov", pov_scene);
-    ASSERT_EQ(imported.documents.size(), 1U);
-    const ImportedDocument& scene = imported.documents[0];
-    EXPECT_EQ(scene.refusal, "");
-    const auto rows = read_rows(scene.document);
-    ASSERT_TRUE(rows);
-    ASSERT_EQ(rows->program->surfaces.size(), 3U);
-    // (x, y, z) of POV-Ray is (x, z, y) here. The second cylinder stands at x = 3, with the radius
-    // R + threshold, and is closed at y = +-1.
-    EXPECT_NEAR(value(scene, 1, 3.75, 0.0, 0.0), 0.0, 1e-12);
-    EXPECT_NEAR(value(scene, 1, 3.0, 0.0, 1.0), 0.0, 1e-12);
-    EXPECT_NEAR(value(scene, 1, 3.0, 0.0, 2.0), 1.0, 1e-12);
-    EXPECT_LT(value(scene, 1, 3.0, 0.0, 0.0), 0.0);
-    // The open one: x^2 + z^2 = (mod(-3, 2) + 2)*log(100)/2 = 1 about y, turned to lie along z, at
-    // (0, 5, 1): here at z = 5, along y.
-    EXPECT_NEAR(value(scene, 2, 1.0, 1.0, 5.0), 0.0, 1e-12);
-    EXPECT_NEAR(value(scene, 2, 0.0, 1.5, 6.0), 0.0, 1e-12);
-    EXPECT_EQ(scene.document.statements.back().color, 0x0000FF);
-    EXPECT_NEAR(scene.document.statements.back().opacity.value_or(1.0), 0.75, 1e-12);
-    ASSERT_TRUE(scene.document.camera);
-    EXPECT_EQ(scene.document.camera->eye, glm::dvec3(0.0, -10.0, 0.0));
-    EXPECT_EQ(scene.document.camera->up, glm::dvec3(0.0, 0.0, 1.0));
-    EXPECT_TRUE(has_note(scene, "light_source"));
-    EXPECT_TRUE(has_note(scene, "sphere"));
-}
-
-TEST(Imports, PovTurnsAxisByAxis) {
-    const Imported imported =
-        read("a.pov",
-             "isosurface { function { x - 2*y + 3*z } open contained_by { sphere { 0, 9 } } "
-             "scale <1, 2, 1> rotate <90, 0, 90> translate <1, 0, 0> }");
-    const ImportedDocument& plane = imported.documents[0];
-    // The object's (1, 2, 1): scaled (1, 4, 1), turned about x (1, -1, 4), about z (1, 1, 4), moved
-    // (2, 1, 4), which is (2, 4, 1) here.
-    EXPECT_NEAR(value(plane, 0, 2.0, 4.0, 1.0), 1.0 - 4.0 + 3.0, 1e-12);
-    // (0, 1, 0): (0, 2, 0), (0, 0, 2), (0, 0, 2), (1, 0, 2): (1, 2, 0) here.
-    EXPECT_NEAR(value(plane, 0, 1.0, 2.0, 0.0), -2.0, 1e-12);
-    // (1, 0, 0): (1, 0, 0), (0, 1, 0), (1, 1, 0): (1, 0, 1) here.
-    EXPECT_NEAR(value(plane, 0, 1.0, 0.0, 1.0), 1.0, 1e-12);
-}
-
+/// f of the row of a scene's surface without what closes it, at a point of POV-Ray's.
 TEST(Imports, RowsThatTheLanguageRefusesBecomeRemarks) {
-    const Imported imported =
-        read("a.pov",
-             "isosurface { function { x + f_crackle(x, y, z) } }\nisosurface { function { y } }");
+    const Imported imported = read(
+        "a.pov", "isosurface { function { x + f_waves(x, y, z) } }\nisosurface { function { y } }");
     const ImportedDocument& half = imported.documents[0];
     EXPECT_EQ(half.refusal, "");
-    EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_crackle"));
+    EXPECT_TRUE(has_note(half, "shape(x, y, z) = x + f_waves"));
     EXPECT_TRUE(half.document.statements.front().text.starts_with("# "));
     EXPECT_LT(value(half, 0, 0.0, 0.0, -0.5), 0.0);
-    const Imported none = read("a.pov", "isosurface { function { f_crackle(x, y, z) } }");
+    const Imported none = read("a.pov", "isosurface { function { f_waves(x, y, z) } }");
     EXPECT_NE(none.documents[0].refusal, "");
     EXPECT_TRUE(none.documents[0].document.statements.front().text.starts_with("shape"));
 }

@@ -84,6 +84,27 @@ TEST(ThreeMf, ImplicitFunctionsBecomeDefinitions) {
     EXPECT_GE(ball.document.clip.hi.x, 14.0);
 }
 
+/// The function is asked at another place than that of the object: (x/2 - 2, y/2, z/2).
+TEST(ThreeMf, LevelSetsMayHaveTransforms) {
+    std::string moved = sphere_model;
+    moved.replace(moved.find("meshbboxonly"), 0, "transform=\"0.5 0 0 0 0.5 0 0 0 0.5 -2 0 0\" ");
+    moved.replace(moved.find(" transform=\"1 0"),
+                  moved.rfind("/></build>") - moved.find(" transform=\"1 0"), "");
+    const auto imported = read_import("ball.3mf", package(moved));
+    ASSERT_TRUE(imported) << imported.error();
+    EXPECT_EQ(imported->documents[0].refusal, "");
+    const auto rows = read_rows(imported->documents[0].document);
+    ASSERT_TRUE(rows);
+    // The centre (1, 0, 0) is that of (6, 0, 0), beyond the box, whose wall at x = 4 is farther
+    // from (0, 0, 0) than the ball.
+    const auto value = [&](double x) {
+        return reference(rows->program->surfaces[0], std::array{x, 0.0, 0.0, 0.0}).value.nearest();
+    };
+    EXPECT_NEAR(value(0.0), 0.0, 1e-14);
+    EXPECT_NEAR(value(-2.0), 1.0, 1e-14);
+    EXPECT_NEAR(value(3.0), -1.0, 1e-14);
+}
+
 TEST(ThreeMf, WhatIsNoLevelSetIsRefused) {
     EXPECT_FALSE(read_import("a.3mf", "PK"));
     EXPECT_FALSE(read_import("a.3mf", package("no xml <")));

@@ -1,0 +1,55 @@
+#include "pipeline/level_set_document.hpp"
+
+#include "engine/base/translation.hpp"
+#include "engine/rewrite/restriction.hpp"
+#include "engine/trace/caps.hpp"
+#include "pipeline/mesh_colors.hpp"
+#include "pipeline/patch_surface.hpp"
+
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// The colour of a surface alone, whatever its points are coloured by.
+MeshColor color_of(Scene scene, std::size_t surface) {
+    scene.coloring.by = ColorBy::Plain;
+    MeshObject object;
+    color_object(scene, surface, {}, object);
+    return object.color;
+}
+
+}  // namespace
+
+OrInputError<LevelSetFile> level_sets_of(const PictureRequest& request, double size_mm,
+                                         std::optional<std::size_t> surface) {
+    auto refused = patch_refusal(
+        request, tr("an implicit function is made of equations, not of parametric surfaces, curves "
+                    "and points: hide their rows"));
+    if (refused) return std::unexpected(std::move(*refused));
+    const Scene scene = scene_of(request);
+    LevelSetFile file{.surfaces = {},
+                      .lo = request.clip.lo,
+                      .hi = request.clip.hi,
+                      .values = request.uniforms,
+                      .mm_per_unit = size_mm / request.clip.size()};
+    for (const Section& section : request.region.sections)
+        file.planes.push_back({.normal = section.normal, .offset = section.offset});
+    if (const auto& ball = request.region.ball)
+        file.balls.push_back({.centre = ball->centre, .radius = ball->radius});
+    for (std::size_t i = 0; i < request.surfaces.size(); ++i) {
+        const std::size_t index = request.surfaces[i].index;
+        if (surface && *surface != index + 1) continue;
+        RestrictedExpr restricted = without_restriction(request.formula->program->surfaces[index]);
+        const std::string& text = request.formula->surface_texts[index];
+        file.comment.push_back(std::to_string(index + 1) + ": " + text);
+        file.surfaces.push_back({.name = text,
+                                 .function = std::move(restricted.function),
+                                 .side = solid_sign(scene, i) > 0 ? -1.0 : 1.0,
+                                 .bounds = std::move(restricted.bounds),
+                                 .color = color_of(scene, i)});
+    }
+    return file;
+}
+
+}  // namespace zeroset
