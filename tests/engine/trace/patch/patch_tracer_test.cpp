@@ -269,7 +269,7 @@ TEST(RandomPatches, AreTheSameByModelsAndWithout) {
             random_coordinate(numbers), random_coordinate(numbers), random_coordinate(numbers)};
         SCOPED_TRACE(texts[0] + ", " + texts[1] + ", " + texts[2]);
         const auto picture = [&](Way way) {
-            Framebuffer frame(56, 48);
+            Framebuffer frame(96, 80);
             render_frame(patch_scene(texts, way, clip), default_camera(clip),
                          settings_at("beams", 20), frame);
             return frame;
