@@ -125,7 +125,7 @@ private:
         const V size =
             hn::Add(hn::MulAdd(depth, hn::Abs(direction), number(std::abs(of.origin[k]))),
                     hn::Mul(number(tile_size), across));
-        const V error = hn::MulAdd(number(32.0 * std::numeric_limits<Real>::epsilon()), size,
+        const V error = hn::MulAdd(number(32 * std::numeric_limits<Real>::epsilon()), size,
                                    number(2.0 * rays.depth_error()));
         const V radius = hn::MulAdd(number(0.5), across, error);
         const V lo = hn::Sub(hn::Min(first, last), radius);

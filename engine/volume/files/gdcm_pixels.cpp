@@ -26,7 +26,7 @@ using Pixels = std::expected<DicomPixels, std::string>;
 /// Nothing is unpacked to more than so many times the file's bytes.
 constexpr std::uint64_t best_ratio = 1U << 13U;
 constexpr std::uint64_t widest = 4;  ///< bytes of a sample
-constexpr rlim_t most_seconds = 60;
+constexpr unsigned most_seconds = 60;
 
 enum class Outcome : std::uint8_t { None, Done, Unreadable, NoNumbers, OtherCount };
 
@@ -81,6 +81,7 @@ Outcome unpack(std::string_view file, std::uint64_t count, Report& report, char*
     prctl(PR_SET_DUMPABLE, 0);  // no core
     const rlimit seconds{.rlim_cur = most_seconds, .rlim_max = most_seconds};
     setrlimit(RLIMIT_CPU, &seconds);
+    alarm(2 * most_seconds);  // it may wait for what another thread of the parent held
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
