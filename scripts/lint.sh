@@ -6,10 +6,10 @@
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-# Prints the sources of the program that the last 40 commits changed, all where fewer are known.
+# Prints the sources of the program that the last 20 commits changed, all where fewer are known.
 changed_sources() {
-    if git rev-parse --quiet --verify HEAD~40 >/dev/null; then
-        git diff --name-only --diff-filter=d HEAD~40 -- '*.cpp' ':!tests'
+    if git rev-parse --quiet --verify HEAD~20 >/dev/null; then
+        git diff --name-only --diff-filter=d HEAD~20 -- '*.cpp' ':!tests'
     else
         git ls-files -- '*.cpp' ':!tests'
     fi
