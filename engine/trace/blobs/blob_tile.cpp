@@ -235,7 +235,7 @@ void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
     const bool parallel = rays_.axes().parallel();
     const double distance = rays_.distance();
     BallBlock& to = room_.block;
-    to.state.fill(RayState::Outside);
+    to.state.fill(BallRayState::Outside);
     for_each_bit(block.open, [&](std::size_t place) {
         const double u = rays_.u(block.col + places[place].col);
         const double v = rays_.v(block.row + places[place].row);
@@ -250,7 +250,7 @@ void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
         to.at[place] = std::max({known.at[place], begin, first}) - first;
         to.stop[place] = std::min(end_of(block, place), room_.near.to()) - first;
         to.side[place] = known.side[place];
-        to.state[place] = to.at[place] < to.stop[place] ? RayState::Open : RayState::Passed;
+        to.state[place] = to.at[place] < to.stop[place] ? BallRayState::Open : BallRayState::Passed;
     });
     for (ViewBall& ball : room_.balls) {
         ball.x -= block.u * (distance + ball.z);
@@ -264,12 +264,15 @@ void BlobTile::end(Block& block, RaysKnown& known, double first) {
     const BallBlock& found = room_.block;
     for_each_bit(block.open, [&](std::size_t place) {
         known.side[place] = found.side[place];
-        if (found.state[place] == RayState::Passed) {
+        if (found.state[place] == BallRayState::Passed) {
             known.at[place] = first + found.stop[place];
-            if (end_of(block, place) <= room_.near.to()) block.open &= ~bit(place);
+            // Balls of the next slab may be where some rays have ended and others have not.
+            const double last = block.singly ? end_of(block, place) : block.inside.exit_hi;
+            if (last <= room_.near.to()) block.open &= ~bit(place);
             return;
         }
         block.open &= ~bit(place);
+        if (found.state[place] == BallRayState::Open) return hits_.leave(pixel_of(block, place));
         tell(block, place, first);
     });
 }
@@ -278,7 +281,7 @@ void BlobTile::tell(const Block& block, std::size_t place, double first) {
     const BallBlock& found = room_.block;
     const std::uint32_t pixel = pixel_of(block, place);
     const DepthRange& inside = block.singly ? room_.lines.of(pixel).inside : block.inside;
-    const bool proved = found.state[place] == RayState::Root && block.certifies &&
+    const bool proved = found.state[place] == BallRayState::Root && block.certifies &&
                         first + found.depth[place] >= inside.enter_hi &&
                         first + found.to[place] <= inside.exit_lo;
     hits_.tell(pixel, first + found.depth[place], proved,

@@ -25,7 +25,7 @@ BallLooks march_in(const BallQuestion& question, BallBlock& block) {
     std::array<std::uint8_t, ball_block_rays> open{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < ball_block_rays; ++i) {
-        if (block.state[i] == RayState::Open) open[count++] = static_cast<std::uint8_t>(i);
+        if (block.state[i] == BallRayState::Open) open[count++] = static_cast<std::uint8_t>(i);
     }
     if (count == 0) return 0;
     const MarchBounds<Real> bounds(question);
@@ -114,7 +114,7 @@ void BallColumns::fill(std::span<const ViewBall> balls) {
         x[i] = static_cast<float>(balls[i].x);
         y[i] = static_cast<float>(balls[i].y);
         z[i] = static_cast<float>(balls[i].z);
-        support[i] = static_cast<float>(balls[i].support);
+        support[i] = static_cast<float>((1 + 0x1p-20) * balls[i].support);
     }
 }
 

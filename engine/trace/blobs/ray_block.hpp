@@ -26,7 +26,7 @@ constexpr std::size_t place_in_block(int col, int row) {
 }
 
 /// What is known of a ray.
-enum class RayState : std::uint8_t {
+enum class BallRayState : std::uint8_t {
     Outside,  ///< it is none of the block's, or ended before
     Open,     ///< it is looked at from `at` on
     Passed,   ///< it came to `stop` without a root
@@ -44,7 +44,7 @@ struct BallBlock {
     Numbers start_x, start_y, tilt_x, tilt_y;
     Numbers at, stop;
     std::array<std::int8_t, ball_block_rays> side;  ///< of f - level at `at`; 0: not known
-    std::array<RayState, ball_block_rays> state;
+    std::array<BallRayState, ball_block_rays> state;
     Numbers depth, to;             ///< of roots
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };
@@ -67,7 +67,8 @@ struct BallQuestion {
 /// Evaluations of f on rays.
 using BallLooks = std::uint64_t;
 
-/// Follows the open rays until all have an end. In upward rounding.
+/// Follows the open rays to their ends; those that take very many steps stay open. In upward
+/// rounding.
 BallLooks march(const BallQuestion& question, BallBlock& block);
 
 /// The tile's balls as blocks ask for them.

@@ -59,7 +59,8 @@ public:
         load();
     }
 
-    /// Rays that could not be brought to an end are left open. Returns how often f was looked at.
+    /// Rays that could not be brought to an end in so many steps are left open. Returns how often f
+    /// was looked at.
     BallLooks run() {
         constexpr int most_steps = is_double ? 400 : 200;
         BallLooks looks = 0;
@@ -67,7 +68,6 @@ public:
             looks += hn::CountTrue(d<Real>, open_);
             advance();
         }
-        if (is_double) end_unsure(open_);
         store();
         return looks;
     }
@@ -88,15 +88,22 @@ private:
     static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
     static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
 
+    /// A number of this type at `at` or little before: what is skipped would never be looked at.
+    static HWY_INLINE Real not_behind(double at) {
+        const auto near = static_cast<Real>(at);
+        return static_cast<double>(near) <= at ? near : std::nextafter(near, -unbounded);
+    }
     HWY_INLINE void load() {
         alignas(64) Real sides[width] = {};
+        alignas(64) Real begins[width] = {};
         LaneBits bits = 0;
         for (std::size_t i = 0; i < places_.size(); ++i) {
             sides[i] = block_.side[places_[i]];
-            if (block_.state[places_[i]] == RayState::Open) bits |= LaneBits{1} << i;
+            begins[i] = not_behind(block_.at[places_[i]]);
+            if (block_.state[places_[i]] == BallRayState::Open) bits |= LaneBits{1} << i;
         }
         open_ = mask_of(d<Real>, bits);
-        s_ = column_of<Real>(block_.at, places_);
+        s_ = hn::Load(d<Real>, begins);
         stop_ = column_of<Real>(block_.stop, places_);
         side_ = hn::Load(d<Real>, sides);
         window_ = hn::Max(bracket_, number(usual_));
@@ -357,13 +364,13 @@ private:
         const LaneBits unsure = bits_of(d<Real>, unsure_);
         for (std::size_t i = 0; i < places_.size(); ++i) {
             const std::size_t place = places_[i];
-            RayState& state = block_.state[place];
-            if (state != RayState::Open) continue;
+            BallRayState& state = block_.state[place];
+            if (state != BallRayState::Open) continue;
             block_.side[place] = static_cast<std::int8_t>(sides[i]);
-            block_.at[place] = at[i];
-            if ((passed >> i & 1U) != 0) state = RayState::Passed;
-            if ((sure >> i & 1U) != 0) state = RayState::Root;
-            if ((unsure >> i & 1U) != 0) state = RayState::Unsure;
+            block_.at[place] = std::max(block_.at[place], static_cast<double>(at[i]));
+            if ((passed >> i & 1U) != 0) state = BallRayState::Passed;
+            if ((sure >> i & 1U) != 0) state = BallRayState::Root;
+            if ((unsure >> i & 1U) != 0) state = BallRayState::Unsure;
         }
     }
 

@@ -169,6 +169,28 @@ TEST(ProvedBlobs, AgreeOnManyBallsBehindEachOther) {
     expect_alike(both, {{8, -5, 4}, {0, 0, 0}, {0, 0, 1}, 0.2}, "many");
 }
 
+// Rays of a block leave the box at very different depths, among balls of two slabs.
+TEST(ProvedBlobs, AgreeOnManyBallsWhereRaysLeaveTheBox) {
+    Both both = both_of(BlobKind::Wyvill, {.count = 100000, .least = 0.004, .largest = 0.007}, 0.7);
+    both.balls.clip = both.beams.clip = Box::cube(0.85);
+    const auto look = [&](const glm::dvec3& eye, const glm::dvec3& at) {
+        const Camera camera{eye, at, {0, 0, 1}, 1.2};
+        const Framebuffer balls = drawn(both.balls, camera, 240);
+        const Framebuffer beams = drawn(both.beams, camera, 240);
+        int missed = 0;
+        for (std::size_t i = 0; i < balls.depth.size(); ++i) {
+            missed += balls.certificate[i] == Certificate::Miss &&
+                              beams.certificate[i] == Certificate::Certified
+                          ? 1
+                          : 0;
+        }
+        EXPECT_EQ(missed, 0) << eye.x;
+    };
+    look({0, 0, 0}, {1, 0.3, 0.1});
+    look({0.1, -0.2, -0.5}, {0.8, 0.2, -0.9});
+    look({-0.6, -0.6, 0.5}, {0.8, 0.9, 0.9});
+}
+
 TEST(ProvedBlobs, AreRoundAlone) {
     for (const BlobKind kind : kinds) {
         const Blob ball{.center = {0.3, -0.2, 0.1}, .radius = 0.7};
