@@ -205,9 +205,10 @@ private:
             if (const auto own = formulas_.read(name)) formulas_.define(name, *own);
             return true;
         }
-        if (const auto same = formulas_.find(word.text)) {
+        if (formulas_.find(word.text)) {
+            const std::string same(word.text);
             script_.next();
-            formulas_.define(name, *same);
+            formulas_.define_as(name, same);
             return true;
         }
         if (modifiers_.declare(name)) return true;

@@ -63,7 +63,22 @@ std::optional<std::string> PovFormulas::read(std::string_view wanted,
     if (!wanted.empty() && own != wanted)
         result_.note(line, wanted, filled(tr("{0} is called {1}"), {wanted, own}));
     result_.add_definition(own + "(" + list + ") = " + formula, line);
+    forget_colors(std::string(wanted));
     return own;
+}
+
+void PovFormulas::define_as(const std::string& name, const std::string& same) {
+    if (name == same) return;
+    functions_[name] = functions_.at(same);
+    forget_colors(name);
+    const auto colors = colors_.find(same);
+    if (colors != colors_.end()) colors_[name] = colors->second;
+}
+
+void PovFormulas::forget_colors(const std::string& name) {
+    colors_.erase(name);
+    for (const char* const part : {".gray", ".grey", ".hf"})
+        parts_.erase(name + part);
 }
 
 std::optional<std::string> PovFormulas::find(std::string_view name) const {
@@ -156,6 +171,7 @@ std::optional<std::string> PovFormulas::pattern(std::string_view wanted, std::si
         value = add(name, value + "(" + read->moved + ")", line);
     }
     if (read->map.empty()) return value;
+    forget_colors(name);
     std::array<std::string, 3>& channels = colors_[name];
     for (int channel = 0; channel < 3; ++channel) {
         const std::string mapped = read->mapped(value + "(x, y, z)", channel);

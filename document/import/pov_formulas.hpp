@@ -32,6 +32,8 @@ public:
     /// The function of the scene that has this name, as it is called here.
     [[nodiscard]] std::optional<std::string> find(std::string_view name) const;
     void define(const std::string& name, const std::string& own) { functions_[name] = own; }
+    /// Defines `name` as the function that `same` is already, with its colours.
+    void define_as(const std::string& name, const std::string& same);
     /// Adds the row "own(x, y, z) = formula" and returns the name.
     std::string add(std::string_view wanted, const std::string& formula, std::size_t line);
 
@@ -53,6 +55,9 @@ private:
     std::map<std::string, std::string, std::less<>> functions_;  ///< names here by those there
     std::map<std::pair<std::string, double>, std::string> constants_;
     /// Definitions of colours, by the function there; those of its parts, by "function.part".
+    /// Forgets the colours that a name had.
+    void forget_colors(const std::string& name);
+
     std::map<std::string, std::array<std::string, 3>, std::less<>> colors_;
     std::map<std::string, std::string, std::less<>> parts_;
 };

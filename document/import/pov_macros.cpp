@@ -3,6 +3,8 @@
 #include "engine/base/translation.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 
 // Macros of POV-Ray's scenes. A call is read as the tokens of the macro's body, which are put
@@ -39,12 +41,12 @@ int bracket_of(const ScriptToken& token, bool vector) {
 
 void PovScript::define_macro() {
     const std::string name(tokens_.next().text);
-    Macro macro;
+    const auto macro = std::make_shared<Macro>();
     tokens_.take_sign("(");
     while (tokens_.peek().kind == ScriptKind::Name || tokens_.at_sign(",")) {
         const ScriptToken token = tokens_.next();
         if (token.kind == ScriptKind::Name && token.text != "optional")
-            macro.parameters.emplace_back(token.text);
+            macro->parameters.emplace_back(token.text);
     }
     tokens_.take_sign(")");
     const std::size_t begin = tokens_.position();
@@ -53,8 +55,8 @@ void PovScript::define_macro() {
     const std::size_t end = std::max(tokens_.position(), begin + closing) - closing;
     if (!repeat(end - begin)) return;
     const auto body = tokens_.tokens().subspan(begin, end - begin);
-    macro.body.assign(body.begin(), body.end());
-    macros_.insert_or_assign(name, std::move(macro));
+    macro->body.assign(body.begin(), body.end());
+    macros_.insert_or_assign(name, macro);
 }
 
 bool PovScript::at_macro() const {
@@ -65,7 +67,15 @@ bool PovScript::at_macro() const {
 
 void PovScript::call_macro() {
     const ScriptToken word = tokens_.next();
-    const Macro macro = macros_.find(word.text)->second;
+    if (frames_.size() >= most_calls) {
+        note(word.line, word.text, tr("macros are called too deeply; the call is left out"));
+        tokens_.skip_block("(", ")");
+        repeat(1);
+        return;
+    }
+    // Its arguments may hold calls that declare it anew.
+    const std::shared_ptr<const Macro> called = macros_.find(word.text)->second;
+    const Macro& macro = *called;
     std::vector<Argument> given;
     tokens_.take_sign("(");
     while (!at_sign(")") && !tokens_.at_end()) {
@@ -78,16 +88,12 @@ void PovScript::call_macro() {
              filled(tr("the macro has {0} parameters, but {1} are given"),
                     {std::to_string(macro.parameters.size()), std::to_string(given.size())}));
     given.resize(macro.parameters.size());
-    if (frames_.size() >= most_calls) {
-        note(word.line, word.text, tr("macros are called too deeply; the call is left out"));
-        return;
-    }
-    std::vector<ScriptToken> body = expanded(macro, given);
-    if (!repeat(body.size())) return;
-    body.push_back({.line = word.line});
+    auto body = expanded(macro, given);
+    if (!body) return;
+    body->push_back({.line = word.line});
     frames_.push_back(
         {.back = tokens_.position(), .begin = tokens_.tokens().size(), .blocks = blocks_.size()});
-    tokens_.append(body);
+    tokens_.append(*body);
     tokens_.go_to(frames_.back().begin);
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i].value && given[i].tokens.empty())
@@ -129,8 +135,8 @@ std::vector<ScriptToken> PovScript::argument_tokens() {
     return result;
 }
 
-std::vector<ScriptToken> PovScript::expanded(const Macro& macro,
-                                             std::vector<Argument>& given) const {
+std::optional<std::vector<ScriptToken>> PovScript::expanded(const Macro& macro,
+                                                            std::vector<Argument>& given) {
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i].value && !declares(macro.body, macro.parameters[i])) given[i].tokens.clear();
     }
@@ -140,6 +146,7 @@ std::vector<ScriptToken> PovScript::expanded(const Macro& macro,
         const auto index = static_cast<std::size_t>(parameter - macro.parameters.begin());
         const bool stands = token.kind == ScriptKind::Name && parameter != macro.parameters.end() &&
                             !given[index].tokens.empty();
+        if (!repeat(stands ? given[index].tokens.size() + 2 : 1)) return std::nullopt;
         if (!stands) {
             result.push_back(token);
             continue;

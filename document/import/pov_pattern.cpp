@@ -94,6 +94,7 @@ private:
             color_map(word);
         } else if (word.text == "turbulence") {
             if (const auto by = modifiers_.vector(word)) turbulence_ = *by;
+            turbulence_line_ = word.line;
         } else if (number != numbers_.end()) {
             number->second = modifiers_.number(word).value_or(number->second);
         } else {
@@ -112,19 +113,36 @@ private:
             const auto at = script_.value();
             script_.take_sign(",");
             const auto color = script_.value();
-            if (at && color)
+            const bool is_range = at && color && color->size() == 1 && !script_.at_sign("]");
+            if (is_range) {
+                range(word, (*at)[0], (*color)[0]);
+            } else if (at && color)
                 pattern_.map.push_back({.at = (*at)[0], .color = *color});
             else
                 result_.note(word.line, word.text, tr("its value is not known; it is left out"));
             while (script_.peek().kind != ScriptKind::End && !script_.take_sign("]"))
                 script_.next();
         }
+        if (pattern_.map.empty()) result_.note(word.line, word.text, tr("not taken over"));
+    }
+
+    /// Reads the two colours of an entry of the old form, [begin end color color].
+    void range(const ScriptToken& word, double begin, double end) {
+        const auto first = script_.value();
+        script_.take_sign(",");
+        const auto last = script_.value();
+        if (!first || !last) {
+            result_.note(word.line, word.text, tr("its value is not known; it is left out"));
+            return;
+        }
+        pattern_.map.push_back({.at = begin, .color = *first});
+        pattern_.map.push_back({.at = end, .color = *last});
     }
 
     /// The coordinates, moved by turbulence: three sums of octaves of noise.
     std::string bent() {
         if (turbulence_ == glm::dvec3(0.0)) return "x, y, z";
-        result_.note(script_.line(), "turbulence",
+        result_.note(turbulence_line_, "turbulence",
                      tr("the noise is Zeroset's own: its bumps lie elsewhere than in the program "
                         "that the formula is from"));
         std::string text;
@@ -148,6 +166,7 @@ private:
     PovPattern pattern_;
     Placement placement_;
     glm::dvec3 turbulence_{0.0};
+    std::size_t turbulence_line_ = 0;
     std::map<std::string, double, std::less<>> numbers_{
         {"octaves", 6.0}, {"omega", 0.5}, {"lambda", 2.0}};
     bool pigment_ = false;

@@ -112,8 +112,7 @@ void PovScript::directive() {
     if (word == "for") return begin_for();
     if (word == "switch") return begin_switch();
     if (word == "break") {
-        skip_to({});
-        if (!blocks_.empty()) blocks_.pop_back();
+        leave_loop();
         return;
     }
     if (word == "case" || word == "range") {
@@ -181,6 +180,17 @@ std::string PovScript::skip_to(std::initializer_list<std::string_view> words) {
         if (word == "end" && depth-- == 0) return word;
     }
     return "end";
+}
+
+/// Passes over the rest of the innermost loop or #switch, and of each #if in it.
+void PovScript::leave_loop() {
+    const std::size_t outer = frames_.empty() ? 0 : frames_.back().blocks;
+    while (blocks_.size() > outer) {
+        skip_to({});
+        const Block::Kind left = blocks_.back().kind;
+        blocks_.pop_back();
+        if (left != Block::Kind::If) return;
+    }
 }
 
 void PovScript::begin_if(bool holds) {

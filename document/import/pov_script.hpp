@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -91,9 +92,9 @@ private:
     Argument argument();
     ScriptToken number_token(double value, std::size_t line);
     std::vector<ScriptToken> argument_tokens();
-    /// The body of a macro with what stands for its parameters.
-    [[nodiscard]] std::vector<ScriptToken> expanded(const Macro& macro,
-                                                    std::vector<Argument>& given) const;
+    /// The body of a macro with what stands for its parameters; nothing where that is too long.
+    std::optional<std::vector<ScriptToken>> expanded(const Macro& macro,
+                                                     std::vector<Argument>& given);
     /// Leaves the innermost call.
     void leave_macro();
     /// Gives a name a value until the innermost call ends.
@@ -114,6 +115,7 @@ private:
     void directive();
     void declare(bool local);
     void include();
+    void leave_loop();
     void begin_if(bool holds);
     void begin_while(std::size_t begin);
     void begin_for();
@@ -138,7 +140,7 @@ private:
     TokenReader tokens_;
     std::map<std::string, PovValue, std::less<>> values_;
     std::vector<Block> blocks_;
-    std::map<std::string, Macro, std::less<>> macros_;
+    std::map<std::string, std::shared_ptr<const Macro>, std::less<>> macros_;
     std::vector<Frame> frames_;
     std::vector<std::uint32_t> streams_;  ///< of random numbers
     std::deque<std::string> numbers_;     ///< the texts of tokens that stand for values

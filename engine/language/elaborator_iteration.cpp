@@ -98,20 +98,23 @@ Elaborator::Built Elaborator::distance_estimate(const Syntax& syntax, const Bind
     const std::string_view name = tree_[syntax.operands[0]].text;
     Built value = operand(syntax.operands[2], scope);
     const std::size_t before = builder_.size();
+    const auto wrong_kind = [&](SyntaxId at) {
+        return fail(tree_[at].offset,
+                    tr("a step of distance_estimate gives a value of the kind that it starts "
+                       "from, a number or a vector"),
+                    filled(tr("for example {0}"),
+                           {"distance_estimate(q, 8, (x, y, z, 0), quaternion_square(q) + "
+                            "(-1, 0, 0, 0))"}));
+    };
+    if (value && value->is_list()) return wrong_kind(syntax.operands[2]);
     for (int step = 0; value && step < *count; ++step) {
         const NodeId is_far =
             make_call(builder_, Op::Less, builder_.constant(far * far), square_of(*value));
         const Binding binding{.name = name, .value = *value, .outer = scope};
         const Built next = operand(syntax.operands[3], &binding);
         if (!next) return std::nullopt;
-        if (next->is_list() || next->kind != value->kind || next->size() != value->size()) {
-            return fail(tree_[syntax.operands[3]].offset,
-                        tr("a step of distance_estimate gives a value of the kind that it starts "
-                           "from, a number or a vector"),
-                        filled(tr("for example {0}"),
-                               {"distance_estimate(q, 8, (x, y, z, 0), quaternion_square(q) + "
-                                "(-1, 0, 0, 0))"}));
-        }
+        if (next->is_list() || next->kind != value->kind || next->size() != value->size())
+            return wrong_kind(syntax.operands[3]);
         value = kept_where(is_far, *value, *next);
         if (!is_within_budget(syntax, before, step + 1)) return std::nullopt;
     }

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <exception>
+#include <fstream>
 #include <new>
 #include <span>
 #include <spanstream>
@@ -26,6 +28,8 @@ using Pixels = std::expected<DicomPixels, std::string>;
 /// Nothing is unpacked to more than so many times the file's bytes.
 constexpr std::uint64_t best_ratio = 1U << 13U;
 constexpr std::uint64_t widest = 4;  ///< bytes of a sample
+constexpr std::uint64_t most_samples = std::uint64_t{1} << 28U;
+constexpr std::uint64_t spare = std::uint64_t{1} << 28U;  ///< bytes for what GDCM makes besides
 constexpr unsigned most_seconds = 60;
 
 enum class Outcome : std::uint8_t { None, Done, Unreadable, NoNumbers, OtherCount };
@@ -75,12 +79,20 @@ Outcome unpack(std::string_view file, std::uint64_t count, Report& report, char*
 }
 
 /// The child: it tells nothing but in the memory, and leaves no trace.
-[[noreturn]] void run_child(std::string_view file, std::uint64_t count, Report& report,
-                            char* samples) {
+[[noreturn]] void run_child(std::string_view file, std::uint64_t count, std::uint64_t most_memory,
+                            Report& report, char* samples) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
     prctl(PR_SET_DUMPABLE, 0);  // no core
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit memory{.rlim_cur = most_memory, .rlim_max = most_memory};
+    setrlimit(RLIMIT_AS, &memory);
     const rlimit seconds{.rlim_cur = most_seconds, .rlim_max = most_seconds};
     setrlimit(RLIMIT_CPU, &seconds);
+    signal(SIGALRM, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
     alarm(2 * most_seconds);  // it may wait for what another thread of the parent held
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -92,6 +104,13 @@ Outcome unpack(std::string_view file, std::uint64_t count, Report& report, char*
         report.outcome = Outcome::Unreadable;
     }
     _exit(0);
+}
+
+/// What the process may hold now, bytes.
+std::uint64_t memory_now() {
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 const char* what_is_wrong(Outcome outcome) {
@@ -113,23 +132,33 @@ Pixels unpacked_pixels(std::string_view file, std::uint64_t count) {
                                " packed samples are announced, " + std::to_string(file.size()) +
                                " bytes are there");
     }
+    if (count > most_samples) {
+        return std::unexpected("it announces " + std::to_string(count) +
+                               " packed samples; at most " + std::to_string(most_samples) +
+                               " of a slice are unpacked");
+    }
     constexpr std::size_t before = 64;  // bytes for the report
     static_assert(sizeof(Report) <= before);
     const SharedMemory memory(before + count * widest);
     if (!memory.is_there()) return std::unexpected("there is no memory for its samples");
     Report& report = *new (memory.data()) Report;
     char* const samples = memory.data() + before;
+    const std::uint64_t most_memory = memory_now() + 4 * (file.size() + count * widest) + spare;
     const pid_t child = fork();
-    if (child == 0) run_child(file, count, report, samples);
+    if (child == 0) run_child(file, count, most_memory, report, samples);
     if (child < 0) return std::unexpected("there is no process to unpack its samples");
     while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
     }
     if (report.outcome != Outcome::Done) return std::unexpected(what_is_wrong(report.outcome));
     const auto bytes = count * static_cast<std::uint64_t>(report.bits_allocated) / 8;
-    return DicomPixels{.bytes = std::string(samples, std::min(bytes, count * widest)),
-                       .bits_allocated = report.bits_allocated,
-                       .bits_stored = report.bits_stored,
-                       .is_signed = report.is_signed};
+    try {
+        return DicomPixels{.bytes = std::string(samples, std::min(bytes, count * widest)),
+                           .bits_allocated = report.bits_allocated,
+                           .bits_stored = report.bits_stored,
+                           .is_signed = report.is_signed};
+    } catch (const std::bad_alloc&) {
+        return std::unexpected("there is no memory for its samples");
+    }
 }
 
 }  // namespace zeroset

@@ -271,15 +271,24 @@ Read samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
 
 std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most,
                                           Packing packing) {
-    constexpr std::uint64_t best_ratio = 1032;  // of deflate
+    constexpr std::uint64_t least_step = std::uint64_t{1} << 16U;
     const auto* const first = reinterpret_cast<const std::byte*>(packed.data());
     Unpacker unpacker({first, packed.size()}, packing);
-    std::string bytes(std::min<std::uint64_t>(most, packed.size() * best_ratio), '\0');
-    const std::uint64_t filled =
-        unpacker.fill(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
-    if (filled == 0) return std::nullopt;
-    bytes.resize(filled);
-    return bytes;
+    std::string bytes;
+    try {
+        while (bytes.size() < most) {
+            const std::uint64_t had = bytes.size();
+            const std::uint64_t step = std::min(most - had, std::max(least_step, had));
+            bytes.resize(had + step);
+            const std::uint64_t filled =
+                unpacker.fill(reinterpret_cast<std::byte*>(bytes.data()) + had, step);
+            bytes.resize(had + filled);
+            if (filled < step) break;
+        }
+    } catch (const std::bad_alloc&) {
+        return std::nullopt;
+    }
+    return bytes.empty() ? std::nullopt : std::optional(std::move(bytes));
 }
 
 Read read_samples(const SampleBlock& block) {

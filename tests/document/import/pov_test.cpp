@@ -159,6 +159,58 @@ TEST(Imports, PovRandomNumbersAreThoseOfPovRay) {
         1e-15);
 }
 
+std::size_t surfaces_in(const std::string& scene) {
+    const Imported imported = read("a.pov", scene);
+    if (imported.documents.empty()) return 0;
+    const auto rows = read_rows(imported.documents[0].document);
+    return rows ? rows->program->surfaces.size() : 0;
+}
+
+TEST(Imports, PovBreakLeavesTheLoopAroundAnIf) {
+    EXPECT_EQ(surfaces_in("#declare N = 0; #while (1) isosurface { function { x + y + z } "
+                          "contained_by { box { -2, 2 } } translate x*N } #declare N = N + 1; "
+                          "#if (N > 2) #break #end #end isosurface { function { x } "
+                          "contained_by { box { -2, 2 } } }"),
+              4U);
+}
+
+TEST(Imports, PovPatternsThatAreDeclaredAnewHaveTheirOwnColors) {
+    const std::string box = " open contained_by { sphere { 0, 99 } } }";
+    const Imported imported =
+        read("a.pov",
+             "#for(N, 1, 2) #declare F = function { pigment { planar color_map { [0 rgb <1,0,0>] "
+             "[1 rgb <0,N,1>] } } } isosurface { function { y - F(x,y,z).gray }" +
+                 box +
+                 " #end "
+                 "#declare G = F; isosurface { function { G(x,y,z).green }" +
+                 box);
+    const ImportedDocument& scene = imported.documents[0];
+    // The plane y = 0 has the last colour: (0, N, 1).
+    EXPECT_NEAR(value(scene, 0, 0.3, 0.2, 0.0), -(0.589 + 0.114), 1e-12);
+    EXPECT_NEAR(value(scene, 1, 0.3, 0.2, 0.0), -(2 * 0.589 + 0.114), 1e-12);
+    EXPECT_NEAR(value(scene, 2, 0.3, 0.2, 0.0), 2.0, 1e-12);
+}
+
+TEST(Imports, PovColorMapsMayBeOfTheOldForm) {
+    const Imported imported =
+        read("a.pov",
+             "#declare F = function { pigment { planar color_map { [0.0, 0.5 color rgb <1,1,1> "
+             "color rgb <0,0,0>] [0.5, 1.0 color rgb 0 color rgb 1] } } } isosurface { function { "
+             "F(x,y,z).red } contained_by { box { -1, 1 } } }");
+    // planar is 1 - |y|, y upwards.
+    EXPECT_NEAR(value(imported.documents[0], 0, 0.0, 0.0, 0.75), 0.5, 1e-12);
+    EXPECT_NEAR(value(imported.documents[0], 0, 0.0, 0.0, 0.25), 0.5, 1e-12);
+    EXPECT_NEAR(value(imported.documents[0], 0, 0.0, 0.0, 0.5), 0.0, 1e-12);
+}
+
+TEST(Imports, PovTurbulenceLooksAtNothingBehindItsFunction) {
+    EXPECT_EQ(surfaces_in("#declare F = function { pigment { agate turbulence 0.5 color_map { "
+                          "[0 rgb 0] [1 rgb 0.5] } } }\n#declare H = function { y - "
+                          "0.2*F(x,y,z).red }\nisosurface { function { H(x,y,z) } contained_by { "
+                          "box { -1, 1 } } }"),
+              1U);
+}
+
 TEST(Imports, PovMacrosEnd) {
     for (const std::string text :
          {"#macro A(X) A(X) #end A(1) isosurface { function { x } }",
@@ -184,6 +236,20 @@ TEST(Imports, PovMacrosEnd) {
                                  "isosurface { function { M_59(x) } } isosurface { function "
                                  "{ y } }");
     EXPECT_TRUE(imported || !imported.error().empty());
+    // Each of many parameters stands for many tokens.
+    std::string large = "#macro M(p)";
+    std::string balls = "union {";
+    for (int i = 0; i < 20000; ++i) {
+        large += " p";
+        balls += " sphere { 0, 1 }";
+    }
+    const std::string plane =
+        "isosurface { function { x } contained_by { box { -1, 1 } } } #macro ";
+    EXPECT_TRUE(read_import("a.pov", plane + large.substr(7) + " #end M(" + balls + " })"));
+    std::string deep = "#macro M()";
+    for (int i = 0; i < 10000; ++i)
+        deep += " M()";
+    EXPECT_TRUE(read_import("a.pov", plane + deep.substr(7) + " #end M()"));
 }
 
 }  // namespace
