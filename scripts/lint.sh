@@ -8,6 +8,12 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 # Prints the sources of the program that the last 20 commits changed, all where fewer are known.
 changed_sources() {
+    listed_sources | while IFS= read -r source; do
+        # Some are of other builds only, such as those without a library.
+        if grep -qF "/$source\"" build/release/compile_commands.json; then printf '%s\n' "$source"; fi
+    done
+}
+listed_sources() {
     if git rev-parse --quiet --verify HEAD~20 >/dev/null; then
         git diff --name-only --diff-filter=d HEAD~20 -- '*.cpp' ':!tests'
     else
