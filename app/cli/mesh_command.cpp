@@ -148,7 +148,7 @@ std::expected<void, std::string> write_mesh(const std::string& output, const Mes
     return {};
 }
 
-/// What --implicit does not go with: all that is about triangles.
+/// Returns an error for an option about triangles, which --implicit does not write.
 std::optional<InputError> implicit_refusal(const MeshCommand& command, const MeshPlan& plan) {
     if (plan.format->ending != ".3mf")
         return InputError{.reason = "--implicit writes 3MF alone: type -o NAME.3mf"};

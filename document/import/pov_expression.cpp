@@ -137,7 +137,7 @@ std::optional<PovValue> PovScript::named() {
             color->insert(color->begin() + 3, 0.0);
         return color;
     }
-    // What follows may be behind the end of a macro, whose names are gone by then.
+    // The next token may be behind the end of a macro, whose names are gone by then.
     auto known = value_of(name);
     if (!at_sign("(")) return known;
     std::vector<PovValue> arguments;

@@ -196,7 +196,7 @@ std::string PovPattern::mapped(const std::string& value, int channel) const {
         }
         text = "if(" + value + " < " + exact_number(end.at) + ", " + part + ", " + text + ")";
     }
-    // What is below the first value has its colour.
+    // Values below the first entry have its colour.
     return map.front().at > 0.0 ? "if(" + value + " < " + exact_number(map.front().at) + ", " +
                                       exact_number(shade(map.front())) + ", " + text + ")"
                                 : text;

@@ -1,27 +1,16 @@
 #include "engine/antialias/calm_pixels.hpp"
 
+#include "engine/trace/flag_bits.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace zeroset {
 namespace {
 
 /// How much channels of pixels that look the same may differ; 1 is the brightest that is shown.
 constexpr float most_difference = 4.0F / 255.0F;
-
-/// The lowest bits of bytes.
-std::uint64_t bits_of(const std::array<std::uint8_t, tile_size>& flags) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < tile_size; i += 8) {
-        std::uint64_t eight = 0;
-        std::memcpy(&eight, &flags[i], 8);
-        // Gathers the lowest bits of eight bytes in the highest one.
-        bits |= (eight * 0x0102040810204080U >> 56U) << i;
-    }
-    return bits;
-}
 
 /// Which of the first `count` pixels of two stretches look the same, pixel by pixel.
 std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b, std::size_t count) {
@@ -40,7 +29,7 @@ std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b, std::si
             same[i] = static_cast<std::uint8_t>(same[i] & static_cast<std::uint8_t>(near));
         }
     }
-    return bits_of(same);
+    return bits_of_flags(same);
 }
 
 /// Pixels of a row that look like their right neighbours.
@@ -60,7 +49,7 @@ std::uint64_t like_below(const LitLayer& layer, std::size_t row) {
 void add_calm(const LitLayer& layer, const Tile& tile, const TileBits& wanted, TileBits& calm) {
     const auto rows = static_cast<std::size_t>(tile.rows);
     const auto needed = [&](std::size_t row) { return (wanted[row] & layer.hit_rows[row]) != 0; };
-    // Of each row, pixels that look like both of their neighbours, and like those below.
+    // Row by row: the pixels that look like both of their neighbours, and like those below.
     TileBits beside{};
     TileBits below{};
     for (std::size_t row = 0; row < rows; ++row) {
@@ -81,7 +70,7 @@ void add_calm(const LitLayer& layer, const Tile& tile, const TileBits& wanted, T
 TileBits calm_pixels(const Tile& tile, std::span<const LitLayer> layers, const TileBits& wanted) {
     TileBits calm{};
     for (const LitLayer& layer : layers) {
-        // What is seen through a surface may change where it does not.
+        // A translucent pixel may look calm while what is behind it changes.
         if (layer.cover.empty()) add_calm(layer, tile, wanted, calm);
     }
     return calm;

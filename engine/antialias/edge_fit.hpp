@@ -42,8 +42,8 @@ bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& st
 /// Whether all of the square has a root, as far as the heights tell.
 bool is_all_below(const EdgeSamples& samples);
 
-/// What is so of all rays of a square, as far as f at the ends of their stretches tells, empty ones
-/// too: that f keeps its sign on them, or that it changes it.
+/// Whether f keeps its sign on all rays of a square, or changes it on all, as far as f at the ends
+/// of their stretches tells; empty ones count, too.
 enum class Signs : std::uint8_t { Unknown, Kept, Changed };
 Signs signs_of(const SquareStretches& stretches);
 

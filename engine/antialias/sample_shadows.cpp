@@ -15,7 +15,7 @@ constexpr int least_hits = 4;
 /// as it may be so many pixels beside the sample.
 constexpr double least_cosine = 0.9;
 constexpr double most_pixels = 4.0;
-/// Of ray and normal: a sheet seen more from aside counts as seen so.
+/// The least cosine between ray and normal: sheets seen more from aside are taken as seen so.
 constexpr double least_slant = 0.02;
 
 /// How far from a sample along rays its sheet may be in the pixels around it.

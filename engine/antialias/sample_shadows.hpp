@@ -11,7 +11,7 @@ namespace zeroset {
 /// Whether the light reaches a sample.
 enum class SampleShadow : std::uint8_t { Unknown, Lit, Dark };
 
-/// What the pixels around a sample's pixel tell of its shadow: those on its sheet, if there are
+/// The shadow that a sample has by the pixels around its own: those on its sheet, if there are
 /// several and they agree. `layer`: the hits of the sample's surface in the tile.
 SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRays& rays,
                            const CoverSample& sample);

@@ -89,4 +89,14 @@ std::string xml_escaped(std::string_view text) {
     return result;
 }
 
+std::string hex_of(const std::array<std::uint8_t, 3>& color) {
+    constexpr const char* digits = "0123456789ABCDEF";
+    std::string text = "#";
+    for (const std::uint8_t channel : color) {
+        text += digits[channel >> 4U];
+        text += digits[channel & 15U];
+    }
+    return text;
+}
+
 }  // namespace zeroset

@@ -148,7 +148,7 @@ std::expected<FunctionNodes::Output, std::string> FunctionNodes::add(
         }
         if (!can_be_written(given.op)) return std::unexpected(refusal(given));
         Operands operands{.a = outputs[given.a], .b = outputs[given.b], .c = outputs[given.c]};
-        // What counts as a condition is above 0.
+        // A condition holds where its number is above 0.
         if (given.op == Op::If && !is_condition(expr.node(given.a).op))
             operands.a = truth(operands.a);
         outputs.push_back(of_operator(given, operands));

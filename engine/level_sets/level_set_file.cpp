@@ -13,16 +13,6 @@ std::string attribute(const char* name, const std::string& value) {
     return " " + std::string(name) + "=\"" + value + "\"";
 }
 
-std::string hex_of(const std::array<std::uint8_t, 3>& color) {
-    constexpr const char* digits = "0123456789ABCDEF";
-    std::string text = "#";
-    for (const std::uint8_t channel : color) {
-        text += digits[channel >> 4U];
-        text += digits[channel & 15U];
-    }
-    return text;
-}
-
 Output plus(FunctionNodes& nodes, const Output& a, double b) {
     return b == 0.0 ? a : nodes.node("addition", {a, nodes.constant(b)});
 }

@@ -1,8 +1,9 @@
 #include "engine/trace/tile_hits.hpp"
 
+#include "engine/trace/flag_bits.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace zeroset {
@@ -35,14 +36,7 @@ std::uint64_t PixelCover::mixed_in_row(int row) const {
         const bool covered = to[first + col] < other;
         is_mixed[col] = static_cast<std::uint8_t>(some && !covered);
     }
-    std::uint64_t bits = 0;
-    for (std::size_t col = 0; col < tile_size; col += 8) {
-        std::uint64_t eight = 0;
-        std::memcpy(&eight, &is_mixed[col], 8);
-        // Gathers the lowest bits of eight bytes in the highest one.
-        bits |= (eight * 0x0102040810204080U >> 56U) << col;
-    }
-    return bits;
+    return bits_of_flags(is_mixed);
 }
 
 TileHits::TileHits() {

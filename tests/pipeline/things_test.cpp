@@ -205,6 +205,17 @@ std::shared_ptr<const PatchTree> tree_in(const Scene& scene, std::size_t surface
     return patch_tree(scene.surfaces.at(surface), scene.uniforms);
 }
 
+/// Of two surfaces, this one alone has another tree when the picture changes.
+void expect_new_tree_only_of(std::size_t surface, const PictureRequest& first,
+                             const PictureRequest& moved) {
+    const Scene before = scene_of(first);
+    const auto changed = tree_in(before, surface);
+    const auto kept = tree_in(before, 1 - surface);
+    const Scene after = scene_of(moved);
+    EXPECT_NE(tree_in(after, surface), changed);
+    EXPECT_EQ(tree_in(after, 1 - surface), kept);
+}
+
 TEST(Thicknesses, InPixelsLeaveTheTreesOfOthersAloneWhenTheViewMoves) {
     const Drawn drawn(
         "(cos t, sin t, 0), 0 < t < 6\n(u, v, 0), 0 < u < 1, 0 < v < 1", [](Document& document) {
@@ -212,12 +223,7 @@ TEST(Thicknesses, InPixelsLeaveTheTreesOfOthersAloneWhenTheViewMoves) {
         });
     PictureRequest moved = drawn.request;
     moved.camera.eye *= 1.25;
-    const Scene before = scene_of(drawn.request);
-    const auto curve = tree_in(before, 0);
-    const auto square = tree_in(before, 1);
-    const Scene after = scene_of(moved);
-    EXPECT_NE(tree_in(after, 0), curve);
-    EXPECT_EQ(tree_in(after, 1), square);
+    expect_new_tree_only_of(0, drawn.request, moved);
 }
 
 TEST(PatchTrees, StayWhileParametersOfOthersMove) {
@@ -226,12 +232,7 @@ TEST(PatchTrees, StayWhileParametersOfOthersMove) {
     const auto place = std::ranges::find(names, "b") - names.begin();
     PictureRequest moved = drawn.request;
     moved.uniforms.at(static_cast<std::size_t>(1 + place)) += 0.25;
-    const Scene before = scene_of(drawn.request);
-    const auto curve = tree_in(before, 0);
-    const auto square = tree_in(before, 1);
-    const Scene after = scene_of(moved);
-    EXPECT_EQ(tree_in(after, 0), curve);
-    EXPECT_NE(tree_in(after, 1), square);
+    expect_new_tree_only_of(1, drawn.request, moved);
 }
 
 const Box half_box{.lo = {-0.5, -1.0, -0.25}, .hi = {0.75, 0.5, 1.0}};

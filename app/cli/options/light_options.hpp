@@ -19,7 +19,7 @@ struct LightText {
 /// Applies the options to `light`. Returns an error if one is wrong.
 std::optional<InputError> take_light(const LightText& text, LightChoice& light);
 
-/// What looks are called: "standard, ... or technical".
+/// The names of all looks as one text: "standard, ... or technical".
 std::string look_words();
 
 /// Reads the value of --background: "#RRGGBB", "#RRGGBB,#RRGGBB" from top to bottom; nothing for

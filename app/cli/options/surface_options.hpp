@@ -19,7 +19,7 @@ struct SurfaceChoice {
     bool operator==(const SurfaceChoice&) const = default;
 };
 
-/// What SurfaceTexts say.
+/// The values of SurfaceTexts, read.
 struct SurfaceChoices {
     std::vector<SurfaceChoice<SolidSide>> solids = {};
     std::vector<SurfaceChoice<double>> opacities = {};  ///< 0 to 1

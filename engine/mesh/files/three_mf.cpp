@@ -9,16 +9,6 @@
 namespace zeroset {
 namespace {
 
-std::string hex_of(const MeshColor& color) {
-    constexpr const char* digits = "0123456789ABCDEF";
-    std::string text = "#";
-    for (const std::uint8_t channel : color) {
-        text += digits[channel >> 4U];
-        text += digits[channel & 15U];
-    }
-    return text;
-}
-
 /// The colours of an object, each once, and which of them each vertex has.
 struct ColorGroup {
     std::vector<MeshColor> colors;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/trace/field_gradients.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/trace_frame.hpp"
@@ -14,7 +15,7 @@ class BlobHits {
 public:
     /// All outlive it.
     BlobHits(const TraceFrame& frame, const TileRays& rays, TileHits& hits, Counters& counters)
-        : frame_(frame), rays_(rays), hits_(hits), counters_(counters) {}
+        : rays_(rays), hits_(hits), gradients_(frame, hits, counters) {}
 
     /// A root at a depth. `slope`: of the blobs there, along the axes of the view.
     void tell(std::uint32_t pixel, double depth, bool proved, const std::array<double, 3>& slope);
@@ -23,13 +24,10 @@ public:
 
 private:
     [[nodiscard]] std::array<double, 3> place(std::uint32_t pixel, double depth) const;
-    void find_sign(std::uint32_t pixel, double depth, const glm::dvec3& gradient);
 
-    const TraceFrame& frame_;
     const TileRays& rays_;
     TileHits& hits_;
-    Counters& counters_;
-    int sign_ = 0;  ///< of f's gradient against the blobs'; 0: not known yet
+    FieldGradients gradients_;
 };
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/trace/along_rays/ray_lines.hpp"
+#include "engine/trace/field_gradients.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/voxels/ray_cubic.hpp"
 #include "engine/volume/geometry.hpp"
@@ -18,7 +19,7 @@ public:
     /// All outlive it.
     VoxelHits(const TraceFrame& frame, const TileRays& rays, const RayLines& lines,
               const IndexMap& map, TileHits& hits, Counters& counters)
-        : frame_(frame), rays_(rays), lines_(lines), map_(map), hits_(hits), counters_(counters) {}
+        : rays_(rays), lines_(lines), map_(map), hits_(hits), gradients_(frame, hits, counters) {}
 
     /// A ray's root, certified if it is proved and inside the region. `slopes`: of the volume
     /// there, along the axes of its grid.
@@ -28,15 +29,12 @@ public:
 
 private:
     void tell_gradient(std::uint32_t pixel, const std::array<double, 3>& slopes);
-    void find_sign(const glm::dvec3& gradient);
 
-    const TraceFrame& frame_;
     const TileRays& rays_;
     const RayLines& lines_;
     const IndexMap& map_;
     TileHits& hits_;
-    Counters& counters_;
-    int sign_ = 0;  ///< of f's gradient against the volume's; 0: not known yet
+    FieldGradients gradients_;
 };
 
 }  // namespace zeroset

@@ -2,6 +2,7 @@
 #include "engine/render/tracers.hpp"
 #include "tests/support/exact_ray.hpp"
 #include "tests/support/mpfr_number.hpp"
+#include "tests/support/only_target.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/real_types.hpp"
 
@@ -217,21 +218,6 @@ bool is_in_box(const Target& target, const Box& clip) {
 }
 
 std::vector<std::int64_t> instruction_sets() { return hwy::SupportedAndGeneratedTargets(); }
-
-/// The tracer runs with one instruction set while this lives.
-class OnlyTarget {
-public:
-    explicit OnlyTarget(std::int64_t target) { choose(target); }
-    ~OnlyTarget() { choose(0); }
-    OnlyTarget(const OnlyTarget&) = delete;
-    OnlyTarget& operator=(const OnlyTarget&) = delete;
-
-private:
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
 
 template <class Real>
 class PositionsTest : public ::testing::Test {

@@ -2,6 +2,7 @@
 
 #include "engine/blobs/blobs.hpp"
 #include "engine/render/render.hpp"
+#include "tests/support/alike_frames.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/voxel_scenes.hpp"
@@ -82,26 +83,11 @@ void expect_alike(const Both& both, const Camera& camera, const std::string& wha
     SCOPED_TRACE(what);
     const Framebuffer balls = drawn(both.balls, camera);
     const Framebuffer beams = drawn(both.beams, camera);
-    int certified = 0;
-    int undecided = 0;
-    double difference = 0;
-    for (std::size_t i = 0; i < balls.depth.size(); ++i) {
-        const Certificate a = balls.certificate[i];
-        const Certificate b = beams.certificate[i];
-        undecided += a == Certificate::Undecided ? 1 : 0;
-        if (a == Certificate::Undecided || b == Certificate::Undecided) continue;
-        ASSERT_EQ(a, b) << i;
-        if (a != Certificate::Certified) continue;
-        ++certified;
-        ASSERT_NEAR(balls.depth[i], beams.depth[i], 4e-4 * scale) << i;
-        for (unsigned shift = 0; shift < 24; shift += 8) {
-            difference += std::abs(static_cast<int>(balls.color[i] >> shift & 255U) -
-                                   static_cast<int>(beams.color[i] >> shift & 255U));
-        }
-    }
-    EXPECT_GT(certified, 300);
-    EXPECT_LT(undecided, 5);
-    EXPECT_LT(difference / certified, 0.5) << "they are lit alike";
+    Comparison seen;
+    ASSERT_NO_FATAL_FAILURE(compare_frames(balls, beams, 4e-4 * scale, seen));
+    EXPECT_GT(seen.certified, 300);
+    EXPECT_LT(seen.undecided, 5);
+    EXPECT_LT(seen.difference / seen.certified, 0.5) << "they are lit alike";
 }
 
 const Camera usual{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};

@@ -3,6 +3,7 @@
 #include "engine/render/render.hpp"
 #include "engine/taylor/patch_models.hpp"
 #include "tests/support/closed_forms.hpp"
+#include "tests/support/only_target.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -219,21 +220,6 @@ void expect_first_hits(const PatchCase& c, Way way) {
 
 TEST_P(PatchTracer, FindsTheFirstHits) { expect_first_hits(GetParam(), Way::ByModels); }
 TEST_P(PatchTracer, FindsThemWithoutModels) { expect_first_hits(GetParam(), Way::WithoutModels); }
-
-/// The tracer runs with one instruction set while this lives.
-class OnlyTarget {
-public:
-    explicit OnlyTarget(std::int64_t target) { choose(target); }
-    ~OnlyTarget() { choose(0); }
-    OnlyTarget(const OnlyTarget&) = delete;
-    OnlyTarget& operator=(const OnlyTarget&) = delete;
-
-private:
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
 
 TEST_P(PatchTracer, FindsThemWithEachInstructionSet) {
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

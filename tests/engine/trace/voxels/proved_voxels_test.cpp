@@ -2,6 +2,7 @@
 
 #include "engine/render/render.hpp"
 #include "engine/volume/spline.hpp"
+#include "tests/support/alike_frames.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/voxel_scenes.hpp"
@@ -92,26 +93,11 @@ Scene by_beams(Scene scene, const std::shared_ptr<const Volume>& volume, double 
 /// Both draw the same; what one has proved the other does not contradict.
 void expect_alike(const Framebuffer& voxels, const Framebuffer& beams, const std::string& what) {
     SCOPED_TRACE(what);
-    int certified = 0;
-    int undecided = 0;
-    double difference = 0;
-    for (std::size_t i = 0; i < voxels.depth.size(); ++i) {
-        const Certificate a = voxels.certificate[i];
-        const Certificate b = beams.certificate[i];
-        undecided += a == Certificate::Undecided ? 1 : 0;
-        if (a == Certificate::Undecided || b == Certificate::Undecided) continue;
-        ASSERT_EQ(a, b) << i;
-        if (a != Certificate::Certified) continue;
-        ++certified;
-        ASSERT_NEAR(voxels.depth[i], beams.depth[i], 4e-4F) << i;
-        for (unsigned shift = 0; shift < 24; shift += 8) {
-            difference += std::abs(static_cast<int>(voxels.color[i] >> shift & 255U) -
-                                   static_cast<int>(beams.color[i] >> shift & 255U));
-        }
-    }
-    EXPECT_GT(certified, 300);
-    EXPECT_LT(undecided, 40);
-    EXPECT_LT(difference / certified, 3.0) << "they are lit alike";
+    Comparison seen;
+    ASSERT_NO_FATAL_FAILURE(compare_frames(voxels, beams, 4e-4F, seen));
+    EXPECT_GT(seen.certified, 300);
+    EXPECT_LT(seen.undecided, 40);
+    EXPECT_LT(seen.difference / seen.certified, 3.0) << "they are lit alike";
 }
 
 TEST(ProvedVoxels, AgreeWithBeamsFromAllSides) {

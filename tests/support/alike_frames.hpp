@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+
+namespace zeroset::test {
+
+/// Pixels of a frame, compared with those of another way to draw it.
+struct Comparison {
+    int certified = 0;        ///< by both
+    int undecided = 0;        ///< by the first
+    double difference = 0.0;  ///< of channels, summed over what both have certified
+};
+
+/// Compares two frames. What one has proved the other must not contradict: a failure, and so are
+/// depths that differ by more than `tolerance`.
+inline void compare_frames(const Framebuffer& frame, const Framebuffer& other, double tolerance,
+                           Comparison& seen) {
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+        const Certificate a = frame.certificate[i];
+        const Certificate b = other.certificate[i];
+        seen.undecided += a == Certificate::Undecided ? 1 : 0;
+        if (a == Certificate::Undecided || b == Certificate::Undecided) continue;
+        ASSERT_EQ(a, b) << i;
+        if (a != Certificate::Certified) continue;
+        ++seen.certified;
+        ASSERT_NEAR(frame.depth[i], other.depth[i], tolerance) << i;
+        for (unsigned shift = 0; shift < 24; shift += 8) {
+            seen.difference += std::abs(static_cast<int>(frame.color[i] >> shift & 255U) -
+                                        static_cast<int>(other.color[i] >> shift & 255U));
+        }
+    }
+}
+
+}  // namespace zeroset::test
