@@ -51,6 +51,29 @@ class VolumeTest(ProgramTest):
         near.sort()
         self.assertLess(near[int(0.9 * len(near))], 2e-3)
 
+    def test_slices_in_files_of_their_own_are_one_volume(self):
+        for k in range(3):
+            (self.folder / f"s{k + 1:02}.raw").write_bytes(struct.pack("<4h", k, k, k, k))
+        header = "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 3\nendian: little\nencoding: raw\n"
+        (self.folder / "a.nhdr").write_text(header + "data file: s%02d.raw 1 3 1\n", "ascii")
+        self.run_ok("sample", 'scan = volume("a.nhdr"); scan(x, y, z)', "-o", "b.nrrd",
+                    "--size", "2x2x5", "--box", "0,1,0,1,0,2")
+        samples = read_nrrd(self.folder / "b.nrrd")[1]
+        self.assertEqual(samples[::4], (0, 0.5, 1, 1.5, 2))
+        (self.folder / "s02.raw").unlink()
+        result = run("render", "a.nhdr", "-o", "a.png", cwd=self.folder)
+        self.assertEqual(result.code, 2, str(result))
+        self.assertIn("its file 's02.raw': it cannot be read", result.err)
+
+    def test_a_file_of_no_known_kind_gets_its_line(self):
+        (self.folder / "head.raw").write_bytes(b"12345678")
+        result = run("render", "head.raw", "-o", "a.png", cwd=self.folder)
+        self.assertEqual(result.code, 2, str(result))
+        self.assertRegex(result.err, r"\Aerror: 'head.raw' is no kind of file[^\n]+\n\Z")
+        self.assertIn('volume("head.raw", size ', result.err)
+        self.run_ok("render", 'f = volume("head.raw", size 2 2 2, uint8); f(x, y, z) = 52.5',
+                    "-o", "a.png", "--size", "16")
+
     def test_distances_are_those_of_a_sphere(self):
         result = self.run_ok("sample", SPHERE, "-o", "d.nrrd", "--distance", "--size", "12",
                              "--box", "1.5", "--tolerance", "0.01")

@@ -4,6 +4,7 @@
 #include "app/cli/options/region_options.hpp"
 #include "app/cli/options/section_options.hpp"
 #include "app/cli/options/surface_options.hpp"
+#include "document/import/import.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
@@ -51,6 +52,20 @@ OrInputError<InputDocument> imported_document(const std::string& path) {
         read_document(std::move(imported->document)), {}, notes_listed(imported->notes), {}, true};
 }
 
+/// Whether the text is the name of a file rather than a formula, though of none that is opened.
+bool names_other_file(const std::string& equation) {
+    std::error_code ignored;
+    return std::filesystem::path(equation).has_extension() &&
+           std::filesystem::is_regular_file(equation, ignored);
+}
+
+std::string what_is_opened(const std::string& file) {
+    return "'" + file + "' is no kind of file that is opened; those end in " +
+           std::string(document_ending) + " " + import_endings() + " " + known_endings() +
+           "; raw samples of a volume are read by volume(\"" + file +
+           "\", size 256 256 109, uint8)";
+}
+
 /// Reads the document without applying the view options.
 OrInputError<InputDocument> stored_document(const std::string& equation) {
     use_volume_folder(folder_of_volumes(equation));
@@ -85,6 +100,7 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         if (!item) return std::unexpected(item.error());
         return InputDocument{read_document(*item)};
     }
+    if (names_other_file(equation)) return wrong_input(what_is_opened(equation));
     if (equation != "-") return InputDocument{typed_document(equation)};
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     return InputDocument{typed_document(text)};

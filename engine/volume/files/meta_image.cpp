@@ -2,6 +2,7 @@
 
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/sample_pieces.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
 #include <map>
@@ -13,7 +14,8 @@ namespace {
 
 struct Header {
     std::map<std::string, std::string> fields;  ///< names in lower case
-    std::size_t end = 0;
+    std::string list;                           ///< the lines behind "ElementDataFile = LIST"
+    std::size_t end = 0;                        ///< where the header's last line ends
 
     [[nodiscard]] std::string field(std::initializer_list<const char*> names) const {
         for (const char* const name : names) {
@@ -45,7 +47,9 @@ Expected<Header> read_header(const std::string& text) {
         const std::string name = lower_case(without_spaces(line.substr(0, sign)));
         header.fields[name] = std::string(without_spaces(line.substr(sign + 1)));
         header.end = at;
-        if (name == "elementdatafile") return header;
+        if (name != "elementdatafile") continue;
+        if (header.fields[name].starts_with("LIST")) header.list = text.substr(at);
+        return header;
     }
     return std::unexpected("its header lacks ElementDataFile");
 }
@@ -106,22 +110,38 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
     if (header.says_true({"compresseddata"})) block.encoding = SampleEncoding::Gzip;
     const std::string binary = lower_case(header.field({"binarydata"}));
     if (binary == "false") block.encoding = SampleEncoding::Ascii;
-    const std::string data = header.field({"elementdatafile"});
-    if (data.starts_with("LIST") || data.contains('%'))
-        return std::unexpected("its samples lie in several files; join them in one");
-    if (lower_case(data) != "local") {
-        block.file = file.parent_path() / data;
-        block.offset = 0;
-        const std::string skip = header.field({"headersize"});
-        if (!skip.empty()) {
-            const auto bytes = number_from<std::int64_t>(skip);
-            if (!bytes || *bytes < -1)
-                return std::unexpected(wrong_field("HeaderSize", skip, "it is a number or -1"));
-            block.at_end = *bytes == -1;
-            if (*bytes > 0) block.offset = static_cast<std::uint64_t>(*bytes);
-        }
-    }
     return block;
+}
+
+/// Where the samples begin in a file of their own.
+Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
+    block.offset = 0;
+    const std::string skip = header.field({"headersize"});
+    if (skip.empty()) return block;
+    const auto bytes = number_from<std::int64_t>(skip);
+    if (!bytes || *bytes < -1)
+        return std::unexpected(wrong_field("HeaderSize", skip, "it is a number or -1"));
+    block.at_end = *bytes == -1;
+    if (*bytes > 0) block.offset = static_cast<std::uint64_t>(*bytes);
+    return block;
+}
+
+Expected<Samples> samples_of(const Header& header, const std::filesystem::path& file,
+                             SampleBlock block) {
+    const std::string data = header.field({"elementdatafile"});
+    if (lower_case(data) == "local") return read_samples(block);
+    const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
+    if (names_several_files(data)) {
+        const SeveralFiles files{.field = data,
+                                 .lines = header.list,
+                                 .folder = file.parent_path(),
+                                 .sizes = {block.size.begin(), block.size.end()}};
+        return read_several(files, block, started);
+    }
+    block.file = file.parent_path() / data;
+    const auto whole = started(block);
+    if (!whole) return std::unexpected(whole.error());
+    return read_samples_of(file, *whole);
 }
 
 }  // namespace
@@ -131,11 +151,11 @@ Expected<VolumeFile> read_meta_image(const std::filesystem::path& file) {
     if (!text) return std::unexpected(text.error());
     const auto header = read_header(*text);
     if (!header) return std::unexpected(header.error());
-    const auto geometry = geometry_of(*header);
-    if (!geometry) return std::unexpected(geometry.error());
     const auto block = block_of(*header, file);
     if (!block) return std::unexpected(block.error());
-    const auto samples = read_samples(*block);
+    const auto geometry = geometry_of(*header);
+    if (!geometry) return std::unexpected(geometry.error());
+    const auto samples = samples_of(*header, file, *block);
     if (!samples) return std::unexpected(samples.error());
     return VolumeFile{.samples = *samples, .geometry = *geometry};
 }

@@ -2,6 +2,7 @@
 
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/sample_pieces.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
 #include <zlib.h>
@@ -232,7 +233,7 @@ Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
     if (!header) return std::unexpected(header.error());
     const auto block = block_of(*header, file);
     if (!block) return std::unexpected(block.error());
-    const auto samples = read_samples(*block);
+    const auto samples = read_samples_of(file, *block);
     if (!samples) return std::unexpected(samples.error());
     VolumeFile volume{.samples = *samples, .geometry = geometry_of(*header)};
     const double slope = header->real(header->at().slope);

@@ -2,6 +2,7 @@
 
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
+#include "engine/volume/files/sample_pieces.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace {
 
 struct Header {
     std::map<std::string, std::string> fields;  ///< names in lower case
+    std::string list;                           ///< the lines behind "data file: LIST"
     std::size_t end = 0;                        ///< where the header's last line ends
 
     [[nodiscard]] std::string field(const std::string& name, const std::string& other = {}) const {
@@ -44,8 +46,13 @@ Expected<Header> read_header(const std::string& text) {
         if (line.starts_with('#') || line.contains(":=") || colon == std::string_view::npos) {
             continue;
         }
-        header.fields[lower_case(line.substr(0, colon))] =
-            std::string(without_spaces(line.substr(colon + 2)));
+        const std::string name = lower_case(line.substr(0, colon));
+        const std::string_view value = without_spaces(line.substr(colon + 2));
+        header.fields[name] = std::string(value);
+        if ((name == "data file" || name == "datafile") && value.starts_with("LIST")) {
+            header.list = text.substr(at);
+            break;
+        }
     }
     return header;
 }
@@ -150,7 +157,7 @@ Expected<Geometry> geometry_of(const Header& header, const std::array<std::size_
                                            "known are right-anterior-superior, "
                                            "left-anterior-superior, left-posterior-superior"));
     }
-    if (directions.empty()) {
+    if (!directions.contains('(')) {  // Teem writes "none" for each axis that has a spacing
         take_spacings(header, axes, dimension, geometry);
     } else if (!take_directions(directions, axes, dimension, geometry)) {
         return std::unexpected(wrong_field("space directions", directions,
@@ -197,32 +204,30 @@ Expected<std::uint64_t> after_lines(const std::filesystem::path& file, std::uint
     return at;
 }
 
-Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
-    SampleBlock block{.file = file, .offset = header.end};
-    const auto encoding = encoding_of(header.field("encoding"));
-    if (!encoding) return std::unexpected(encoding.error());
-    block.encoding = *encoding;
-    const std::string data = header.field("data file", "datafile");
-    if (!data.empty()) {
-        if (data.starts_with("LIST") || data.contains('%'))
-            return std::unexpected("its samples lie in several files; join them in one");
-        block.file = file.parent_path() / data;
-        block.offset = 0;
-    }
+/// Where the samples begin in the block's file.
+Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
     const std::uint64_t lines =
         number_from<std::uint64_t>(header.field("line skip", "lineskip")).value_or(0);
     const auto start = after_lines(block.file, block.offset, lines);
     if (!start) return std::unexpected(start.error());
     block.offset = *start;
     const std::string skip = header.field("byte skip", "byteskip");
-    if (!skip.empty()) {
-        const auto bytes = number_from<std::int64_t>(skip);
-        if (!bytes || *bytes < -1)
-            return std::unexpected(wrong_field("byte skip", skip, "it is a number or -1"));
-        block.at_end = *bytes == -1 && block.encoding == SampleEncoding::Raw;
-        const auto forward = static_cast<std::uint64_t>(std::max<std::int64_t>(*bytes, 0));
-        (block.encoding == SampleEncoding::Gzip ? block.skip_unpacked : block.offset) += forward;
-    }
+    if (skip.empty()) return block;
+    const auto bytes = number_from<std::int64_t>(skip);
+    if (!bytes || *bytes < -1)
+        return std::unexpected(wrong_field("byte skip", skip, "it is a number or -1"));
+    block.at_end = *bytes == -1 && block.encoding == SampleEncoding::Raw;
+    const auto forward = static_cast<std::uint64_t>(std::max<std::int64_t>(*bytes, 0));
+    (block.encoding == SampleEncoding::Gzip ? block.skip_unpacked : block.offset) += forward;
+    return block;
+}
+
+/// How the samples are written, wherever they lie.
+Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+    SampleBlock block{.file = file, .offset = header.end};
+    const auto encoding = encoding_of(header.field("encoding"));
+    if (!encoding) return std::unexpected(encoding.error());
+    block.encoding = *encoding;
     const auto type = sample_type(header.field("type"));
     if (!type)
         return std::unexpected(
@@ -233,6 +238,24 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
         return std::unexpected("its header lacks 'endian: little' or 'endian: big'");
     block.big_endian = endian == "big";
     return block;
+}
+
+Expected<Samples> samples_of(const Header& header, const std::filesystem::path& file,
+                             SampleBlock block, const std::vector<std::uint64_t>& sizes) {
+    const std::string data = header.field("data file", "datafile");
+    const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
+    if (names_several_files(data)) {
+        const SeveralFiles files{
+            .field = data, .lines = header.list, .folder = file.parent_path(), .sizes = sizes};
+        return read_several(files, block, started);
+    }
+    if (!data.empty()) {
+        block.file = file.parent_path() / data;
+        block.offset = 0;
+    }
+    const auto whole = started(block);
+    if (!whole) return std::unexpected(whole.error());
+    return read_samples_of(file, *whole);
 }
 
 }  // namespace
@@ -254,7 +277,7 @@ Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
     if (!block) return std::unexpected(block.error());
     for (std::size_t i = 0; i < 3; ++i)
         block->size[i] = (*sizes)[(*axes)[i]];
-    const auto samples = read_samples(*block);
+    const auto samples = samples_of(*header, file, *block, *sizes);
     if (!samples) return std::unexpected(samples.error());
     return VolumeFile{.samples = *samples, .geometry = *geometry};
 }

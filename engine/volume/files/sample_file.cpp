@@ -26,6 +26,17 @@
 #include <vector>
 
 namespace zeroset {
+
+std::shared_ptr<std::byte> room_for_samples(std::uint64_t bytes) {
+    return {static_cast<std::byte*>(::operator new(bytes, std::align_val_t{64}, std::nothrow)),
+            [](std::byte* room) { ::operator delete(room, std::align_val_t{64}); }};
+}
+
+std::unexpected<std::string> no_memory_for_samples(std::uint64_t bytes) {
+    return std::unexpected("there is no memory for its " + std::to_string(bytes) +
+                           " bytes of samples");
+}
+
 namespace {
 
 using Read = std::expected<Samples, std::string>;
@@ -70,16 +81,6 @@ private:
     std::span<const std::byte> bytes_;
 };
 
-/// Room for samples, aligned for every type; nullptr where there is no memory for them.
-std::shared_ptr<std::byte> room_for(std::uint64_t bytes) {
-    return {static_cast<std::byte*>(::operator new(bytes, std::align_val_t{64}, std::nothrow)),
-            [](std::byte* room) { ::operator delete(room, std::align_val_t{64}); }};
-}
-
-std::unexpected<std::string> no_memory(std::uint64_t bytes) {
-    return std::unexpected("there is no memory for its " + of_bytes(bytes) + " of samples");
-}
-
 /// Turns the bytes of each sample around.
 void swap_bytes(std::byte* data, std::uint64_t bytes, std::size_t width) {
     if (width == 1) return;
@@ -113,8 +114,8 @@ Read raw(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file
     const std::byte* const first = bytes.data() + offset;
     const bool aligned = std::bit_cast<std::uintptr_t>(first) % size_of(block.type) == 0;
     if (is_native(block) && aligned) return samples_of(block, {file, first});
-    const auto room = room_for(needed);
-    if (!room) return no_memory(needed);
+    const auto room = room_for_samples(needed);
+    if (!room) return no_memory_for_samples(needed);
     // Read, not mapped: mapped pages would count beside the copy.
     std::ifstream stream(block.file, std::ios::binary);
     stream.seekg(static_cast<std::streamoff>(offset));
@@ -176,8 +177,7 @@ Read unpacked(const SampleBlock& block, const std::shared_ptr<const MappedFile>&
               std::uint64_t needed) {
     const auto packed =
         file->bytes().subspan(std::min<std::uint64_t>(block.offset, file->bytes().size()));
-    constexpr std::uint64_t best_ratio = 1032;  // of deflate
-    const std::uint64_t most = packed.size() * best_ratio;
+    const std::uint64_t most = packed.size() * best_deflate_ratio;
     if (most < needed || most - needed < std::min(block.skip_unpacked, most)) {
         if (most < needed) {
             return std::unexpected("it is too short: " + of_bytes(needed) +
@@ -193,8 +193,8 @@ Read unpacked(const SampleBlock& block, const std::shared_ptr<const MappedFile>&
             return std::unexpected("its packed data are damaged or cut off");
         left -= part;
     }
-    const auto room = room_for(needed);
-    if (!room) return no_memory(needed);
+    const auto room = room_for_samples(needed);
+    if (!room) return no_memory_for_samples(needed);
     const std::uint64_t filled = unpacker.fill(room.get(), needed);
     if (filled < needed) {
         return std::unexpected("its packed data are damaged or cut off: " + of_bytes(needed) +
@@ -218,8 +218,8 @@ Read written_out(const SampleBlock& block, std::string_view text, std::uint64_t 
                                " numbers are announced, its " + of_bytes(text.size()) +
                                " cannot hold them");
     }
-    const auto room = room_for(needed);
-    if (!room) return no_memory(needed);
+    const auto room = room_for_samples(needed);
+    if (!room) return no_memory_for_samples(needed);
     Samples samples = samples_of(block, room);
     std::string problem;
     visit_samples(samples, [&](const auto* first) {
@@ -262,8 +262,8 @@ Read samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
                                " of samples are announced, " + of_bytes(bytes.size()) +
                                " are there");
     }
-    const auto room = room_for(*needed);
-    if (!room) return no_memory(*needed);
+    const auto room = room_for_samples(*needed);
+    if (!room) return no_memory_for_samples(*needed);
     std::memcpy(room.get(), bytes.data(), *needed);
     if (!is_native(block)) swap_bytes(room.get(), *needed, size_of(block.type));
     return samples_of(block, room);
@@ -338,7 +338,7 @@ bool fit_floats(const Samples& samples, double slope, double shift) {
 
 template <class Number>
 Samples rescaled_to(const Samples& samples, double slope, double shift, SampleType type) {
-    const auto room = room_for(samples.count() * sizeof(Number));
+    const auto room = room_for_samples(samples.count() * sizeof(Number));
     if (!room) return {};
     auto* const out = reinterpret_cast<Number*>(room.get());
     visit_samples(samples, [&](const auto* in) {
@@ -357,8 +357,8 @@ Read rescaled(const Samples& samples, double slope, double shift) {
     Samples result = floats ? rescaled_to<float>(samples, slope, shift, SampleType::Float)
                             : rescaled_to<double>(samples, slope, shift, SampleType::Double);
     if (!result.data) {
-        return no_memory(samples.count() *
-                         size_of(floats ? SampleType::Float : SampleType::Double));
+        return no_memory_for_samples(samples.count() *
+                                     size_of(floats ? SampleType::Float : SampleType::Double));
     }
     return result;
 }

@@ -2,9 +2,11 @@
 
 #include "engine/volume/samples.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +31,14 @@ struct SampleBlock {
 /// allocated before the file is known to be long enough. An error is one line that begins with what
 /// the file lacks, without its name.
 std::expected<Samples, std::string> read_samples(const SampleBlock& block);
+
+/// Room for samples, aligned for every type; nullptr where there is no memory for them.
+std::shared_ptr<std::byte> room_for_samples(std::uint64_t bytes);
+/// The error of a grid that there is no room for.
+std::unexpected<std::string> no_memory_for_samples(std::uint64_t bytes);
+
+/// A packed byte is at most so many bytes.
+inline constexpr std::uint64_t best_deflate_ratio = 1032;
 
 /// The samples that are these bytes, or with SampleEncoding::Ascii these words; the block's file
 /// and offsets are ignored.

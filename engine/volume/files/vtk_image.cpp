@@ -118,22 +118,27 @@ public:
         const pugi::xml_node piece = image.child("Piece");
         if (piece.next_sibling("Piece"))
             return std::unexpected("its samples lie in several pieces; join them in one");
-        const auto extent = numbers_in<std::int64_t>(image.attribute("WholeExtent").value());
+        auto extent = numbers_in<std::int64_t>(image.attribute("WholeExtent").value());
         if (!extent || extent->size() != 6) {
             return std::unexpected(wrong_field("WholeExtent",
                                                image.attribute("WholeExtent").value(),
                                                "six whole numbers are wanted"));
         }
-        const pugi::xml_node array = array_of(piece.child("PointData"));
-        if (!array) return std::unexpected("it has no array of single numbers at its points");
+        pugi::xml_node array = array_of(piece.child("PointData"));
+        const bool in_cells = !array;
+        if (in_cells) array = array_of(piece.child("CellData"));
+        if (!array)
+            return std::unexpected(
+                "it has no array of single numbers at its points or in its cells");
         coding_.big_endian = std::string_view(root.attribute("byte_order").value()) == "BigEndian";
         coding_.long_header = std::string_view(root.attribute("header_type").value()) == "UInt64";
         const std::string_view compressor = root.attribute("compressor").value();
         coding_.packed = !compressor.empty();
         if (coding_.packed && compressor != "vtkZLibDataCompressor")
             return std::unexpected(wrong_field("compressor", compressor, "only zlib is read"));
-        const auto place = geometry(image, *extent);
+        auto place = geometry(image, *extent);
         if (!place) return std::unexpected(place.error());
+        if (in_cells) to_middles(*extent, *place);
         auto samples = samples_of(array, *extent);
         if (!samples) return std::unexpected(samples.error());
         return VolumeFile{.samples = *samples, .geometry = *place};
@@ -179,6 +184,15 @@ private:
             }
         }
         return place;
+    }
+
+    /// From a grid's points to the middles of its cells, which are one less along each axis.
+    static void to_middles(std::vector<std::int64_t>& extent, Geometry& place) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            --extent[2 * c + 1];
+            for (std::size_t r = 0; r < 3; ++r)
+                place.origin[r] += place.world_from_index[r][c] / 2;
+        }
     }
 
     [[nodiscard]] Expected<Samples> samples_of(const pugi::xml_node& array,
