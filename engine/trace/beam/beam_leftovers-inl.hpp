@@ -158,7 +158,8 @@ std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t lefto
             nearest_.add_pending(segment.pixel, middle, Certificate::Jump, *jumps);
             return std::nullopt;
         }
-        goes_on = undecided(segment.part(what.from, what.to, what.to - what.from), continuous);
+        goes_on = undecided(segment.part(what.from, what.to, what.to - what.from), segment.to,
+                            continuous);
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;
@@ -184,7 +185,7 @@ void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
         }
         if (frame_.stopped()) {
             for (const LeftoverSegment<Real>& leftover : leftovers_)
-                undecided(leftover.segment, false);
+                undecided(leftover.segment, leftover.segment.to, false);
             continue;
         }
         look_around(settings.finest);

@@ -46,9 +46,9 @@ public:
 
     void push(const RaySegment<Real>& segment) { segments_.push_back(segment); }
 
-    /// Works off what has been pushed. `undecided(segment, continuous)` takes those segments that
-    /// may still hold a root, and whether f is continuous there; it returns whether the ray goes on
-    /// behind.
+    /// Works off what has been pushed. `undecided(segment, end, continuous)` takes those segments
+    /// that may still hold a root, where the longer one ends that they are the first parts of, and
+    /// whether f is continuous there; it returns whether the ray goes on behind.
     template <class Undecided>
     void march(const MarchSettings<Real>& settings, Undecided undecided);
     /// Decides about roots that may be there by the signs of f around them.
@@ -275,9 +275,9 @@ template <class Real, class Cell>
 template <class Undecided>
 void RayMarcher<Real, Cell>::leave(std::size_t first, Undecided undecided) {
     for (const RaySegment<Real>& segment : std::span(segments_).subspan(first))
-        undecided(segment, false);
+        undecided(segment, segment.to, false);
     for (const RaySegment<Real>& segment : next_)
-        undecided(segment, false);
+        undecided(segment, segment.to, false);
     segments_.clear();
     roots_.solve();
 }

@@ -29,6 +29,20 @@ struct BeamMemory {
     MarchMemory<double> fine_march;
 };
 
+/// How often something was met on each ray of a tile.
+class PixelCounts {
+public:
+    /// Counts once more, unless there are `most` already; whether there are.
+    bool are(std::uint32_t pixel, std::uint16_t most) {
+        if (counts_[pixel] >= most) return true;
+        ++counts_[pixel];
+        return false;
+    }
+
+private:
+    std::array<std::uint16_t, std::size_t{tile_size} * tile_size> counts_{};
+};
+
 /// The search in one tile.
 template <class Real>
 class BeamTile {
@@ -133,6 +147,8 @@ private:
     Real fair_guess_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
     WaitingTiles<Real, 2 * least_pixels> waiting_;
+    PixelCounts handed_over_;  ///< parts of rays that are left to the search in double
+    PixelCounts unsettled_;    ///< parts of rays that are left unsettled
 };
 
 template <class Real>

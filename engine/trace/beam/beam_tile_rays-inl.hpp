@@ -154,25 +154,29 @@ void BeamTile<Real>::march_rays() {
     // Search in this type down to some hundred of its units, then in double.
     const double rough = std::max(rays_.tolerance(), 256 * tree_.s_most() * unit);
     const auto finest = static_cast<Real>(rough);
-    marcher_.march({finest, tree_.margin(), false}, [&](const RaySegment<Real>& segment, bool) {
+    const auto hand_over = [&](const RaySegment<Real>& segment, Real end, bool) {
+        // Where all of a ray is undecided the search in double ends with its first part.
+        const bool rest = handed_over_.are(segment.pixel, 32);
         const auto from = static_cast<double>(segment.from);
         const auto to = static_cast<double>(segment.to);
         fine_marcher_.push({.pixel = segment.pixel,
                             .inside = segment.inside,
                             .from = from,
-                            .to = to,
+                            .to = rest ? static_cast<double>(end) : to,
                             .step = to - from,
                             .kernel = segment.kernel});
-        return true;
-    });
+        return !rest;
+    };
+    marcher_.march({finest, tree_.margin(), false}, hand_over);
     const MarchSettings<double> fine{.finest = rays_.tolerance(),
                                      .margin = 0.25 * rays_.tolerance(),
                                      .certifies = true,
                                      .asked = asked_};
-    const auto stop = [&](const RaySegment<double>& segment, bool continuous) {
+    const auto stop = [&](const RaySegment<double>& segment, double, bool continuous) {
         if (!continuous) {
             mark_unsettled(segment.pixel, segment.from);
-            return true;
+            // A ray of which so much is unsettled stays so, whatever is behind.
+            return !unsettled_.are(segment.pixel, 128);
         }
         nearest_.add_pending(segment.pixel, 0.5 * segment.from + 0.5 * segment.to,
                              Certificate::Undecided, Trend::Unknown);
