@@ -43,10 +43,35 @@ std::optional<NodeId> at_equality(const ExprBuilder& f, const Node& choice) {
     return vanishes ? std::optional(taken) : std::nullopt;
 }
 
+/// A dividend and its divisor.
+struct Division {
+    NodeId dividend, divisor;
+};
+
+/// The division whose remainder the node is: mod(a, b), or a beside its floor or ceiling.
+std::optional<Division> remainder_of(ExprBuilder& f, NodeId id) {
+    const Node node = f.node(id);
+    if (node.op == Op::Mod) return Division{node.a, node.b};
+    if (node.op != Op::Subtract) return std::nullopt;
+    const auto is_step_of = [&](NodeId step, NodeId of) {
+        return is_any_of(f.node(step).op, {Op::Floor, Op::Ceil}) && f.node(step).a == of;
+    };
+    if (is_step_of(node.b, node.a)) return Division{node.a, f.constant(1.0)};
+    if (is_step_of(node.a, node.b)) return Division{node.b, f.constant(1.0)};
+    return std::nullopt;
+}
+
+/// The remainder from -b/2 to b/2: it crosses 0 where the one from 0 to b jumps to it.
+NodeId centred_remainder(ExprBuilder& f, const Division& of) {
+    const NodeId half = f.apply(Op::Divide, of.divisor, f.constant(2.0));
+    return f.apply(Op::Subtract, f.apply(Op::Mod, f.apply(Op::Add, of.dividend, half), of.divisor),
+                   half);
+}
+
 }  // namespace
 
 std::vector<Expr> root_witnesses(const Expr& f) {
-    const ExprBuilder nodes = nodes_of(f);
+    ExprBuilder nodes = nodes_of(f);
     std::vector<NodeId> open{f.root()};
     std::vector<NodeId> found;
     while (!open.empty() && found.size() < most_witnesses) {
@@ -60,6 +85,8 @@ std::vector<Expr> root_witnesses(const Expr& f) {
             open.push_back(node.a);
         } else if (node.op == Op::If && at_equality(nodes, node)) {
             open.push_back(*at_equality(nodes, node));
+        } else if (const auto division = remainder_of(nodes, id)) {
+            found.push_back(centred_remainder(nodes, *division));
         } else if (node.op != Op::Constant && id != f.root() &&
                    std::ranges::find(found, id) == found.end()) {
             found.push_back(id);

@@ -6,7 +6,8 @@
 #include <vector>
 
 // f^2, -f max(f, g) and if(u < v, g, u - v) touch 0 or jump to it where one of their parts crosses
-// it: a proved root of that part is one of the whole.
+// it: a proved root of that part is one of the whole. Remainders jump to 0 where the one that is
+// nearest to 0 crosses it.
 
 namespace zeroset {
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <sstream>
 #include <string>
@@ -24,6 +25,7 @@ namespace {
 struct Drawn {
     Framebuffer frame;
     CertificateCounts counts;
+    std::uint64_t evaluations = 0;
 
     [[nodiscard]] std::size_t hits() const {
         return counts.certified + counts.undecided - counts.not_drawn;
@@ -45,7 +47,9 @@ Drawn drawn(const std::string& text, double half_edge, double d_stop = 22, int p
         wanted_precision(make_scene(*formula, clip, 0.0, {}), ViewFrame(camera), settings.stop);
     if (!formula->has_code(precision)) formula = with_double(*formula);
     Drawn result{Framebuffer(pixels, pixels), {}};
-    render_frame(make_scene(*formula, clip, 0.0, {}), camera, settings, result.frame);
+    const Counters counters =
+        render_frame(make_scene(*formula, clip, 0.0, {}), camera, settings, result.frame);
+    result.evaluations = counters.range + counters.form + counters.value;
     result.counts = count_certificates(result.frame);
     return result;
 }
@@ -199,6 +203,25 @@ TEST(FormulasAsTyped, RootsOfPartsAreProved) {
         for (std::size_t i = 0; i < picture.frame.depth.size(); ++i) {
             if (picture.frame.certificate[i] != Certificate::Certified) continue;
             EXPECT_NEAR(picture.frame.depth[i], of_part.frame.depth[i], 1e-4F) << text;
+        }
+    }
+}
+
+/// A remainder jumps to 0: the search along no ray goes on for ever, and most roots are proved.
+TEST(FormulasAsTyped, RootsOfRemaindersAreFound) {
+    const std::pair<std::string, std::string> typed[] = {
+        {"frac(x^2 + y^2 + 1/3) = 0", "sin(pi*(x^2 + y^2 + 1/3))"},
+        {"mod(2x^2 + y + z, 0.7) = 0", "sin(pi/0.7*(2x^2 + y + z))"},
+        {"ceil(3y^2 z + 1/3) - (3y^2 z + 1/3) = 0", "sin(pi*(3y^2 z + 1/3))"}};
+    for (const auto& [text, wave] : typed) {
+        const Drawn picture = drawn(text, 1);
+        const Drawn of_wave = drawn(wave, 1);
+        EXPECT_GT(picture.counts.certified, of_wave.counts.certified * 9 / 10) << text;
+        EXPECT_LT(picture.evaluations, 1000 * picture.frame.depth.size()) << text;
+        for (std::size_t i = 0; i < picture.frame.depth.size(); ++i) {
+            ASSERT_EQ(is_hit(picture.frame, i), is_hit(of_wave.frame, i)) << text;
+            if (!is_hit(picture.frame, i)) continue;
+            EXPECT_NEAR(picture.frame.depth[i], of_wave.frame.depth[i], 1e-4F) << text;
         }
     }
 }

@@ -29,7 +29,9 @@ void RayMarcher<Real, Cell>::find_cuts(std::size_t count, Real margin) {
             std::max(verdicts_.from[i], places_.s[i] + forms_.cut_from[i] * s_radius - around);
         const Real to =
             std::min(verdicts_.to[i], places_.s[i] + forms_.cut_to[i] * s_radius + around);
-        if (!(from <= to && to - from <= little * (verdicts_.to[i] - verdicts_.from[i]))) continue;
+        // A switch at the very end of the segment has been cut off already.
+        if (!(to - from >= little * around)) continue;
+        if (!(to - from <= little * (verdicts_.to[i] - verdicts_.from[i]))) continue;
         verdicts_.cut_from[i] = from;
         verdicts_.cut_to[i] = to;
         verdicts_.set_bit(&Verdicts<Real>::Bits::cut, i);

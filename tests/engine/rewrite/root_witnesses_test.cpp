@@ -40,6 +40,20 @@ bool continuous(const std::string& text, double lo, double hi) {
     return result[0] != 0;
 }
 
+std::string roots_of(const std::string& text) {
+    std::string all;
+    for (const Expr& witness : root_witnesses(*parse(text)))
+        all += (all.empty() ? "" : "; ") + witness.canonical();
+    return all;
+}
+
+TEST(RootWitnesses, OfRemaindersCrossZero) {
+    EXPECT_EQ(roots_of("mod(x, y)"), "mod(x + y/2, y) - y/2");
+    EXPECT_EQ(roots_of("3*frac(x)^2"), "mod(x + 1/2, 1) - 1/2");
+    EXPECT_EQ(roots_of("ceil(x) - x"), "mod(x + 1/2, 1) - 1/2");
+    EXPECT_EQ(roots_of("x - floor(y)"), "");
+}
+
 TEST(DomainWitness, IsOfTheOperatorsThatLackValues) {
     EXPECT_EQ(domain_of("sqrt(x) + y"), "sqrt(x)");
     EXPECT_EQ(domain_of("atan2(y, x) - z"), "1/(y^2 + x^2)");
