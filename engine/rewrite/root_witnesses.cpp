@@ -51,13 +51,16 @@ struct Division {
 /// The division whose remainder the node is: mod(a, b), or a beside its floor or ceiling.
 std::optional<Division> remainder_of(ExprBuilder& f, NodeId id) {
     const Node node = f.node(id);
-    if (node.op == Op::Mod) return Division{node.a, node.b};
+    if (node.op == Op::Mod) return Division{.dividend = node.a, .divisor = node.b};
     if (node.op != Op::Subtract) return std::nullopt;
     const auto is_step_of = [&](NodeId step, NodeId of) {
         return is_any_of(f.node(step).op, {Op::Floor, Op::Ceil}) && f.node(step).a == of;
     };
-    if (is_step_of(node.b, node.a)) return Division{node.a, f.constant(1.0)};
-    if (is_step_of(node.a, node.b)) return Division{node.b, f.constant(1.0)};
+    const auto of_one = [&](NodeId dividend) {
+        return Division{.dividend = dividend, .divisor = f.constant(1.0)};
+    };
+    if (is_step_of(node.b, node.a)) return of_one(node.a);
+    if (is_step_of(node.a, node.b)) return of_one(node.b);
     return std::nullopt;
 }
 
