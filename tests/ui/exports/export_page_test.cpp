@@ -49,6 +49,7 @@ protected:
              .alpha = true,
              .numbered = true},
             {.kind = ExportKind::Mesh, .name = "STL", .ending = ".stl", .about = "prints"},
+            {.kind = ExportKind::Mesh, .name = "3MF", .ending = ".3mf", .about = "colours"},
             {.kind = ExportKind::Drawing, .name = "SVG", .ending = ".svg", .about = "web"},
         };
     }
@@ -129,6 +130,25 @@ TEST_P(ExportPages, OfferNothingThatCannotBeWritten) {
     press(GLFW_KEY_ESCAPE);
     open("Save the picture...");
     EXPECT_EQ(page().endings[0], ".png") << "the choice of another program is given up";
+}
+
+TEST_P(ExportPages, ChooseTheFormatOfTheFormulaItself) {
+    open("Save the mesh...");
+    MeshExport& wish = page().wish.mesh;
+    EXPECT_EQ(page().endings[2], ".stl");
+    click_at(line(1, 0.6F));  // opens the list of shapes
+    draw();
+    const ImGuiWindow* const popup = child("##Combo_");
+    ASSERT_NE(popup, nullptr);
+    const float last = popup->Pos.y + popup->Size.y - 0.7F * ImGui::GetTextLineHeightWithSpacing();
+    click_at({popup->Pos.x + 0.5F * popup->Size.x, last});
+    EXPECT_EQ(wish.shape, MeshExport::Shape::Formula);
+    EXPECT_EQ(page().endings[2], ".3mf");
+    draw();
+    EXPECT_EQ(wish.shape, MeshExport::Shape::Formula);
+    page().endings[2] = ".stl";
+    draw();
+    EXPECT_EQ(wish.shape, MeshExport::Shape::Solid) << "triangles alone can be STL";
 }
 
 TEST_P(ExportPages, TakeTypedSizes) {
