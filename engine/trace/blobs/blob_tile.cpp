@@ -51,7 +51,8 @@ BlobTile::BlobTile(const TraceFrame& frame, const Tile& tile, const BlobSurface&
       rays_(frame, tile),
       hits_(frame, rays_, hits, counters),
       counters_(counters) {
-    tail_ = blob_facts(surface.blobs->kind()).tail * surface.blobs->set().total().size();
+    tail_ = blob_facts(surface.blobs->kind()).tail * surface.blobs->set().total().size() +
+            surface.level_error;
     const bool in_double = frame.precision == Precision::Double;
     room_.lines.begin_singly(frame, in_double ? std::numeric_limits<double>::digits
                                               : std::numeric_limits<float>::digits);

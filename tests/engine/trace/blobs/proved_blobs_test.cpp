@@ -57,6 +57,15 @@ Expr level_of(const std::shared_ptr<const Field>& field, double level) {
     return nodes.finish(nodes.apply(Op::Subtract, f, nodes.constant(level)));
 }
 
+/// field(x, y, z) = (w + large) - large, which is w, but not in doubles.
+Expr level_beside(const std::shared_ptr<const Field>& field, double large) {
+    ExprBuilder nodes;
+    const NodeId f = nodes.look_up(field, nodes.variable(0), nodes.variable(1), nodes.variable(2));
+    const NodeId moved = nodes.apply(Op::Add, nodes.variable(variable_w), nodes.constant(large));
+    const NodeId level = nodes.apply(Op::Subtract, moved, nodes.constant(large));
+    return nodes.finish(nodes.apply(Op::Subtract, f, level));
+}
+
 /// Two scenes of a surface: one whose kernel tells what field it is, and one of a formula.
 struct Both {
     Scene balls, beams;
@@ -220,6 +229,37 @@ TEST(ProvedBlobs, LeaveTouchesUndecided) {
     EXPECT_NE(frame.certificate[frame.index(3, 2)], Certificate::Certified);
 }
 
+// Metaballs are 8/3 - 2 q within q = 4/9: a ball alone is a ball of radius sqrt((8/3 - level) / 2).
+TEST(ProvedBlobs, EncloseTheLevelOfTheSurface) {
+    constexpr double level = 2.1000004;
+    const double square = (8.0 / 3 - level) / 2;
+    const Blob ball{.center = {0, 0, 0}, .radius = 1};
+    const auto field = blobs_field(BlobKind::Metaball, std::span(&ball, 1), "one");
+    // The level is off by 2e-8 in doubles, then by 2e-5.
+    for (const double large : {1e9, 1e12}) {
+        Scene scene{{kernel_with_level(level_beside(field, large))}, Box::cube(2), {}};
+        scene.uniforms.set(0, level);
+        const double off = std::abs((level + large) - large - level);
+        ASSERT_GT(off, 1e-17 * large) << "the test looks at nothing";
+        const Framebuffer frame = drawn(scene, usual, 60, 30);
+        for (int row = 0; row < frame.height; ++row) {
+            for (int col = 0; col < frame.width; ++col) {
+                const Ray ray(usual, scene.clip, col, row, frame);
+                const double along = glm::dot(-ray.eye, ray.direction);
+                const double aside = glm::length(-ray.eye - along * ray.direction);
+                const double half = square - aside * aside;
+                const std::size_t i = frame.index(col, row);
+                if (frame.certificate[i] == Certificate::Miss) {
+                    ASSERT_LT(half, 1e-12);
+                } else if (frame.certificate[i] == Certificate::Certified) {
+                    ASSERT_GT(half, -1e-12);
+                    ASSERT_NEAR(frame.depth[i], along - std::sqrt(std::max(half, 0.0)), 2e-8);
+                }
+            }
+        }
+    }
+}
+
 TEST(ProvedBlobs, LeaveOthersToBeams) {
     const Scene scene = both_of(BlobKind::Wyvill, {}, 1).balls;
     const ViewFrame view(usual);
@@ -238,6 +278,14 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
     EXPECT_FALSE(takes(scene, true));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 1).beams));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 0).balls)) << "all of space is at the level";
+    const auto beside = [&](double large) {
+        const Expr f = level_beside(blobs_field(BlobKind::Wyvill, balls_of({}), "test"), large);
+        Scene of{{kernel_with_level(f)}, scene.clip, {}};
+        of.uniforms.set(0, 0.8);
+        return of;
+    };
+    EXPECT_TRUE(takes(beside(1e3)));
+    EXPECT_FALSE(takes(beside(1e12))) << "the level is known to 2e-4";
 }
 
 }  // namespace
