@@ -11,6 +11,11 @@ namespace zeroset {
 struct BlobSurface {
     const Blobs* blobs;
     double level, level_error;
+
+    /// How far f may be from the sum of the balls that reach a place less the level.
+    [[nodiscard]] double tail() const {
+        return blob_facts(blobs->kind()).tail * blobs->set().total().size() + level_error;
+    }
 };
 
 /// The frame's surface, for its uniforms, in upward rounding; nothing where it is none, where no

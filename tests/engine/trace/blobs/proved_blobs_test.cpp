@@ -3,7 +3,7 @@
 #include "engine/blobs/blobs.hpp"
 #include "engine/render/render.hpp"
 #include "tests/support/alike_frames.hpp"
-#include "tests/support/random_numbers.hpp"
+#include "tests/support/blob_scenes.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/voxel_scenes.hpp"
 
@@ -26,37 +26,6 @@ namespace {
 
 constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
 
-struct Cloud {
-    int count = 150;
-    double least = 0.08, largest = 0.2;
-    double hollow = 0.1;  ///< the share of balls that take away
-    double scale = 1;
-    glm::dvec3 middle{0.0};
-};
-
-std::vector<Blob> balls_of(const Cloud& cloud, std::uint64_t seed = 5) {
-    RandomNumbers random(seed);
-    std::vector<Blob> balls;
-    for (int n = 0; n < cloud.count; ++n) {
-        Blob ball;
-        for (int i = 0; i < 3; ++i) {
-            ball.center[static_cast<std::size_t>(i)] =
-                cloud.middle[i] + cloud.scale * random.uniform(-1, 1);
-        }
-        ball.radius = cloud.scale * random.uniform(cloud.least, cloud.largest);
-        ball.strength = random.uniform(0, 1) < cloud.hollow ? -random.uniform(0.2, 1)
-                                                            : random.uniform(0.6, 1.5);
-        balls.push_back(ball);
-    }
-    return balls;
-}
-
-Expr level_of(const std::shared_ptr<const Field>& field, double level) {
-    ExprBuilder nodes;
-    const NodeId f = nodes.look_up(field, nodes.variable(0), nodes.variable(1), nodes.variable(2));
-    return nodes.finish(nodes.apply(Op::Subtract, f, nodes.constant(level)));
-}
-
 /// field(x, y, z) = (w + large) - large, which is w, but not in doubles.
 Expr level_beside(const std::shared_ptr<const Field>& field, double large) {
     ExprBuilder nodes;
@@ -64,20 +33,6 @@ Expr level_beside(const std::shared_ptr<const Field>& field, double large) {
     const NodeId moved = nodes.apply(Op::Add, nodes.variable(variable_w), nodes.constant(large));
     const NodeId level = nodes.apply(Op::Subtract, moved, nodes.constant(large));
     return nodes.finish(nodes.apply(Op::Subtract, f, level));
-}
-
-/// Two scenes of a surface: one whose kernel tells what field it is, and one of a formula.
-struct Both {
-    Scene balls, beams;
-};
-Both both_of(BlobKind kind, const Cloud& cloud, double level) {
-    const Expr f = level_of(blobs_field(kind, balls_of(cloud), "test"), level);
-    const double reach = 1.2 * cloud.scale;
-    const Box box{cloud.middle - reach, cloud.middle + reach};
-    Both both{.balls = {{kernel_with_level(f)}, box, {}}, .beams = {{interpret(f)}, box, {}}};
-    both.balls.uniforms.set(0, 0.0);
-    both.beams.uniforms.set(0, 0.0);
-    return both;
 }
 
 Framebuffer drawn(const Scene& scene, const Camera& camera, int side = 70, double d_stop = 16) {
