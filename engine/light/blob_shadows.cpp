@@ -66,8 +66,8 @@ LightRay rest_of(const ShadowSearch& search, std::size_t pixel, const BlobRay& r
 }
 
 /// A root that is found may be that of the hit itself, which a ray beside it passes earlier where
-/// the light grazes. Looks at the last stretch before the hits: where f has the sign there that hits
-/// show the light, it is not.
+/// the light grazes. Looks at the last stretch before the hits: where f has the sign there that
+/// hits show the light, it is not.
 bool look_before_hits(const ShadowSearch& search, double spare, Room& room, Counters& counters) {
     room.ends.assign(room.blocks.size(), {});
     for (std::size_t block = 0; block < room.blocks.size(); ++block) {
