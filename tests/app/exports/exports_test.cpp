@@ -60,7 +60,7 @@ TEST_F(Exports, WriteAPictureWithItsSession) {
 }
 
 TEST_F(Exports, WriteNumberedPicturesOfAFilm) {
-    ui::FilmExport wish{.size_px = {24, 18}, .seconds = 0.1};
+    const ui::FilmExport wish{.size_px = {24, 18}, .seconds = 0.1};
     const auto outcome = film_work(ball_, wish, folder_ / "f##.png")(news_);
     ASSERT_TRUE(outcome) << outcome.error();
     EXPECT_EQ(*outcome, "saved f##.png (3 frames)");

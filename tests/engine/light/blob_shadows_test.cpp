@@ -22,6 +22,21 @@ struct Seen {
     int dark = 0, lit = 0, unproved = 0, unproved_by_beams = 0;
 };
 
+/// Compares what both prove of a tile's hits.
+void add(const TileHits& hits, const ShadowBits& by_balls, const ShadowBits& by_beams, Seen& seen) {
+    for (std::size_t pixel = 0; pixel < hits.depth.size(); ++pixel) {
+        if (!std::isfinite(hits.depth[pixel])) continue;
+        const bool unsure = has_bit(by_balls.unproved, pixel);
+        const bool unsure_beams = has_bit(by_beams.unproved, pixel);
+        seen.unproved += unsure ? 1 : 0;
+        seen.unproved_by_beams += unsure_beams ? 1 : 0;
+        if (unsure || unsure_beams) continue;
+        const bool dark = has_bit(by_balls.dark, pixel);
+        (dark ? seen.dark : seen.lit) += 1;
+        ASSERT_EQ(dark, has_bit(by_beams.dark, pixel)) << pixel;
+    }
+}
+
 /// Compares what both prove of the hits of a view.
 void compare(const Scene& balls, const Scene& beams, const Camera& camera, Seen& seen) {
     const UpwardRegisters upward;
@@ -46,18 +61,7 @@ void compare(const Scene& balls, const Scene& beams, const Camera& camera, Seen&
                 find_shadows(of_balls, to_light, {}, tile, lit.layers(), counters);
             const ShadowBits by_beams =
                 find_shadows(of_beams, to_light, {}, tile, lit.layers(), counters);
-            for (std::size_t pixel = 0; pixel < hits[0].depth.size(); ++pixel) {
-                if (!std::isfinite(hits[0].depth[pixel])) continue;
-                const bool unsure = has_bit(by_balls.unproved, pixel);
-                const bool unsure_beams = has_bit(by_beams.unproved, pixel);
-                seen.unproved += unsure ? 1 : 0;
-                seen.unproved_by_beams += unsure_beams ? 1 : 0;
-                if (unsure || unsure_beams) continue;
-                const bool dark = has_bit(by_balls.dark, pixel);
-                (dark ? seen.dark : seen.lit) += 1;
-                ASSERT_EQ(dark, has_bit(by_beams.dark, pixel))
-                    << "tile " << col << ", " << row << " pixel " << pixel;
-            }
+            ASSERT_NO_FATAL_FAILURE(add(hits[0], by_balls, by_beams, seen)) << col << ", " << row;
         }
     }
 }

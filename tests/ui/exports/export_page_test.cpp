@@ -66,7 +66,7 @@ protected:
     }
     /// The middle of a line of the chosen part, counted from below the preview.
     static glm::vec2 line(int number, float along) {
-        const ImGuiWindow& part = *child((std::string(window_name) + "/##part").c_str());
+        const ImGuiWindow& part = *child(std::string(window_name) + "/##part");
         const float preview = std::min(em(15.0F), 0.5F * part.Size.y);
         const float top = part.DC.CursorStartPos.y + preview + ImGui::GetStyle().ItemSpacing.y;
         const float row = ImGui::GetFrameHeightWithSpacing();
@@ -134,7 +134,7 @@ TEST_P(ExportPages, OfferNothingThatCannotBeWritten) {
 
 TEST_P(ExportPages, ChooseTheFormatOfTheFormulaItself) {
     open("Save the mesh...");
-    MeshExport& wish = page().wish.mesh;
+    const MeshExport& wish = page().wish.mesh;
     EXPECT_EQ(page().endings[2], ".stl");
     click_at(line(1, 0.6F));  // opens the list of shapes
     draw();
@@ -196,7 +196,7 @@ TEST_P(ExportPages, HaveAShutterWhereFramesAreMixed) {
     film.turns = false;
     const auto height = [this] {
         draw();
-        return child((std::string(window_name) + "/##part").c_str())->ContentSize.y;
+        return child(std::string(window_name) + "/##part")->ContentSize.y;
     };
     const float without = height();
     film.plan.blur = 8;
