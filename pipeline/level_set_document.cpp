@@ -49,7 +49,18 @@ OrInputError<LevelSetFile> level_sets_of(const PictureRequest& request, double s
                                  .bounds = std::move(restricted.bounds),
                                  .color = color_of(scene, i)});
     }
+    if (file.surfaces.empty())
+        return wrong_input(tr("there is no surface that is shown: show a row of the list"));
     return file;
+}
+
+OrInputError<EncodedLevelSets> encoded_level_sets_of(const PictureRequest& request, double size_mm,
+                                                     std::optional<std::size_t> surface) {
+    const auto file = level_sets_of(request, size_mm, surface);
+    if (!file) return std::unexpected(file.error());
+    auto encoded = encode_level_sets(*file);
+    if (!encoded) return wrong_input(std::move(encoded.error()));
+    return std::move(*encoded);
 }
 
 }  // namespace zeroset

@@ -15,4 +15,9 @@ namespace zeroset {
 OrInputError<LevelSetFile> level_sets_of(const PictureRequest& request, double size_mm,
                                          std::optional<std::size_t> surface = std::nullopt);
 
+/// The bytes of a file of them, or one line on the first thing that it cannot say. Thread-safe.
+OrInputError<EncodedLevelSets> encoded_level_sets_of(
+    const PictureRequest& request, double size_mm,
+    std::optional<std::size_t> surface = std::nullopt);
+
 }  // namespace zeroset

@@ -23,8 +23,11 @@ SOURCES = ["engine", "document", "pipeline", "ui", "app"]
 # Tables whose members are texts: file, members.
 TABLES = {
     "engine/render/tracers.cpp": ["about"],
-    "ui/actions/actions.cpp": ["section", "name", "about"],
+    "ui/actions/document_actions.cpp": ["name", "about"],
     "ui/actions/other_words.cpp": ["words"],
+    "ui/actions/picture_actions.cpp": ["name", "about"],
+    "ui/actions/view_actions.cpp": ["name", "about"],
+    "ui/actions/window_actions.cpp": ["name", "about"],
     "ui/exports/drawing_part.cpp": ["name", "about", "usual_width"],
     "ui/exports/export_page.cpp": ["name"],
     "ui/exports/mesh_part.cpp": ["name", "about"],

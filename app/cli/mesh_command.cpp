@@ -177,13 +177,12 @@ int write_implicit(const MeshCommand& command, const MeshPlan& plan) {
     constexpr glm::ivec2 size_px(64, 64);  // for a camera that is not used
     const PictureRequest request =
         picture_request(prepared->formula, prepared->colors, plan.document, {}, size_px);
-    const auto file = level_sets_of(request, plan.settings.size_mm, plan.settings.surface);
-    if (!file) return report(file.error());
-    const auto encoded = encode_level_sets(*file);
-    if (!encoded) return report({.reason = encoded.error()});
+    const auto encoded =
+        encoded_level_sets_of(request, plan.settings.size_mm, plan.settings.surface);
+    if (!encoded) return report(encoded.error());
     if (const auto written = write_file(command.output, encoded->bytes); !written)
         return report_run_time(written.error().message);
-    const std::size_t count = file->surfaces.size();
+    const std::size_t count = encoded->surfaces;
     std::cout << "wrote " << command.output << ": " << count
               << (count == 1 ? " surface of " : " surfaces of ") << encoded->nodes
               << " nodes, in a box of " << short_number(plan.settings.size_mm) << " mm\n";

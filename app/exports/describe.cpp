@@ -25,8 +25,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return count == 1 ? one : filled(many, {grouped(count)});
 }
 
-std::string size_text(const Box& bounds, double mm) {
-    const glm::dvec3 size = mm * (bounds.hi - bounds.lo);
+std::string size_text(const glm::dvec3& size) {
     return shown_number(size.x, 4) + times + shown_number(size.y, 4) + times +
            shown_number(size.z, 4) + " mm";
 }
@@ -73,7 +72,8 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
         const std::string triangles =
             counted(facts.triangles, tr("1 triangle"), tr("{0} triangles"));
         shown.facts.push_back(of_surface(triangles + ", " + shape_text(facts)));
-        shown.facts.push_back(size_text(facts.bounds, mm) + ", " + measures(facts, mm));
+        shown.facts.push_back(size_text(mm * (facts.bounds.hi - facts.bounds.lo)) + ", " +
+                              measures(facts, mm));
         if (surface.wall) {
             shown.facts.push_back(filled(tr("smallest wall {0} mm, as measured"),
                                          {shown_number(surface.wall->thickness * mm, 3)}));
@@ -85,6 +85,15 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
         for (const std::string& line : limit_lines(surface.report, tr("more time")))
             shown.warnings.push_back(of_surface(line));
     }
+}
+
+void describe(const EncodedLevelSets& level_sets, const glm::dvec3& size_mm,
+              ui::ExportPreview& shown) {
+    const std::string surfaces = counted(level_sets.surfaces, tr("1 surface"), tr("{0} surfaces"));
+    const std::string nodes = counted(level_sets.nodes, tr("1 node"), tr("{0} nodes"));
+    shown.facts.push_back(
+        filled(tr_in("surfaces of nodes", "{0} of {1}, without triangles"), {surfaces, nodes}));
+    shown.facts.push_back(filled(tr("in a box of {0}"), {size_text(size_mm)}));
 }
 
 void describe(const LineDrawing& drawing, const DrawingStyle& style, ui::ExportPreview& shown) {

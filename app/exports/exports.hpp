@@ -4,6 +4,7 @@
 #include "app/exports/export_subject.hpp"
 #include "engine/draw/drawing.hpp"
 #include "engine/draw/files/drawing_style.hpp"
+#include "pipeline/level_set_document.hpp"
 #include "pipeline/mesh_document.hpp"
 #include "pipeline/plans/film_plan.hpp"
 #include "ui/model/export_page.hpp"
@@ -44,7 +45,10 @@ FilmPlan plan_of(const ui::FilmExport& wish, const Document& document);
 /// Makes the meshes, or says in one line why there are none.
 std::expected<std::shared_ptr<const DocumentMeshes>, std::string> make_meshes(
     const ExportSubject& subject, const ui::MeshExport& wish, ExportNews& news);
-/// Writes meshes; `made`: if they are there already.
+/// Makes the file of the formulas themselves, for Shape::Formula, or says in one line why not.
+std::expected<EncodedLevelSets, std::string> make_level_sets(const ExportSubject& subject,
+                                                             const ui::MeshExport& wish);
+/// Writes meshes, or the formulas themselves; `made`: meshes that are there already.
 ExportWork mesh_work(ExportSubject subject, const ui::MeshExport& wish, std::filesystem::path path,
                      std::shared_ptr<const DocumentMeshes> made);
 

@@ -67,6 +67,23 @@ void preview_meshes(const PreviewRequest& request, Preview& preview, ExportNews&
     preview.image = mesh_picture(preview.meshes->file, request.camera, request.room_px);
 }
 
+/// Shows the picture itself, as nothing else is made of the formula.
+void preview_level_sets(const PreviewRequest& request, Preview& preview, ExportNews& news) {
+    const ui::MeshExport& wish = request.wish.mesh;
+    const auto made = make_level_sets(request.subject, wish);
+    if (!made) {
+        preview.shown.warnings.push_back(made.error());
+        return;
+    }
+    const ExportSubject subject = smoothed(request.subject, true);
+    Document document = subject.document;
+    const Box& clip = document.clip;
+    describe(*made, wish.size_mm / clip.size() * (clip.hi - clip.lo), preview.shown);
+    const glm::ivec2& room = request.room_px;
+    document.camera = framed(request.camera, clip, static_cast<double>(room.x) / room.y);
+    preview.image = draw(subject, document, room, false, news);
+}
+
 void preview_drawing(const PreviewRequest& request, Preview& preview, ExportNews& news) {
     const auto drawing = make_drawing(request.subject, request.wish.drawing, news);
     if (!drawing) {
@@ -86,7 +103,13 @@ Preview make_preview(const PreviewRequest& request, const std::optional<Preview>
     switch (request.wish.kind) {
         case ExportKind::Picture: preview_picture(request, preview, news); break;
         case ExportKind::Film: preview_film(request, preview, news); break;
-        case ExportKind::Mesh: preview_meshes(request, preview, news); break;
+        case ExportKind::Mesh:
+            if (request.wish.mesh.shape == ui::MeshExport::Shape::Formula) {
+                preview_level_sets(request, preview, news);
+            } else {
+                preview_meshes(request, preview, news);
+            }
+            break;
         case ExportKind::Drawing: preview_drawing(request, preview, news); break;
     }
     return preview;

@@ -12,6 +12,7 @@ namespace zeroset {
 struct FieldLevel {
     std::shared_ptr<const Field> field;  ///< nullptr: f is none, or it is not known
     PointFunction level;                 ///< of the uniforms alone: the same at all points
+    KernelFunction<RangeBatchOf<double>> level_range = {};  ///< encloses the level
 };
 
 }  // namespace zeroset

@@ -230,8 +230,12 @@ private:
     Built distance_estimate(const Syntax& syntax, const Binding* scope);
     std::optional<int> step_count(const Syntax& syntax, const Binding* scope);
     bool is_within_budget(const Syntax& syntax, std::size_t before, int steps);
+    /// The value after the last step; `take` is called with the first one and with that of each
+    /// step, and false ends it.
+    Built stepped(const Syntax& syntax, const Binding* scope,
+                  const std::function<bool(const Value&)>& take);
     NodeId square_of(const Value& value);
-    Value kept_where(NodeId condition, const Value& kept, const Value& other);
+    NodeId distance_where(NodeId square, const std::array<NodeId, 3>& gradient);
 
     // elaborator_fields.cpp, elaborator_blobs.cpp: noise, soft balls
     Built noise(const Syntax& syntax, const Binding* scope);

@@ -111,7 +111,7 @@ std::string transform_of(const LevelSetFile& file) {
 }  // namespace
 
 std::expected<EncodedLevelSets, std::string> encode_level_sets(const LevelSetFile& file) {
-    EncodedLevelSets result;
+    EncodedLevelSets result{.bytes = {}, .surfaces = file.surfaces.size()};
     constexpr const char* box_id = "1";
     std::string text = head_of(file) + "<object" + attribute("id", box_id) +
                        attribute("type", "model") + attribute("name", "box") + ">" +

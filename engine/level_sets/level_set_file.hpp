@@ -44,9 +44,10 @@ struct LevelSetFile {
     std::vector<std::string> comment = {};  ///< lines of ASCII
 };
 
-/// The bytes of a package of 3MF, and how many nodes its functions have.
+/// The bytes of a package of 3MF, and how many surfaces and nodes of functions it has.
 struct EncodedLevelSets {
     std::vector<std::byte> bytes;
+    std::size_t surfaces = 0;
     std::size_t nodes = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/light/shadow.hpp"
 
 #include "engine/kernel/patch_code.hpp"
+#include "engine/light/blob_shadows.hpp"
 #include "engine/light/light_places.hpp"
 #include "engine/light/patch_shadows.hpp"
 #include "engine/light/shadow_kernel.hpp"
@@ -218,6 +219,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                         .bias = std::max(0x1p-12 * extent, 6 * cell),
                         .way = way};
     if (is_patch(light.kernel)) return find_patch_shadows(search, found, counters);
+    if (find_blob_shadows(search, found, counters)) return;
     const std::vector<LitMember> members = members_of(light);
     if (!members.empty()) {
         search.open = outside_hits(search, members);

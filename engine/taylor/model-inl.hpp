@@ -9,6 +9,7 @@
 #endif
 
 #include "engine/kernel/patch_model.hpp"
+#include "engine/real/double_vectors-inl.hpp"
 #include "engine/taylor/series.hpp"
 
 #include <hwy/highway.h>
@@ -19,21 +20,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using ModelTag = hn::CappedTag<double, 8>;
-using V = hn::Vec<ModelTag>;
-constexpr ModelTag tag;
-constexpr std::size_t lanes = hn::MaxLanes(ModelTag());
-
 /// More than what rounding may take from the terms of a sum or a product, relative to the sums of
 /// their sizes: no term is a sum of more than 20 products.
 constexpr double sum_rounding = 0x1p-51;
 constexpr double product_rounding = 0x1p-46;
 /// More than what is lost below the smallest numbers.
 constexpr double underflow = 0x1p-1000;
-
-HWY_INLINE V number(double x) { return hn::Set(tag, x); }
 
 /// A function of (p, q): within `error` of the polynomial; NaN or +inf: not known.
 struct Model {
@@ -144,13 +136,13 @@ inline Model product_of(const Model& a, const Model& b) {
 template <class MakeSeries>
 Model composed(const Model& a, MakeSeries make_series) {
     const V reach = hn::Add(sizes_of(a).sum(1), a.error);
-    HWY_ALIGN double c[lanes];
-    HWY_ALIGN double reaches[lanes];
-    HWY_ALIGN double terms[patch_degree + 1][lanes];
-    HWY_ALIGN double errors[lanes];
-    hn::Store(a.terms[0], tag, c);
-    hn::Store(reach, tag, reaches);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    HWY_ALIGN double c[width];
+    HWY_ALIGN double reaches[width];
+    HWY_ALIGN double terms[patch_degree + 1][width];
+    HWY_ALIGN double errors[width];
+    hn::Store(a.terms[0], d, c);
+    hn::Store(reach, d, reaches);
+    for (std::size_t lane = 0; lane < width; ++lane) {
         const Series series = make_series(c[lane], reaches[lane]);
         for (std::size_t k = 0; k <= patch_degree; ++k)
             terms[k][lane] = series.term[k];
@@ -158,19 +150,19 @@ Model composed(const Model& a, MakeSeries make_series) {
     }
     Model offset = a;
     offset.terms[0] = number(0.0);
-    Model model = constant_model(hn::Load(tag, terms[patch_degree]), number(0.0));
+    Model model = constant_model(hn::Load(d, terms[patch_degree]), number(0.0));
     for (int k = patch_degree - 1; k >= 0; --k) {
         model = product_of(model, offset);
-        const V sum = hn::Add(model.terms[0], hn::Load(tag, terms[k]));
+        const V sum = hn::Add(model.terms[0], hn::Load(d, terms[k]));
         model.terms[0] = sum;
         model.error = hn::MulAdd(hn::Abs(sum), number(sum_rounding), model.error);
     }
-    model.error = hn::Add(model.error, hn::Load(tag, errors));
+    model.error = hn::Add(model.error, hn::Load(d, errors));
     return model;
 }
 
 /// The lanes' numbers where `condition` holds, else those of b.
-inline Model chosen(hn::Mask<ModelTag> condition, const Model& a, const Model& b) {
+inline Model chosen(M condition, const Model& a, const Model& b) {
     Model model;
     for (std::size_t i = 0; i < patch_terms; ++i)
         model.terms[i] = hn::IfThenElse(condition, a.terms[i], b.terms[i]);
@@ -179,7 +171,7 @@ inline Model chosen(hn::Mask<ModelTag> condition, const Model& a, const Model& b
 }
 
 /// Where a is surely above 0.
-HWY_INLINE hn::Mask<ModelTag> is_positive(const Model& a) {
+HWY_INLINE M is_positive(const Model& a) {
     return hn::Gt(a.terms[0], hn::Add(sizes_of(a).sum(1), a.error));
 }
 

@@ -70,6 +70,18 @@ TYPED_TEST(FormInclusion, OfStepsHolds) {
     this->check_one("abs(w)", 500, 25);
 }
 
+/// Forms of estimates of distances, which choose between steps that may be beyond the floats.
+TYPED_TEST(FormInclusion, OfEstimatesOfDistancesHolds) {
+    this->check_one(
+        "distance_estimate(q, 4, (x, y, z, 0), quaternion_square(q) + (-0.2, 0.8, 0, 0))", 40, 29);
+    for (const char* const text :
+         {"distance_estimate(q, 1, (x, y, z, 0), quaternion_square(q) + (-0.2, 0.8, w, 0))",
+          "distance_estimate(u, 5, x + y/3, u^3 - z)"}) {
+        this->check_one(text, 40, 31);
+        this->check_pieces(text, 6, 30);
+    }
+}
+
 /// Checks cells across jumps, where pieces tell most.
 TYPED_TEST(FormInclusion, OfPiecesBesideJumpsHolds) {
     for (const char* const text :

@@ -163,6 +163,14 @@ TEST(LevelSets, WhatTheyCannotSayIsRefusedInOneLine) {
     EXPECT_TRUE(refusal("(u cos v, u sin v, v), 0 < u < 1, 0 < v < 6").contains("parametric"));
     EXPECT_TRUE(refusal("x + sin(where(y, y > 0)) = 0").contains("undefined"));
     EXPECT_EQ(refusal("x = y"), "written");
+    const auto hidden = encoded_level_sets_of(
+        request_of("x = y", 2, [](Document& document) { document.statements[0].visible = false; }),
+        100);
+    ASSERT_FALSE(hidden);
+    EXPECT_TRUE(hidden.error().reason.contains("no surface that is shown"));
+    const auto both = encoded_level_sets_of(request_of("x = y\nx^2 + y^2 = z", 2), 100);
+    ASSERT_TRUE(both);
+    EXPECT_EQ(both->surfaces, 2U);
 }
 
 }  // namespace

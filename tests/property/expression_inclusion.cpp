@@ -112,8 +112,7 @@ std::string described(const Box4<Real>& box) {
 }
 
 template <class Real>
-void check_random_expression(int depth, RandomNumbers& random, InclusionTally& tally) {
-    const Expr expr = random_expression(random, depth);
+void check_expression(const Expr& expr, RandomNumbers& random, InclusionTally& tally) {
     const Facts facts = facts_of(expr).back();
     const Boxes<Real> boxes = random_boxes<Real>(random);
     const Ranges<Real> ranges = in_tested_mode(ranges_of<Real>, interpret(expr), boxes);
@@ -124,12 +123,19 @@ void check_random_expression(int depth, RandomNumbers& random, InclusionTally& t
     }
 }
 
+template <class Real>
+void check_random_expression(int depth, RandomNumbers& random, InclusionTally& tally) {
+    check_expression<Real>(random_expression(random, depth), random, tally);
+}
+
 template Boxes<float> random_boxes(RandomNumbers&);
 template Boxes<double> random_boxes(RandomNumbers&);
 template Ranges<float> ranges_of(const Kernel&, const Boxes<float>&);
 template Ranges<double> ranges_of(const Kernel&, const Boxes<double>&);
 template std::string described(const Box4<float>&);
 template std::string described(const Box4<double>&);
+template void check_expression<float>(const Expr&, RandomNumbers&, InclusionTally&);
+template void check_expression<double>(const Expr&, RandomNumbers&, InclusionTally&);
 template void check_random_expression<float>(int, RandomNumbers&, InclusionTally&);
 template void check_random_expression<double>(int, RandomNumbers&, InclusionTally&);
 

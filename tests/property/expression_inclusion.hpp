@@ -37,7 +37,11 @@ Ranges<Real> ranges_of(const Kernel& kernel, const Boxes<Real>& boxes);
 template <class Real>
 std::string described(const Box4<Real>& box);
 
-/// Checks one batch of random boxes of a random formula, at random points of them.
+/// Checks one batch of random boxes of a formula, at random points of them.
+template <class Real>
+void check_expression(const Expr& expr, RandomNumbers& random, InclusionTally& tally);
+
+/// Checks one batch of random boxes of a random formula.
 template <class Real>
 void check_random_expression(int depth, RandomNumbers& random, InclusionTally& tally);
 

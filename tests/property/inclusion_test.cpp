@@ -1,3 +1,4 @@
+#include "engine/language/parse.hpp"
 #include "tests/property/expression_inclusion.hpp"
 #include "tests/property/helper_inclusion.hpp"
 #include "tests/property/operator_inclusion.hpp"
@@ -7,6 +8,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 // Every operator of op.def, the functions that the operators are made of, and whole formulas
@@ -106,6 +108,16 @@ protected:
             check_random_expression<Real>(1 + formula % 6, random, tally);
         expect_none(tally);
     }
+    template <class Real>
+    static void enclose_graph(const std::string& text, int batches, std::uint64_t seed) {
+        RandomNumbers random(seed);
+        InclusionTally tally;
+        const Expr expr = parse(text).value();
+        for (int batch = 0; batch < batches && tally.failures == 0; ++batch)
+            check_expression<Real>(expr, random, tally);
+        EXPECT_EQ(tally.failures, 0U) << text;
+        expect_none(tally);
+    }
 };
 
 TEST_F(InclusionOfExpressions, OfRandomGraphsInFloatHolds) {
@@ -113,6 +125,24 @@ TEST_F(InclusionOfExpressions, OfRandomGraphsInFloatHolds) {
 }
 TEST_F(InclusionOfExpressions, OfRandomGraphsInDoubleHolds) {
     enclose_random_graphs<double>(8000, 7);
+}
+
+/// Iterations and their estimates of distances, whose values grow beyond the floats: with nothing
+/// far, with some steps that are, with steps that are no polynomials.
+TEST_F(InclusionOfExpressions, OfIterationsHolds) {
+    const std::string square = "quaternion_square(q) + (-0.2, 0.8, w/4, 0)";
+    for (const std::string& text : std::vector<std::string>{
+             "length(iterate(q, 4, (x, y, z, 0), " + square + ")) - 2",
+             "distance_estimate(q, 0, (x, y, z), q)",
+             "distance_estimate(q, 1, (x, y, z, 0), " + square + ")",
+             "distance_estimate(q, 3, (x, y, z, 0), " + square + ")",
+             "distance_estimate(q, 7, (x, y, z, 0), " + square + ")",
+             "distance_estimate(u, 5, x + y/3, u^3 - w)",
+             "distance_estimate(q, 3, (x, y, z), bulb_power(q, 8) + (x, y, z))",
+             "distance_estimate(q, 2, (x - 1, 2y, z), (exp(q.x), q.y q.z, abs(q.x) - q.z))"}) {
+        enclose_graph<float>(text, 50, 9);
+        enclose_graph<double>(text, 50, 10);
+    }
 }
 
 }  // namespace

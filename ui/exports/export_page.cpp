@@ -93,7 +93,7 @@ void draw_part(UiState& state, const ExportFormat& format) {
     switch (state.pages.exports.wish.kind) {
         case ExportKind::Picture: return draw_picture_part(state, format);
         case ExportKind::Film: return draw_film_part(state, format);
-        case ExportKind::Mesh: return draw_mesh_part(state);
+        case ExportKind::Mesh: return draw_mesh_part(state, format);
         case ExportKind::Drawing: return draw_drawing_part(state);
     }
 }

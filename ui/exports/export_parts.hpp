@@ -14,7 +14,7 @@ void draw_picture_part(UiState& state, const ExportFormat& format);
 /// Draws the film's frames as a line on which one is chosen to be shown, or all are played.
 void draw_film_timeline(UiState& state);
 void draw_film_part(UiState& state, const ExportFormat& format);
-void draw_mesh_part(UiState& state);
+void draw_mesh_part(UiState& state, const ExportFormat& format);
 void draw_drawing_part(UiState& state);
 
 /// Draws a label in the width of this page; the control that follows fills the rest of the line.

@@ -1,6 +1,7 @@
 #include "ui/model/clip_handles.hpp"
 
 #include "engine/view/pixel_ray.hpp"
+#include "ui/model/drag_places.hpp"
 
 #include <glm/glm.hpp>
 
@@ -36,13 +37,6 @@ double height_at(const ViewFrame& view, const glm::dvec3& point) {
 }
 
 glm::dvec2 vector(const ViewPoint& place) { return {place.x, place.y}; }
-
-/// The point that shows at `place`, as far from the eye as `point`, in the plane across the view.
-glm::dvec3 across_view(const ViewFrame& view, const glm::dvec3& point, const ViewPoint& place) {
-    const glm::dvec3 seen = view.homogeneous(point);
-    const glm::dvec2 moved = 2.0 * seen.z * vector(place) - glm::dvec2(seen);
-    return point + moved.x * view.right + moved.y * view.up;
-}
 
 /// How far along a line from `at` the point is that shows nearest to `place`, measured along the
 /// line in the picture. Nothing beyond its vanishing point.
@@ -110,18 +104,9 @@ double distance_to_stem(const glm::dvec2& from, const glm::dvec2& at, const glm:
     return glm::distance(cursor, from + part * stem);
 }
 
-/// To a power of ten that is no larger than a pixel there.
-double rounded(double number, double pixel) {
-    const double power = std::floor(std::log10(pixel));
-    const double unit = std::pow(10.0, std::abs(power));
-    const double whole = std::round(power < 0 ? number * unit : number / unit);
-    constexpr double exact = 0x1p52;
-    if (!(std::abs(whole) < exact)) return number;
-    return power < 0 ? whole / unit : whole * unit;
-}
-
 glm::dvec3 rounded(const glm::dvec3& point, double pixel) {
-    return {rounded(point.x, pixel), rounded(point.y, pixel), rounded(point.z, pixel)};
+    return {rounded_to_pixel(point.x, pixel), rounded_to_pixel(point.y, pixel),
+            rounded_to_pixel(point.z, pixel)};
 }
 
 Box moved_face(const Box& start, std::size_t face, double place, const DragKeys& keys) {
@@ -195,7 +180,7 @@ Clipping with_face(const HandleDrag& drag, const Aim& aim, const DragKeys& keys)
     if (!s) return drag.last;
     const Handle& handle = drag.handle;
     const int axis = static_cast<int>(handle.id.index / 2);
-    const double place = rounded((handle.at + *s * handle.along)[axis], aim.pixel);
+    const double place = rounded_to_pixel((handle.at + *s * handle.along)[axis], aim.pixel);
     Clipping result = drag.start;
     result.clip = moved_face(drag.start.clip, handle.id.index, place, keys);
     return result;
@@ -212,7 +197,7 @@ Clipping with_radius(const HandleDrag& drag, const Aim& aim) {
     Clipping result = drag.start;
     Ball& ball = *result.region.ball;
     const glm::dvec3 rim = across_view(aim.view, ball.centre, aim.place);
-    ball.radius = std::max(rounded(glm::distance(rim, ball.centre), aim.pixel), aim.pixel);
+    ball.radius = std::max(rounded_to_pixel(glm::distance(rim, ball.centre), aim.pixel), aim.pixel);
     return result;
 }
 
@@ -221,7 +206,7 @@ Clipping with_place(const HandleDrag& drag, const Aim& aim) {
     if (!s) return drag.last;
     Clipping result = drag.start;
     double& offset = result.region.sections[drag.handle.id.index].offset;
-    offset = rounded(offset + *s, aim.pixel);
+    offset = rounded_to_pixel(offset + *s, aim.pixel);
     return result;
 }
 
@@ -232,7 +217,7 @@ Clipping with_tilt(const HandleDrag& drag, const Aim& aim, const DragKeys& keys)
     const double radius = glm::distance(drag.handle.at, middle);
     const glm::dvec3 normal = turned(aim.view, middle, radius, section.normal, aim.place);
     section.normal = settled(normal, keys);
-    section.offset = rounded(glm::dot(section.normal, middle), aim.pixel);
+    section.offset = rounded_to_pixel(glm::dot(section.normal, middle), aim.pixel);
     return result;
 }
 

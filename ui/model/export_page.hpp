@@ -54,9 +54,10 @@ struct FilmExport {
 
 /// What is asked for of meshes.
 struct MeshExport {
-    enum class Shape : std::uint8_t { Solid, Open, Wall };
+    /// Formula: no triangles but the formula itself, which 3MF alone can hold.
+    enum class Shape : std::uint8_t { Solid, Open, Wall, Formula };
     Shape shape = Shape::Solid;
-    double size_mm = 100.0;  ///< the longest edge of all
+    double size_mm = 100.0;  ///< the longest edge of all; of Shape::Formula: of the clip box
     double wall_mm = 2.0;    ///< of Shape::Wall
     double tolerance = 0.0;  ///< world units; 0: a thousandth of the clip box's edge
     int most_triangles = 0;  ///< of each surface; 0: as many as the tolerance wants
@@ -100,6 +101,9 @@ struct ExportPage {
     bool plays = false;
     glm::ivec2 preview_px{0};  ///< room for the preview, set by the panel
 };
+
+/// The ending of the format that MeshExport::Shape::Formula is written in.
+inline constexpr const char* formula_ending = ".3mf";
 
 /// The ending that a format is chosen by.
 std::string ending_of(const ExportFormat& format);

@@ -1,6 +1,7 @@
 #include "ui/model/point_drag.hpp"
 
 #include "engine/view/pixel_ray.hpp"
+#include "ui/model/drag_places.hpp"
 #include "ui/model/edited.hpp"
 
 #include <glm/glm.hpp>
@@ -11,24 +12,6 @@
 
 namespace zeroset::ui {
 namespace {
-
-/// The point that shows at `place`, as far along the view as `point`.
-glm::dvec3 across_view(const ViewFrame& view, const glm::dvec3& point, const ViewPoint& place) {
-    const glm::dvec3 seen = view.homogeneous(point);
-    const double x = 2.0 * seen.z * place.x - seen.x;
-    const double y = 2.0 * seen.z * place.y - seen.y;
-    return point + x * view.right + y * view.up;
-}
-
-/// To a power of ten that is no larger than a pixel.
-double rounded(double number, double pixel) {
-    const double power = std::floor(std::log10(pixel));
-    const double unit = std::pow(10.0, std::abs(power));
-    const double whole = std::round(power < 0 ? number * unit : number / unit);
-    constexpr double exact = 0x1p52;
-    if (!(std::abs(whole) < exact)) return number;
-    return power < 0 ? whole / unit : whole * unit;
-}
 
 double stepped(const Slider& slider, double value) {
     return slider.lo + std::round((value - slider.lo) / slider.step) * slider.step;
@@ -91,7 +74,8 @@ Sliders dragged(const PointDrag& drag, const ViewFrame& view, const ViewPoint& c
             ++count;
         }
         const double value = std::clamp(sum / count, -largest_number, largest_number);
-        set_value(slider, slider.step > 0.0 ? stepped(slider, value) : rounded(value, pixel));
+        set_value(slider,
+                  slider.step > 0.0 ? stepped(slider, value) : rounded_to_pixel(value, pixel));
     }
     return sliders;
 }

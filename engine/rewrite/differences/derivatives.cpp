@@ -174,6 +174,20 @@ std::array<Expr, 3> gradient_of(const Expr& f) {
     return {shape.finish(slopes[0]), shape.finish(slopes[1]), shape.finish(slopes[2])};
 }
 
+std::vector<std::array<NodeId, 3>> gradients_in(ExprBuilder& builder,
+                                                std::span<const NodeId> roots) {
+    Differentiator differentiator(builder);
+    std::vector<std::array<NodeId, 3>> gradients;
+    gradients.reserve(roots.size());
+    for (const NodeId root : roots) {
+        std::array<NodeId, 3>& gradient = gradients.emplace_back();
+        const Gradient slopes = differentiator.of(root);
+        for (std::size_t i = 0; i < 3; ++i)
+            gradient[i] = slopes[i] ? slopes[i]->id : builder.constant(0.0);
+    }
+    return gradients;
+}
+
 Expr slope_from(const Expr& f, const std::array<double, 3>& point) {
     Shape shape(f);
     const auto from = [&](std::size_t i) { return shape.coordinate(i) - shape.number(point[i]); };

@@ -3,6 +3,8 @@
 #include "engine/expr/expr.hpp"
 
 #include <array>
+#include <span>
+#include <vector>
 
 namespace zeroset {
 
@@ -10,6 +12,10 @@ namespace zeroset {
 
 /// The derivatives by x, y and z.
 std::array<Expr, 3> gradient_of(const Expr& f);
+/// The derivatives by x, y and z of some nodes of a builder, as nodes of it; those of what several
+/// are made of are made once.
+std::vector<std::array<NodeId, 3>> gradients_in(ExprBuilder& builder,
+                                                std::span<const NodeId> roots);
 /// The derivative on the lines through a point: dot(f's gradient, (x, y, z) - point). 0 where such
 /// a line touches a level surface of f.
 Expr slope_from(const Expr& f, const std::array<double, 3>& point);

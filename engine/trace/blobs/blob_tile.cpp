@@ -51,7 +51,7 @@ BlobTile::BlobTile(const TraceFrame& frame, const Tile& tile, const BlobSurface&
       rays_(frame, tile),
       hits_(frame, rays_, hits, counters),
       counters_(counters) {
-    tail_ = blob_facts(surface.blobs->kind()).tail * surface.blobs->set().total().size();
+    tail_ = surface.tail();
     const bool in_double = frame.precision == Precision::Double;
     room_.lines.begin_singly(frame, in_double ? std::numeric_limits<double>::digits
                                               : std::numeric_limits<float>::digits);
@@ -111,17 +111,17 @@ bool BlobTile::run() {
     if (whole.inside.empty()) return true;
     if (!(whole.bracket > 64 * rays_.depth_error())) return false;
     const Blobs& blobs = *surface_.blobs;
-    room_.near.begin(blobs.set(), blob_facts(blobs.kind()).reach, rays_,
-                     {.u = whole.u,
-                      .v = whole.v,
-                      .u_radius = whole.u_radius,
-                      .v_radius = whole.v_radius,
-                      .from = whole.inside.enter_lo,
-                      .to = whole.inside.exit_hi});
-    bool any = room_.near.next();
+    room_.slab.near.begin(blobs.set(), blob_facts(blobs.kind()).reach, rays_,
+                          {.u = whole.u,
+                           .v = whole.v,
+                           .u_radius = whole.u_radius,
+                           .v_radius = whole.v_radius,
+                           .from = whole.inside.enter_lo,
+                           .to = whole.inside.exit_hi});
+    bool any = room_.slab.near.next();
     if (any) begin_blocks();
-    for (; any; any = any && room_.near.next()) {
-        room_.columns.fill(room_.near.balls());
+    for (; any; any = any && room_.slab.near.next()) {
+        room_.slab.columns.fill(room_.slab.near.balls());
         any = false;
         for (std::size_t i = 0; i < count_; ++i) {
             if (blocks_[i].open == 0) continue;
@@ -149,13 +149,13 @@ void BlobTile::begin_blocks() {
 
 /// Takes a block's rays through the slab.
 void BlobTile::trace(Block& block, RaysKnown& known) {
-    const NearBalls& near = room_.near;
+    const NearBalls& near = room_.slab.near;
     const double from = std::max(block.inside.enter_lo, near.from());
     const double to = std::min(block.inside.exit_hi, near.to());
     if (from > block.inside.exit_hi) block.open = 0;
     if (!(from <= to) || !list_balls(block, from, to)) return;
     if (!block.singly && near_ends(block)) take_singly(block);
-    const double first = std::max(from, room_.balls.front().from());
+    const double first = std::max(from, room_.slab.balls.front().from());
     fill(block, known, first);
     const Blobs& blobs = *surface_.blobs;
     const double extent = std::max(to - first, 0.0);
@@ -164,7 +164,7 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
     const BallQuestion question{
         .kind = blobs.kind(),
         .level = surface_.level,
-        .balls = room_.balls,
+        .balls = room_.slab.balls,
         .extent = extent,
         .width = (block.u_radius + block.v_radius) * (rays_.distance() + std::abs(first) + extent),
         .square = 1 + u_most * u_most + v_most * v_most,
@@ -183,34 +183,23 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
 /// Lists the slab's balls that may reach the block's rays between two depths; whether these may
 /// bring f to the level.
 bool BlobTile::list_balls(const Block& block, double from, double to) {
-    const auto balls = room_.near.balls();
-    const double sizes = 0x1p46 * rays_.depth_error() * (1 + std::abs(block.u) + std::abs(block.v));
-    list_near(room_.columns, balls.size(),
-              {.u = block.u,
-               .v = block.v,
-               .u_radius = block.u_radius,
-               .v_radius = block.v_radius,
-               .distance = rays_.distance(),
-               .from = from,
-               .to = to,
-               .spare = 0x1p-20 * sizes},
-              room_.listed);
     ++counters_.range;
-    room_.balls.clear();
-    double most = 0;
-    for (const std::uint32_t at : room_.listed) {
-        room_.balls.push_back(balls[at]);
-        if ((balls[at].strength > 0) == (surface_.level > 0)) most += std::abs(balls[at].strength);
-    }
-    const double top = blob_facts(surface_.blobs->kind()).top;
-    return (1 + 0x1p-40) * top * most + tail_ >= std::abs(surface_.level);
+    return room_.slab.list(surface_, tail_, rays_,
+                           {.u = block.u,
+                            .v = block.v,
+                            .u_radius = block.u_radius,
+                            .v_radius = block.v_radius,
+                            .distance = 0,
+                            .from = from,
+                            .to = to,
+                            .spare = 0});
 }
 
 /// Whether balls are where some rays are inside and others are not.
 bool BlobTile::near_ends(const Block& block) const {
     if (tile_.limits != nullptr) return true;
     const DepthRange& inside = block.inside;
-    return std::ranges::any_of(room_.balls, [&](const ViewBall& ball) {
+    return std::ranges::any_of(room_.slab.balls, [&](const ViewBall& ball) {
         const bool at_begin = ball.to() >= inside.enter_lo && ball.from() <= inside.enter_hi;
         const bool at_end = ball.to() >= inside.exit_lo && ball.from() <= inside.exit_hi;
         return at_begin || at_end;
@@ -248,11 +237,11 @@ void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
         const double begin =
             block.singly ? room_.lines.of(pixel_of(block, place)).from : block.inside.enter_hi;
         to.at[place] = std::max({known.at[place], begin, first}) - first;
-        to.stop[place] = std::min(end_of(block, place), room_.near.to()) - first;
+        to.stop[place] = std::min(end_of(block, place), room_.slab.near.to()) - first;
         to.side[place] = known.side[place];
         to.state[place] = to.at[place] < to.stop[place] ? BallRayState::Open : BallRayState::Passed;
     });
-    for (ViewBall& ball : room_.balls) {
+    for (ViewBall& ball : room_.slab.balls) {
         ball.x -= block.u * (distance + ball.z);
         ball.y -= block.v * (distance + ball.z);
         ball.z -= first;
@@ -268,7 +257,7 @@ void BlobTile::end(Block& block, RaysKnown& known, double first) {
             known.at[place] = first + found.stop[place];
             // Balls of the next slab may be where some rays have ended and others have not.
             const double last = block.singly ? end_of(block, place) : block.inside.exit_hi;
-            if (last <= room_.near.to()) block.open &= ~bit(place);
+            if (last <= room_.slab.near.to()) block.open &= ~bit(place);
             return;
         }
         block.open &= ~bit(place);

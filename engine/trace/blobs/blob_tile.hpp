@@ -3,22 +3,18 @@
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/blobs/blob_hits.hpp"
 #include "engine/trace/blobs/blob_surface.hpp"
-#include "engine/trace/blobs/near_balls.hpp"
 #include "engine/trace/blobs/ray_block.hpp"
+#include "engine/trace/blobs/slab_balls.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace zeroset {
 
 /// Room that a thread keeps from tile to tile.
 struct BlobRoom {
-    NearBalls near;
-    BallColumns columns;
-    std::vector<std::uint32_t> listed;
-    std::vector<ViewBall> balls;
+    SlabBalls slab;
     RayLines lines;
     BallBlock block;
 };

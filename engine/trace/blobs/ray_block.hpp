@@ -60,7 +60,7 @@ struct BallQuestion {
     /// and the squares of their directions.
     double extent, width, square;
     double place_error;  ///< bounds that of places in double
-    double tail;         ///< bounds what balls add beyond their reach
+    double tail;         ///< bounds what balls add beyond their reach, and the level's error
     double bracket;      ///< the widest in which a root is certified
 };
 

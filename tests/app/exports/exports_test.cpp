@@ -1,6 +1,7 @@
 #include "app/exports/exports.hpp"
 
 #include "app/exports/make_preview.hpp"
+#include "document/import/import.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/pictures/picture_writer.hpp"
 #include "engine/export/png.hpp"
@@ -59,7 +60,7 @@ TEST_F(Exports, WriteAPictureWithItsSession) {
 }
 
 TEST_F(Exports, WriteNumberedPicturesOfAFilm) {
-    ui::FilmExport wish{.size_px = {24, 18}, .seconds = 0.1};
+    const ui::FilmExport wish{.size_px = {24, 18}, .seconds = 0.1};
     const auto outcome = film_work(ball_, wish, folder_ / "f##.png")(news_);
     ASSERT_TRUE(outcome) << outcome.error();
     EXPECT_EQ(*outcome, "saved f##.png (3 frames)");
@@ -149,6 +150,61 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     EXPECT_NE(second.image->pixels, first.image->pixels);
     request.wish.mesh.tolerance = 0.1;
     EXPECT_NE(make_preview(request, second, news_).meshes, first.meshes);
+}
+
+TEST_F(Exports, WriteTheFormulaItself) {
+    const ui::MeshExport wish{.shape = ui::MeshExport::Shape::Formula, .size_mm = 50};
+    const auto outcome = mesh_work(ball_, wish, folder_ / "a.3mf", nullptr)(news_);
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_TRUE(outcome->starts_with("saved a.3mf (") && outcome->ends_with(" nodes)")) << *outcome;
+    const auto read = read_import("a.3mf", bytes_of("a.3mf"));
+    ASSERT_TRUE(read) << read.error();
+    ASSERT_EQ(read->documents.size(), 1U);
+    EXPECT_EQ(read->documents[0].refusal, "");
+    EXPECT_NEAR(read->documents[0].document.clip.size(), 50, 2) << "millimetres, with a margin";
+}
+
+TEST_F(Exports, SayWhyTheFormulaItselfIsNotWritten) {
+    const ui::MeshExport wish{.shape = ui::MeshExport::Shape::Formula};
+    EXPECT_EQ(mesh_work(ball_, wish, folder_ / "a.stl", nullptr)(news_).error(),
+              "the mesh was not saved: the formula itself is written as 3MF alone: type a name "
+              "that ends in .3mf, or choose another shape");
+    const auto error_of = [&](const std::string& text) {
+        return mesh_work(subject_of(text), wish, folder_ / "a.3mf", nullptr)(news_).error();
+    };
+    EXPECT_EQ(error_of("noise(x, y, z) = 0"),
+              "the mesh was not saved: 3MF's implicit functions have no node for volumes, noise "
+              "and soft balls; a mesh can be saved instead");
+    EXPECT_EQ(error_of("(u, v, u v), 0 < u < 1, 0 < v < 1"),
+              "the mesh was not saved: an implicit function is made of equations, not of "
+              "parametric surfaces, curves and points: hide their rows");
+    news_.cancel = true;
+    EXPECT_FALSE(mesh_work(ball_, wish, folder_ / "a.3mf", nullptr)(news_));
+    EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(Exports, PreviewTheFormulaItself) {
+    PreviewRequest request;
+    request.subject = subject_of("x^2+y^2+z^2=1\nx=z");
+    request.subject.document.clip.hi.z =
+        request.subject.document.clip.lo.z + 0.5 * request.subject.document.clip.size();
+    request.wish.kind = ExportKind::Mesh;
+    request.wish.mesh = {.shape = ui::MeshExport::Shape::Formula, .size_mm = 80};
+    request.camera = *ball_.document.camera;
+    request.room_px = {60, 40};
+    const Preview preview = make_preview(request, std::nullopt, news_);
+    EXPECT_TRUE(preview.shown.warnings.empty());
+    ASSERT_EQ(preview.shown.facts.size(), 2U);
+    EXPECT_TRUE(preview.shown.facts[0].starts_with("2 surfaces of ") &&
+                preview.shown.facts[0].ends_with(" nodes, without triangles"))
+        << preview.shown.facts[0];
+    EXPECT_EQ(preview.shown.facts[1], "in a box of 80 × 80 × 40 mm");
+    ASSERT_TRUE(preview.image);
+    EXPECT_EQ(preview.image->width, 60);
+    request.subject = subject_of("noise(x, y, z) = 0");
+    const Preview refused = make_preview(request, std::nullopt, news_);
+    EXPECT_EQ(refused.shown.warnings.size(), 1U);
+    EXPECT_FALSE(refused.image);
 }
 
 TEST_F(Exports, FilmsTurnAboutTheAxis) {

@@ -49,6 +49,7 @@ protected:
              .alpha = true,
              .numbered = true},
             {.kind = ExportKind::Mesh, .name = "STL", .ending = ".stl", .about = "prints"},
+            {.kind = ExportKind::Mesh, .name = "3MF", .ending = ".3mf", .about = "colours"},
             {.kind = ExportKind::Drawing, .name = "SVG", .ending = ".svg", .about = "web"},
         };
     }
@@ -65,7 +66,7 @@ protected:
     }
     /// The middle of a line of the chosen part, counted from below the preview.
     static glm::vec2 line(int number, float along) {
-        const ImGuiWindow& part = *child((std::string(window_name) + "/##part").c_str());
+        const ImGuiWindow& part = *child(std::string(window_name) + "/##part");
         const float preview = std::min(em(15.0F), 0.5F * part.Size.y);
         const float top = part.DC.CursorStartPos.y + preview + ImGui::GetStyle().ItemSpacing.y;
         const float row = ImGui::GetFrameHeightWithSpacing();
@@ -131,6 +132,25 @@ TEST_P(ExportPages, OfferNothingThatCannotBeWritten) {
     EXPECT_EQ(page().endings[0], ".png") << "the choice of another program is given up";
 }
 
+TEST_P(ExportPages, ChooseTheFormatOfTheFormulaItself) {
+    open("Save the mesh...");
+    const MeshExport& wish = page().wish.mesh;
+    EXPECT_EQ(page().endings[2], ".stl");
+    click_at(line(1, 0.6F));  // opens the list of shapes
+    draw();
+    const ImGuiWindow* const popup = child("##Combo_");
+    ASSERT_NE(popup, nullptr);
+    const float last = popup->Pos.y + popup->Size.y - 0.7F * ImGui::GetTextLineHeightWithSpacing();
+    click_at({popup->Pos.x + 0.5F * popup->Size.x, last});
+    EXPECT_EQ(wish.shape, MeshExport::Shape::Formula);
+    EXPECT_EQ(page().endings[2], ".3mf");
+    draw();
+    EXPECT_EQ(wish.shape, MeshExport::Shape::Formula);
+    page().endings[2] = ".stl";
+    draw();
+    EXPECT_EQ(wish.shape, MeshExport::Shape::Solid) << "triangles alone can be STL";
+}
+
 TEST_P(ExportPages, TakeTypedSizes) {
     open("Save the picture...");
     click_at(line(1, 0.3F));
@@ -176,7 +196,7 @@ TEST_P(ExportPages, HaveAShutterWhereFramesAreMixed) {
     film.turns = false;
     const auto height = [this] {
         draw();
-        return child((std::string(window_name) + "/##part").c_str())->ContentSize.y;
+        return child(std::string(window_name) + "/##part")->ContentSize.y;
     };
     const float without = height();
     film.plan.blur = 8;

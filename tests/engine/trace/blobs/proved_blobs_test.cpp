@@ -3,7 +3,7 @@
 #include "engine/blobs/blobs.hpp"
 #include "engine/render/render.hpp"
 #include "tests/support/alike_frames.hpp"
-#include "tests/support/random_numbers.hpp"
+#include "tests/support/blob_scenes.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/voxel_scenes.hpp"
 
@@ -26,49 +26,13 @@ namespace {
 
 constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
 
-struct Cloud {
-    int count = 150;
-    double least = 0.08, largest = 0.2;
-    double hollow = 0.1;  ///< the share of balls that take away
-    double scale = 1;
-    glm::dvec3 middle{0.0};
-};
-
-std::vector<Blob> balls_of(const Cloud& cloud, std::uint64_t seed = 5) {
-    RandomNumbers random(seed);
-    std::vector<Blob> balls;
-    for (int n = 0; n < cloud.count; ++n) {
-        Blob ball;
-        for (int i = 0; i < 3; ++i) {
-            ball.center[static_cast<std::size_t>(i)] =
-                cloud.middle[i] + cloud.scale * random.uniform(-1, 1);
-        }
-        ball.radius = cloud.scale * random.uniform(cloud.least, cloud.largest);
-        ball.strength = random.uniform(0, 1) < cloud.hollow ? -random.uniform(0.2, 1)
-                                                            : random.uniform(0.6, 1.5);
-        balls.push_back(ball);
-    }
-    return balls;
-}
-
-Expr level_of(const std::shared_ptr<const Field>& field, double level) {
+/// field(x, y, z) = (w + large) - large, which is w, but not in doubles.
+Expr level_beside(const std::shared_ptr<const Field>& field, double large) {
     ExprBuilder nodes;
     const NodeId f = nodes.look_up(field, nodes.variable(0), nodes.variable(1), nodes.variable(2));
-    return nodes.finish(nodes.apply(Op::Subtract, f, nodes.constant(level)));
-}
-
-/// Two scenes of a surface: one whose kernel tells what field it is, and one of a formula.
-struct Both {
-    Scene balls, beams;
-};
-Both both_of(BlobKind kind, const Cloud& cloud, double level) {
-    const Expr f = level_of(blobs_field(kind, balls_of(cloud), "test"), level);
-    const double reach = 1.2 * cloud.scale;
-    const Box box{cloud.middle - reach, cloud.middle + reach};
-    Both both{.balls = {{kernel_with_level(f)}, box, {}}, .beams = {{interpret(f)}, box, {}}};
-    both.balls.uniforms.set(0, 0.0);
-    both.beams.uniforms.set(0, 0.0);
-    return both;
+    const NodeId moved = nodes.apply(Op::Add, nodes.variable(variable_w), nodes.constant(large));
+    const NodeId level = nodes.apply(Op::Subtract, moved, nodes.constant(large));
+    return nodes.finish(nodes.apply(Op::Subtract, f, level));
 }
 
 Framebuffer drawn(const Scene& scene, const Camera& camera, int side = 70, double d_stop = 16) {
@@ -220,6 +184,37 @@ TEST(ProvedBlobs, LeaveTouchesUndecided) {
     EXPECT_NE(frame.certificate[frame.index(3, 2)], Certificate::Certified);
 }
 
+// Metaballs are 8/3 - 2 q within q = 4/9: a ball alone is a ball of radius sqrt((8/3 - level) / 2).
+TEST(ProvedBlobs, EncloseTheLevelOfTheSurface) {
+    constexpr double level = 2.1000004;
+    const double square = (8.0 / 3 - level) / 2;
+    const Blob ball{.center = {0, 0, 0}, .radius = 1};
+    const auto field = blobs_field(BlobKind::Metaball, std::span(&ball, 1), "one");
+    // The level is off by 2e-8 in doubles, then by 2e-5.
+    for (const double large : {1e9, 1e12}) {
+        Scene scene{{kernel_with_level(level_beside(field, large))}, Box::cube(2), {}};
+        scene.uniforms.set(0, level);
+        const double off = std::abs((level + large) - large - level);
+        ASSERT_GT(off, 1e-17 * large) << "the test looks at nothing";
+        const Framebuffer frame = drawn(scene, usual, 60, 30);
+        for (int row = 0; row < frame.height; ++row) {
+            for (int col = 0; col < frame.width; ++col) {
+                const Ray ray(usual, scene.clip, col, row, frame);
+                const double along = glm::dot(-ray.eye, ray.direction);
+                const double aside = glm::length(-ray.eye - along * ray.direction);
+                const double half = square - aside * aside;
+                const std::size_t i = frame.index(col, row);
+                if (frame.certificate[i] == Certificate::Miss) {
+                    ASSERT_LT(half, 1e-12);
+                } else if (frame.certificate[i] == Certificate::Certified) {
+                    ASSERT_GT(half, -1e-12);
+                    ASSERT_NEAR(frame.depth[i], along - std::sqrt(std::max(half, 0.0)), 2e-8);
+                }
+            }
+        }
+    }
+}
+
 TEST(ProvedBlobs, LeaveOthersToBeams) {
     const Scene scene = both_of(BlobKind::Wyvill, {}, 1).balls;
     const ViewFrame view(usual);
@@ -238,6 +233,14 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
     EXPECT_FALSE(takes(scene, true));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 1).beams));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 0).balls)) << "all of space is at the level";
+    const auto beside = [&](double large) {
+        const Expr f = level_beside(blobs_field(BlobKind::Wyvill, balls_of({}), "test"), large);
+        Scene of{{kernel_with_level(f)}, scene.clip, {}};
+        of.uniforms.set(0, 0.8);
+        return of;
+    };
+    EXPECT_TRUE(takes(beside(1e3)));
+    EXPECT_FALSE(takes(beside(1e12))) << "the level is known to 2e-4";
 }
 
 }  // namespace
