@@ -7,8 +7,8 @@
 // the bundle's outermost rays are looked at slab by slab, front to back. In a slab of four layers
 // that may hold the level, the cells that may are marked by a bit each, for all rays at once. In
 // each cell f is a cubic along a ray, of which Bernstein coefficients tell all: in floats, a ray a
-// lane, they exclude most layers (block_lanes.cpp). In the others each ray goes through the marked
-// cells one by one, in double (ray_cubic.hpp).
+// lane, they exclude most layers (block_lanes.cpp). In the others rays go through the marked cells
+// in double: many at once where that tells all (lane_roots.cpp), else one by one (ray_cubic.hpp).
 //
 // What is proved: in double, numbers are known to +-error (`GridBounds`), and places to less than
 // that changes f by. A ray that slips by rounding through the edge of another cell than those it is
@@ -21,6 +21,7 @@
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/voxels/block_walk.hpp"
 #include "engine/trace/voxels/lane_walk.hpp"
+#include "engine/trace/voxels/layer_walk.hpp"
 #include "engine/trace/voxels/spline_ray.hpp"
 #include "engine/trace/voxels/voxel_hits.hpp"
 
@@ -298,9 +299,6 @@ private:
         return mask_.may_hold_between(std::min(i, beyond_i), std::max(i, beyond_i),
                                       std::min(j, beyond_j), std::max(j, beyond_j));
     }
-    struct Stretch {
-        double from, to;
-    };
     /// The stretch of the ray in a layer, as far as it is looked for roots.
     static Stretch stretch_in(const OpenRay& ray, std::int32_t layer, std::size_t axis) {
         const auto [from, to] = std::minmax({(layer - ray.ray.at[axis]) * ray.per_layer,
@@ -309,52 +307,17 @@ private:
     }
     /// Takes the ray through the cells of a layer; whether it has ended.
     bool walk_layer(OpenRay& ray, bool marks, std::int32_t layer, const WalkAxes& axes) {
-        const auto& at = ray.ray.at;
-        const auto& along = ray.ray.along;
         const Stretch whole = stretch_in(ray, layer, axes.k);
         if (!(whole.from <= whole.to)) return whole.from >= ray.to && end(ray);
-        double from = whole.from;
-        const auto cell_of = [&](std::size_t axis, double s) {
-            return static_cast<std::int32_t>(std::floor(at[axis] + s * along[axis]));
-        };
-        std::int32_t i = cell_of(axes.i, from);
-        std::int32_t j = cell_of(axes.j, from);
-        const auto look_in = [&](const Stretch& stretch) {
-            const bool inside =
-                i >= 0 && i <= last_cell_[axes.i] && j >= 0 && j <= last_cell_[axes.j];
-            return inside && (!marks || mask_.may_hold(i, j)) &&
-                   look(ray, cell_at(i, j, layer, axes), stretch);
-        };
-        if (i == cell_of(axes.i, whole.to) && j == cell_of(axes.j, whole.to)) return look_in(whole);
-        const int step_i = along[axes.i] > 0 ? 1 : -1;
-        const int step_j = along[axes.j] > 0 ? 1 : -1;
-        const auto leaves = [&](std::size_t axis, std::int32_t cell, int step) {
-            if (along[axis] == 0) return std::numeric_limits<double>::infinity();
-            return (cell + (step > 0 ? 1 : 0) - at[axis]) / along[axis];
-        };
-        double leaves_i = leaves(axes.i, i, step_i);
-        double leaves_j = leaves(axes.j, j, step_j);
-        for (;;) {
-            const double to = std::max(from, std::min({whole.to, leaves_i, leaves_j}));
-            if (look_in({.from = from, .to = to})) return true;
-            if (!(to < whole.to)) return false;
-            from = to;
-            if (leaves_i <= leaves_j) {
-                i += step_i;
-                leaves_i = leaves(axes.i, i, step_i);
-            } else {
-                j += step_j;
-                leaves_j = leaves(axes.j, j, step_j);
-            }
-        }
-    }
-    static std::array<std::int32_t, 3> cell_at(std::int32_t i, std::int32_t j, std::int32_t layer,
-                                               const WalkAxes& axes) {
-        std::array<std::int32_t, 3> cell{};
-        cell[axes.i] = i;
-        cell[axes.j] = j;
-        cell[axes.k] = layer;
-        return cell;
+        return walk_cells(ray.ray, axes, layer, whole,
+                          [&](const std::array<std::int32_t, 3>& cell, const Stretch& stretch) {
+                              const std::int32_t i = cell[axes.i];
+                              const std::int32_t j = cell[axes.j];
+                              const bool inside = i >= 0 && i <= last_cell_[axes.i] && j >= 0 &&
+                                                  j <= last_cell_[axes.j];
+                              return inside && (!marks || mask_.may_hold(i, j)) &&
+                                     look(ray, cell, stretch);
+                          });
     }
     /// Ends a ray that has left the region.
     bool end(OpenRay& ray) {
