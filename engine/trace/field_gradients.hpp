@@ -27,6 +27,8 @@ public:
     /// written: it cannot be known here.
     bool put(std::uint32_t pixel, const std::array<double, 3>& position,
              const glm::dvec3& of_field);
+    /// Of f's gradient against the field's; 0: not known yet.
+    [[nodiscard]] int sign() const { return sign_; }
 
 private:
     void find_sign(std::uint32_t pixel, const std::array<double, 3>& position,
@@ -35,7 +37,7 @@ private:
     const TraceFrame& frame_;
     TileHits& hits_;
     Counters& counters_;
-    int sign_ = 0;  ///< of f's gradient against the field's; 0: not known yet
+    int sign_ = 0;
 };
 
 }  // namespace zeroset

@@ -36,6 +36,25 @@ double RayLines::finest(const RayLine& line, double s) const {
     return std::max(cell, std::min((look_distance_ + s) * growth_, most_growth_ * cell));
 }
 
+double RayLines::least_finest(const TileRays& rays, double cols, double rows, double s) const {
+    if (!std::ranges::all_of(certifies_, [](bool yes) { return yes; })) return 0.0;
+    // Norms of directions are largest at a corner.
+    double length = 0.0;
+    double size = 0.0;
+    for (const double col : {0.0, cols - 1}) {
+        for (const double row : {0.0, rows - 1}) {
+            const glm::dvec3 along = rays.axes().forward + rays.u(col) * rays.axes().right +
+                                     rays.v(row) * rays.axes().up;
+            length = std::max(length, glm::length(along));
+            size = std::max({size, std::abs(along.x), std::abs(along.y), std::abs(along.z)});
+        }
+    }
+    const double cell = std::ranges::min(cell_) / size;
+    if (epsilon_ > 0.0) return std::max(cell, epsilon_ / length);
+    if (!grows_) return cell;
+    return std::max(cell, std::min((look_distance_ + s) * growth_, most_growth_ * cell));
+}
+
 bool RayLines::take(const Tile& tile, const TileRays& rays, int col, int row) {
     const double u = rays.u(col);
     const double v = rays.v(row);

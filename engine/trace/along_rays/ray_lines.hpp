@@ -50,6 +50,10 @@ public:
     /// The width of the finest stretches at depth s on a ray: cells as in SearchDepth, or the
     /// value of the rule epsilon, but not below a few ulp of the type.
     [[nodiscard]] double finest(const RayLine& line, double s) const;
+    /// No more than `finest` on any ray of some pixels from the tile's (col, row) on, at depth s or
+    /// farther; 0: brackets of that do not certify on all of them.
+    [[nodiscard]] double least_finest(const TileRays& rays, double cols, double rows,
+                                      double s) const;
     /// Whether brackets of some finest stretches are narrow enough to certify a root.
     [[nodiscard]] bool certifies(const RayLine& line) const { return certifies_[line.axis]; }
 

@@ -35,35 +35,53 @@ using Indices = hn::Vec<hn::RebindToSigned<Tag<float>>>;
 /// Numbers and their right neighbours, from anywhere.
 class Neighbours {
 public:
-    struct Pair {
-        V<float> low, high;
-    };
+    using Four = std::array<V<float>, 4>;
 #if HWY_TARGET <= HWY_AVX2
-    /// Fetched two at a time, for a fetch takes long.
+    /// Loaded four side by side, a ray at a time, and turned: gathering them takes long.
     explicit HWY_INLINE Neighbours(Indices index) {
-        const hn::RebindToSigned<decltype(pairs)> wide;
-        const hn::Half<hn::RebindToSigned<Tag<float>>> half;
-        first_ = hn::ShiftLeft<2>(hn::PromoteTo(wide, hn::LowerHalf(half, index)));
-        second_ = hn::ShiftLeft<2>(hn::PromoteTo(wide, hn::UpperHalf(half, index)));
+        hn::StoreU(index, hn::RebindToSigned<Tag<float>>(), index_.data());
     }
-    [[nodiscard]] HWY_INLINE Pair load(const float* from) const {
+    [[nodiscard]] HWY_INLINE Four load(const float* from) const {
         const Tag<float> tag;
-        const auto* const words = reinterpret_cast<const std::uint64_t*>(from);
-        const V<float> first = hn::BitCast(tag, hn::GatherOffset(pairs, words, first_));
-        const V<float> second = hn::BitCast(tag, hn::GatherOffset(pairs, words, second_));
-        return {.low = hn::ConcatEven(tag, second, first),
-                .high = hn::ConcatOdd(tag, second, first)};
+        const hn::RepartitionToWide<Tag<float>> pairs;
+        const V<float> r0 = every_fourth(from, 0);
+        const V<float> r1 = every_fourth(from, 1);
+        const V<float> r2 = every_fourth(from, 2);
+        const V<float> r3 = every_fourth(from, 3);
+        const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(tag, r0, r1));
+        const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(tag, r2, r3));
+        const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(tag, r0, r1));
+        const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(tag, r2, r3));
+        return {hn::BitCast(tag, hn::InterleaveLower(pairs, low01, low23)),
+                hn::BitCast(tag, hn::InterleaveUpper(pairs, low01, low23)),
+                hn::BitCast(tag, hn::InterleaveLower(pairs, high01, high23)),
+                hn::BitCast(tag, hn::InterleaveUpper(pairs, high01, high23))};
     }
 
 private:
-    static constexpr hn::RepartitionToWide<hn::RebindToUnsigned<Tag<float>>> pairs{};
-    hn::Vec<hn::RebindToSigned<decltype(pairs)>> first_, second_;
+    [[nodiscard]] HWY_INLINE hn::Vec<hn::Full128<float>> four(const float* from,
+                                                              std::size_t ray) const {
+        return hn::LoadU(hn::Full128<float>(), from + index_[ray]);
+    }
+    /// The four numbers of the ray `first`, of the fourth after it, and so on.
+    [[nodiscard]] HWY_INLINE V<float> every_fourth(const float* from, std::size_t first) const {
+        const Tag<float> tag;
+#if HWY_TARGET == HWY_AVX2
+        return hn::Combine(tag, four(from, first + 4), four(from, first));
+#else
+        const hn::Half<Tag<float>> half;
+        return hn::Combine(tag, hn::Combine(half, four(from, first + 12), four(from, first + 8)),
+                           hn::Combine(half, four(from, first + 4), four(from, first)));
+#endif
+    }
+
+    alignas(64) std::array<std::int32_t, lanes<float>> index_;
 #else
     explicit HWY_INLINE Neighbours(Indices index) : index_(index) {}
-    [[nodiscard]] HWY_INLINE Pair load(const float* from) const {
+    [[nodiscard]] HWY_INLINE Four load(const float* from) const {
         const Tag<float> tag;
-        return {.low = hn::GatherIndex(tag, from, index_),
-                .high = hn::GatherIndex(tag, from + 1, index_)};
+        return {hn::GatherIndex(tag, from, index_), hn::GatherIndex(tag, from + 1, index_),
+                hn::GatherIndex(tag, from + 2, index_), hn::GatherIndex(tag, from + 3, index_)};
     }
 
 private:
@@ -99,8 +117,8 @@ struct TrilinearCells {
         const std::size_t slice = samples.row * samples.rows;
         const Neighbours at(index);
         const auto edge = [&](std::size_t offset) {
-            const auto [low, high] = at.load(corners + offset);
-            return mixed(low, high, x);
+            const auto row = at.load(corners + offset);
+            return mixed(row[0], row[1], x);
         };
         const Stretch e0 = edge(0);
         const Stretch e1 = edge(samples.row);
@@ -184,14 +202,13 @@ struct SplineCells {
             std::array<V<float>, 7> in_slice = zeros<7>();
             for (std::size_t j = 0; j < 4; ++j) {
                 const float* const row = corners + (k * samples.rows + j) * samples.row;
-                const auto first = at.load(row);
-                const auto second = at.load(row + 2);
+                const auto numbers = at.load(row);
                 Cubic in_row;
                 for (std::size_t n = 0; n < 4; ++n) {
-                    const V<float> low = hn::MulAdd(first.high, x_weights[1][n],
-                                                    hn::Mul(first.low, x_weights[0][n]));
-                    in_row[n] = hn::MulAdd(second.high, x_weights[3][n],
-                                           hn::MulAdd(second.low, x_weights[2][n], low));
+                    const V<float> low = hn::MulAdd(numbers[1], x_weights[1][n],
+                                                    hn::Mul(numbers[0], x_weights[0][n]));
+                    in_row[n] = hn::MulAdd(numbers[3], x_weights[3][n],
+                                           hn::MulAdd(numbers[2], x_weights[2][n], low));
                 }
                 add_product(in_row, y_weights[j], in_slice);
             }

@@ -5,6 +5,8 @@
 #include "engine/trace/voxels/spline_ray.hpp"
 #include "engine/volume/volume.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -241,7 +243,14 @@ void LevelGrid<Sample, support>::begin(const CellRectangle& cells, const LayerRa
     const Patch patch = patch_of(cells, layers.low, axes);
     mask.samples.begin(patch.count, patch.rows);
     const auto slices = static_cast<std::size_t>(layers.high - layers.low) + support;
-    if (!is_row(patch)) copy(patch, strides_[axes.k], slices, mask.samples);
+    if (!is_row(patch)) return copy(patch, strides_[axes.k], slices, mask.samples);
+    // What is far from the machine's caches is on its way while the first slices are looked at.
+    for (std::size_t slice = 0; slice < slices; ++slice) {
+        for (std::size_t row = 0; row < patch.rows; ++row) {
+            hwy::Prefetch(patch.first + static_cast<std::ptrdiff_t>(slice) * strides_[axes.k] +
+                          static_cast<std::ptrdiff_t>(row) * patch.j_stride);
+        }
+    }
 }
 
 /// Finds the bits of a slice's faces, where rays may be in the layers whose cells lie on its

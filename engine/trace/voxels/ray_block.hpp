@@ -14,6 +14,7 @@ namespace zeroset {
 /// The rays of a tile in indices of samples: the point at depth s on the ray of (u, v) is
 /// at(u, v) + s along(u, v), linear in u and v.
 struct IndexRays {
+    IndexRays() = default;
     IndexRays(const TileRays& rays, const IndexMap& map);
 
     struct Ray {
@@ -29,7 +30,7 @@ struct IndexRays {
     }
 
     std::array<double, 3> base{}, right{}, up{}, forward{};
-    double distance;
+    double distance = 0;
 };
 
 /// Cells of a layer of a grid, across two of its axes, both ends included.

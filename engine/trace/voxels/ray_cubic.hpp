@@ -36,6 +36,10 @@ public:
     /// `finest`: the widest bracket that certifies a root; stretches are divided to a fourth of it.
     FirstRoot(double error, double finest) : error_(error), finest_(finest) {}
 
+    /// Takes in that f was above 0, or below, before the first stretch that is looked at.
+    void begin_above() { side_ = Side::Above; }
+    void begin_below() { side_ = Side::Below; }
+
     /// Looks at the next stretch; true: the search has ended in a root or a place that may be one.
     bool look(const RayCubic& f);
     bool look(const RayNonic& f);

@@ -13,7 +13,9 @@ struct SlabSamples {
     static constexpr std::size_t longest = 48;  ///< a row, padded
     static constexpr std::size_t most_slices = 7;
 
-    alignas(64) std::array<float, longest * most * most_slices> numbers{};
+    static constexpr std::size_t behind = 4;  ///< the last ones are loaded four at a time
+
+    alignas(64) std::array<float, longest * most * most_slices + behind> numbers{};
     std::size_t row = 0, rows = 0;
     std::size_t count = 0;  ///< samples of a row that count
     float largest = 0;      ///< of |number|, at least

@@ -9,6 +9,7 @@
 #include <glm/ext/vector_double3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace zeroset {
@@ -24,6 +25,17 @@ public:
     /// A ray's root, certified if it is proved and inside the region. `slopes`: of the volume
     /// there, along the axes of its grid.
     void tell(std::uint32_t pixel, const FirstRoot& root, const std::array<double, 3>& slopes);
+    /// A root that is certified, with f's gradient there.
+    void tell_certified(std::uint32_t pixel, double distance,
+                        const std::array<float, 3>& gradient) {
+        hits_.any = true;
+        hits_.depth[pixel] = static_cast<float>(distance);
+        hits_.certificate[pixel] = Certificate::Certified;
+        for (std::size_t c = 0; c < 3; ++c)
+            hits_.gradient[c][pixel] = gradient[c];
+    }
+    /// The sign of f's gradient against that of the volume; 0: not known yet.
+    [[nodiscard]] int sign() const { return gradients_.sign(); }
     /// Leaves a rectangle of pixels undecided from the eye on.
     void leave(int col, int row, int cols, int rows);
 

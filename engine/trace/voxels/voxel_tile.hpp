@@ -7,8 +7,8 @@
 // the bundle's outermost rays are looked at slab by slab, front to back. In a slab of four layers
 // that may hold the level, the cells that may are marked by a bit each, for all rays at once. In
 // each cell f is a cubic along a ray, of which Bernstein coefficients tell all: in floats, a ray a
-// lane, they exclude most layers (block_lanes.cpp). In the others each ray goes through the marked
-// cells one by one, in double (ray_cubic.hpp).
+// lane, they exclude most layers (block_lanes.cpp). In the others rays go through the marked cells
+// in double: many at once where that tells all (lane_roots.cpp), else one by one (ray_cubic.hpp).
 //
 // What is proved: in double, numbers are known to +-error (`GridBounds`), and places to less than
 // that changes f by. A ray that slips by rounding through the edge of another cell than those it is
@@ -20,6 +20,8 @@
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/voxels/block_walk.hpp"
+#include "engine/trace/voxels/lane_walk.hpp"
+#include "engine/trace/voxels/layer_walk.hpp"
 #include "engine/trace/voxels/spline_ray.hpp"
 #include "engine/trace/voxels/voxel_hits.hpp"
 
@@ -81,18 +83,22 @@ private:
 
     bool run_bundles() {
         const Pixels all{.col = 0, .row = 0, .cols = tile_.cols, .rows = tile_.rows};
-        const RayBlock whole = block_of(all, -std::numeric_limits<double>::infinity());
+        const DepthRange depths = depths_of(all);
+        const RayBlock whole = block_of(all, depths, -std::numeric_limits<double>::infinity());
         if (!whole.usable()) return false;
         const double from = first_depth(whole);
         count(all, 1);
         if (!std::isfinite(from)) return true;
+        if (tile_.limits == nullptr)
+            finest_ = lines_.least_finest(rays_, tile_.cols, tile_.rows, depths.enter_lo);
         for (int row = 0; row < tile_.rows; row += block_size) {
             for (int col = 0; col < tile_.cols; col += block_size) {
                 const Pixels pixels{.col = col,
                                     .row = row,
                                     .cols = std::min(block_size, tile_.cols - col),
                                     .rows = std::min(block_size, tile_.rows - row)};
-                const RayBlock block = block_of(pixels, from);
+                inside_ = depths_of(pixels);
+                const RayBlock block = block_of(pixels, inside_, from);
                 if (frame_.stopped() || !block.usable()) {
                     hits_.leave(pixels.col, pixels.row, pixels.cols, pixels.rows);
                 } else if (!block.empty()) {
@@ -102,19 +108,30 @@ private:
         }
         return true;
     }
+    struct Middle {
+        double u, v, u_radius, v_radius;
+    };
+    [[nodiscard]] Middle middle_of(const Pixels& pixels) const {
+        return {.u = rays_.u(pixels.col + 0.5 * (pixels.cols - 1)),
+                .v = rays_.v(pixels.row + 0.5 * (pixels.rows - 1)),
+                .u_radius = 0.5 * pixels.cols * rays_.pixel(),
+                .v_radius = 0.5 * pixels.rows * rays_.pixel()};
+    }
+    /// Where the rays of some pixels are inside the region.
+    [[nodiscard]] DepthRange depths_of(const Pixels& pixels) const {
+        const Middle middle = middle_of(pixels);
+        return rays_.depths(middle.u, middle.v, middle.u_radius, middle.v_radius);
+    }
     /// The rays of some pixels, from a depth on.
-    [[nodiscard]] RayBlock block_of(const Pixels& pixels, double from) const {
-        const double u = rays_.u(pixels.col + 0.5 * (pixels.cols - 1));
-        const double v = rays_.v(pixels.row + 0.5 * (pixels.rows - 1));
-        const double u_radius = 0.5 * pixels.cols * rays_.pixel();
-        const double v_radius = 0.5 * pixels.rows * rays_.pixel();
-        const DepthRange depths = rays_.depths(u, v, u_radius, v_radius);
+    [[nodiscard]] RayBlock block_of(const Pixels& pixels, const DepthRange& depths,
+                                    double from) const {
         if (depths.empty()) return RayBlock::nothing();
+        const Middle middle = middle_of(pixels);
         return {index_rays_,
-                u,
-                v,
-                u_radius,
-                v_radius,
+                middle.u,
+                middle.v,
+                middle.u_radius,
+                middle.v_radius,
                 std::max(from, depths.enter_lo),
                 std::max(from, depths.exit_hi),
                 last_cell_};
@@ -145,6 +162,7 @@ private:
         unsure_ = 0;
         first_ = pixels;
         has_columns_ = false;
+        lanes_.begin(rays_, {.col = pixels.col, .row = pixels.row});
         std::uint64_t looks = 0;
         walk_block(grid_, block, [&](const CellRectangle& cells, const LayerRange& layers) {
             ++looks;
@@ -186,7 +204,7 @@ private:
              layer >= layers.low && layer <= layers.high && open_ != 0; layer += step) {
             if (marks) grid_.mark(layer, reach, axes, mask_);
             if (marks && !mask_.any) continue;
-            for_each_bit(at_once ? near_level() : open_, [&](std::size_t at) {
+            for_each_bit(at_once ? near_level(axes) : open_, [&](std::size_t at) {
                 if (marks && !at_once && !may_hold(at)) return;
                 walk(at, marks, layer, axes);
             });
@@ -200,9 +218,9 @@ private:
         }
     }
     static std::uint64_t bit(std::size_t ray) { return std::uint64_t{1} << ray; }
-    /// The open rays that may come to the level in the marked layer, or that may be at it on
-    /// entering.
-    std::uint64_t near_level() {
+    /// Of the open rays, those that may come to the level in the marked layer, or that may be at it
+    /// on entering, and of which it is not told here.
+    std::uint64_t near_level(const WalkAxes& axes) {
         const NearCells marked = mask_.near(steepest_);
         const AskedLayer asked{.samples = mask_.samples,
                                .marked = marked,
@@ -211,7 +229,45 @@ private:
                                .is_spline = support == 4,
                                .error = mask_.error};
         const std::uint64_t unsure = std::exchange(unsure_, 0);
-        return open_ & (unsure | rays_at_level(slab_rays_, asked, open_));
+        const std::uint64_t near = open_ & (unsure | rays_at_level(slab_rays_, asked, open_));
+        const std::uint64_t fresh = near & ~begun_;
+        return (near & begun_) | (fresh != 0 ? walk_at_once(fresh, axes) : 0);
+    }
+    /// Takes rays that have not begun through the marked layer; those that have to go one by one.
+    std::uint64_t walk_at_once(std::uint64_t some, const WalkAxes& axes) {
+        if constexpr (support == 2) {
+            if (!(finest_ > 0)) return some;
+            for (; some != 0 && hits_.sign() == 0; some &= some - 1)
+                walk(static_cast<std::size_t>(std::countr_zero(some)), true, mask_.layer, axes);
+            const BundleSearch search{.rays = index_rays_,
+                                      .map = map_,
+                                      .axes = axes,
+                                      .enter = inside_.enter_hi,
+                                      .exit = inside_.exit_lo,
+                                      .error = error_,
+                                      .finest = finest_,
+                                      .look_distance = rays_.look_distance(),
+                                      .sign = static_cast<double>(hits_.sign())};
+            return lanes_.walk(
+                search, grid_, mask_, some, [&](std::size_t ray) { count_look(pixel_of(ray)); },
+                [&](std::size_t ray, const LaneRays& rays, std::size_t lane) {
+                    open_ &= ~bit(ray);
+                    hits_.tell_certified(
+                        pixel_of(ray), rays.distance[lane],
+                        {rays.gradient[0][lane], rays.gradient[1][lane], rays.gradient[2][lane]});
+                });
+        } else {
+            return some;
+        }
+    }
+    [[nodiscard]] std::uint32_t pixel_of(std::size_t ray) const {
+        const int col = first_.col + static_cast<int>(ray) % block_size;
+        const int row = first_.row + static_cast<int>(ray) / block_size;
+        return static_cast<std::uint32_t>(row * tile_size + col);
+    }
+    void count_look(std::uint32_t pixel) {
+        ++looks_;
+        if (counters_.costs != nullptr) counters_.costs->add(pixel);
     }
     /// Makes a ray when it first comes near the surface; false: the region is nowhere on it.
     bool begin(std::size_t at, const WalkAxes& axes) {
@@ -219,7 +275,7 @@ private:
         const int col = first_.col + static_cast<int>(at) % block_size;
         const int row = first_.row + static_cast<int>(at) / block_size;
         if (!lines_.take(tile_, rays_, col, row)) return false;
-        const auto pixel = static_cast<std::uint32_t>(row * tile_size + col);
+        const std::uint32_t pixel = pixel_of(at);
         const RayLine& line = lines_.of(pixel);
         const IndexRays::Ray ray = index_rays_.ray(rays_.u(col), rays_.v(row));
         bundle_[at] = {.pixel = pixel,
@@ -228,6 +284,8 @@ private:
                        .from = line.from,
                        .to = line.to,
                        .root = FirstRoot(error_, lines_.finest(line, line.from))};
+        if (lanes_.was_above(at)) bundle_[at].root.begin_above();
+        if (lanes_.was_below(at)) bundle_[at].root.begin_below();
         begun_ |= bit(at);
         return true;
     }
@@ -241,9 +299,6 @@ private:
         return mask_.may_hold_between(std::min(i, beyond_i), std::max(i, beyond_i),
                                       std::min(j, beyond_j), std::max(j, beyond_j));
     }
-    struct Stretch {
-        double from, to;
-    };
     /// The stretch of the ray in a layer, as far as it is looked for roots.
     static Stretch stretch_in(const OpenRay& ray, std::int32_t layer, std::size_t axis) {
         const auto [from, to] = std::minmax({(layer - ray.ray.at[axis]) * ray.per_layer,
@@ -252,52 +307,17 @@ private:
     }
     /// Takes the ray through the cells of a layer; whether it has ended.
     bool walk_layer(OpenRay& ray, bool marks, std::int32_t layer, const WalkAxes& axes) {
-        const auto& at = ray.ray.at;
-        const auto& along = ray.ray.along;
         const Stretch whole = stretch_in(ray, layer, axes.k);
         if (!(whole.from <= whole.to)) return whole.from >= ray.to && end(ray);
-        double from = whole.from;
-        const auto cell_of = [&](std::size_t axis, double s) {
-            return static_cast<std::int32_t>(std::floor(at[axis] + s * along[axis]));
-        };
-        std::int32_t i = cell_of(axes.i, from);
-        std::int32_t j = cell_of(axes.j, from);
-        const auto look_in = [&](const Stretch& stretch) {
-            const bool inside =
-                i >= 0 && i <= last_cell_[axes.i] && j >= 0 && j <= last_cell_[axes.j];
-            return inside && (!marks || mask_.may_hold(i, j)) &&
-                   look(ray, cell_at(i, j, layer, axes), stretch);
-        };
-        if (i == cell_of(axes.i, whole.to) && j == cell_of(axes.j, whole.to)) return look_in(whole);
-        const int step_i = along[axes.i] > 0 ? 1 : -1;
-        const int step_j = along[axes.j] > 0 ? 1 : -1;
-        const auto leaves = [&](std::size_t axis, std::int32_t cell, int step) {
-            if (along[axis] == 0) return std::numeric_limits<double>::infinity();
-            return (cell + (step > 0 ? 1 : 0) - at[axis]) / along[axis];
-        };
-        double leaves_i = leaves(axes.i, i, step_i);
-        double leaves_j = leaves(axes.j, j, step_j);
-        for (;;) {
-            const double to = std::max(from, std::min({whole.to, leaves_i, leaves_j}));
-            if (look_in({.from = from, .to = to})) return true;
-            if (!(to < whole.to)) return false;
-            from = to;
-            if (leaves_i <= leaves_j) {
-                i += step_i;
-                leaves_i = leaves(axes.i, i, step_i);
-            } else {
-                j += step_j;
-                leaves_j = leaves(axes.j, j, step_j);
-            }
-        }
-    }
-    static std::array<std::int32_t, 3> cell_at(std::int32_t i, std::int32_t j, std::int32_t layer,
-                                               const WalkAxes& axes) {
-        std::array<std::int32_t, 3> cell{};
-        cell[axes.i] = i;
-        cell[axes.j] = j;
-        cell[axes.k] = layer;
-        return cell;
+        return walk_cells(ray.ray, axes, layer, whole,
+                          [&](const std::array<std::int32_t, 3>& cell, const Stretch& stretch) {
+                              const std::int32_t i = cell[axes.i];
+                              const std::int32_t j = cell[axes.j];
+                              const bool inside = i >= 0 && i <= last_cell_[axes.i] && j >= 0 &&
+                                                  j <= last_cell_[axes.j];
+                              return inside && (!marks || mask_.may_hold(i, j)) &&
+                                     look(ray, cell, stretch);
+                          });
     }
     /// Ends a ray that has left the region.
     bool end(OpenRay& ray) {
@@ -312,8 +332,7 @@ private:
                 in_cell[axis] = ray.ray.at[axis] + s * ray.ray.along[axis] - cell[axis];
             return in_cell;
         };
-        ++looks_;
-        if (counters_.costs != nullptr) counters_.costs->add(ray.pixel);
+        count_look(ray.pixel);
         const auto f = ray_polynomial(grid_.numbers(cell), place(stretch.from), place(stretch.to),
                                       stretch.from, stretch.to);
         if (!ray.root.look(f)) return false;
@@ -344,7 +363,10 @@ private:
     VoxelHits hits_;
     Counters& counters_;
     std::uint64_t looks_ = 0;  ///< at cells, in double
+    double finest_ = 0;        ///< as BundleSearch has it
     Pixels first_{};           ///< of the bundle
+    DepthRange inside_{};      ///< of the bundle
+    LaneWalk lanes_;
     bool has_columns_ = false;
     /// Of the bundle's rays, a bit each: those that have not ended, that are made, and that may be
     /// at the level where the layer that was looked at last ends.

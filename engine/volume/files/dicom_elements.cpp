@@ -14,6 +14,13 @@ namespace {
 constexpr std::size_t preamble = 132;
 constexpr DicomTag syntax_tag = 0x00020010;
 constexpr DicomTag pixel_data = 0x7fe00010;
+constexpr DicomTag float_pixel_data = 0x7fe00008;
+constexpr DicomTag double_pixel_data = 0x7fe00009;
+constexpr DicomTag shared_groups = 0x52009229;
+constexpr DicomTag frame_groups = 0x52009230;
+/// The groups that tell where a slice lies and what its numbers mean (part 3, C.7.6.16): measures
+/// of pixels, position, orientation, transformation of values.
+constexpr std::array<DicomTag, 4> wanted_groups{0x00289110, 0x00209113, 0x00209116, 0x00289145};
 constexpr DicomTag item = 0xfffee000;
 constexpr DicomTag item_end = 0xfffee00d;
 constexpr DicomTag sequence_end = 0xfffee0dd;
@@ -59,9 +66,9 @@ public:
                     .length = std::min<std::size_t>(head->length, bytes_.size() - at_)};
                 return found_;
             }
-            const bool passed =
-                head->length == undefined_length ? skip_sequence(*head, encoding, 0) : take(*head);
-            if (!passed) return damaged();
+            if (head->tag == float_pixel_data || head->tag == double_pixel_data)
+                return std::unexpected("its samples are no whole numbers, but floats");
+            if (!take_any(*head, encoding)) return damaged();
         }
         return std::unexpected("it ends before its samples");
     }
@@ -109,10 +116,63 @@ private:
         return head;
     }
     /// Notes an element and goes on behind it.
-    bool take(const Head& head) {
+    bool take(const Head& head) { return take_to(head, found_.elements); }
+    bool take_to(const Head& head, DicomElements::Elements& elements) {
         if (!skip(head.length)) return false;
-        found_.elements[head.tag] = {.offset = at_ - head.length, .length = head.length};
+        elements[head.tag] = {.offset = at_ - head.length, .length = head.length};
         return true;
+    }
+    bool take_any(const Head& head, const Encoding& encoding) {
+        const bool of_frames = head.tag == frame_groups;
+        if ((of_frames || head.tag == shared_groups) && !head.unknown_type) {
+            return for_each_item(head, encoding, [&](const Head& group) {
+                auto& elements = of_frames ? found_.frames.emplace_back() : found_.shared;
+                return take_groups(group, encoding, elements);
+            });
+        }
+        return head.length == undefined_length ? skip_sequence(head, encoding, 0) : take(head);
+    }
+    /// Where a sequence or an item ends at most; nothing where that is beyond the file.
+    [[nodiscard]] std::optional<std::size_t> end_of(const Head& head) const {
+        if (head.length == undefined_length) return bytes_.size();
+        if (head.length > bytes_.size() - at_) return std::nullopt;
+        return at_ + head.length;
+    }
+    /// Calls `take(head)` for what is in a sequence or an item, up to its end, until it is false.
+    template <class Take>
+    bool for_each(const Head& outer, const Encoding& encoding, DicomTag end_tag, const Take& take) {
+        const auto end = end_of(outer);
+        if (!end) return false;
+        while (at_ < *end) {
+            const auto head = next(encoding);
+            if (!head) return false;
+            if (head->tag == end_tag) return outer.length == undefined_length;
+            if (!take(*head)) return false;
+        }
+        return outer.length != undefined_length && at_ == *end;
+    }
+    template <class Take>
+    bool for_each_item(const Head& sequence, const Encoding& encoding, const Take& take) {
+        return for_each(sequence, encoding, sequence_end,
+                        [&](const Head& head) { return head.tag == item && take(head); });
+    }
+    /// Takes the elements of the wanted groups of a slice.
+    bool take_groups(const Head& groups, const Encoding& encoding,
+                     DicomElements::Elements& elements) {
+        return for_each(groups, encoding, item_end, [&](const Head& head) {
+            const bool wanted = std::ranges::find(wanted_groups, head.tag) != wanted_groups.end();
+            if (!wanted || head.unknown_type) return pass(head, encoding);
+            return for_each_item(head, encoding, [&](const Head& group) {
+                return for_each(group, encoding, item_end, [&](const Head& element) {
+                    if (element.length == undefined_length) return pass(element, encoding);
+                    return take_to(element, elements);
+                });
+            });
+        });
+    }
+    bool pass(const Head& head, const Encoding& encoding) {
+        return head.length == undefined_length ? skip_sequence(head, encoding, 0)
+                                               : skip(head.length);
     }
     bool skip(std::size_t length) {
         if (length > bytes_.size() - at_) return false;
@@ -153,10 +213,18 @@ private:
 
 }  // namespace
 
-std::string DicomElements::text(std::string_view bytes, DicomTag tag) const {
-    const auto found = elements.find(tag);
-    if (found == elements.end()) return {};
-    std::string_view text = bytes.substr(found->second.offset, found->second.length);
+std::string DicomElements::text(std::string_view bytes, DicomTag tag,
+                                std::optional<std::size_t> frame) const {
+    const Element* element = nullptr;
+    const auto look = [&](const Elements& in) {
+        const auto found = in.find(tag);
+        if (element == nullptr && found != in.end()) element = &found->second;
+    };
+    if (frame && *frame < frames.size()) look(frames[*frame]);
+    if (frame) look(shared);
+    look(elements);
+    if (element == nullptr) return {};
+    std::string_view text = bytes.substr(element->offset, element->length);
     text = text.substr(0, text.find('\0'));
     return std::string(trimmed(text));
 }

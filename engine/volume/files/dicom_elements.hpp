@@ -4,27 +4,35 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace zeroset {
 
 /// A tag of DICOM: its group in the upper half.
 using DicomTag = std::uint32_t;
 
-/// What a file of DICOM holds beside sequences, which are passed over.
+/// What a file of DICOM holds beside sequences, which are passed over but for what several slices
+/// in one file say of themselves.
 struct DicomElements {
     struct Element {
         std::size_t offset = 0, length = 0;  ///< of its value in the file
     };
-    std::map<DicomTag, Element> elements;
+    using Elements = std::map<DicomTag, Element>;
+    Elements elements;
+    Elements shared;               ///< by all slices of the file
+    std::vector<Elements> frames;  ///< each slice's own
     std::string transfer_syntax;
     bool big_endian = false;
     std::size_t deflated_from = 0;  ///< where the rest of the file is packed by zlib; 0: nowhere
 
     [[nodiscard]] bool has(DicomTag tag) const { return elements.contains(tag); }
     /// A value's text without what fills it up; empty where it is missing. `bytes` is the file.
-    [[nodiscard]] std::string text(std::string_view bytes, DicomTag tag) const;
+    /// `frame`: the slice of which it is asked.
+    [[nodiscard]] std::string text(std::string_view bytes, DicomTag tag,
+                                   std::optional<std::size_t> frame = {}) const;
     /// A binary number of 16 bits, or `otherwise`.
     [[nodiscard]] int number(std::string_view bytes, DicomTag tag, int otherwise) const;
 };

@@ -1,4 +1,5 @@
-// A DICOM series: one slice a file, in a folder (dicomstandard.org, part 3, C.7.6).
+// A DICOM series: files of one slice or several each, in a folder (dicomstandard.org, part 3,
+// C.7.6).
 
 #include "engine/volume/files/dicom_slice.hpp"
 #include "engine/volume/files/sample_file.hpp"
@@ -6,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <set>
 #include <utility>
@@ -32,7 +35,7 @@ Expected<std::vector<DicomSlice>> slices_of(const std::filesystem::path& path) {
     if (!whole) {
         const auto own = read_dicom_header(path);
         if (!own) return std::unexpected(own.error());
-        wanted = own->series;
+        wanted = own->front().series;
     }
     std::vector<DicomSlice> slices;
     std::set<std::string> series;
@@ -40,11 +43,11 @@ Expected<std::vector<DicomSlice>> slices_of(const std::filesystem::path& path) {
     for (const auto& entry : std::filesystem::directory_iterator(
              folder.empty() ? std::filesystem::path(".") : folder, error)) {
         if (!entry.is_regular_file(error) || !is_dicom_file(entry.path())) continue;
-        auto slice = read_dicom_header(entry.path());
-        if (!slice) return std::unexpected(named(entry.path()) + slice.error());
-        if (!whole && slice->series != wanted) continue;
-        series.insert(slice->series);
-        slices.push_back(std::move(*slice));
+        auto of_file = read_dicom_header(entry.path());
+        if (!of_file) return std::unexpected(named(entry.path()) + of_file.error());
+        if (!whole && of_file->front().series != wanted) continue;
+        series.insert(of_file->front().series);
+        std::ranges::move(*of_file, std::back_inserter(slices));
     }
     if (slices.empty()) return std::unexpected("it holds no DICOM file");
     if (series.size() > 1) {
@@ -66,8 +69,6 @@ std::string uneven(const std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
     for (const DicomSlice& slice : slices) {
         if (!slice.placed) return named(slice.file) + "it does not say where it lies";
-        if (!slice.one_frame)
-            return named(slice.file) + "it holds several slices; only files of one each are read";
         if (!are_near(slice.along_row, first.along_row) ||
             !are_near(slice.down_column, first.down_column) ||
             slice.row_spacing != first.row_spacing || slice.column_spacing != first.column_spacing)
@@ -85,7 +86,12 @@ std::string order(std::vector<DicomSlice>& slices) {
     const double mean =
         (height(slices.back()) - height(slices.front())) / static_cast<double>(slices.size() - 1);
     const auto gap = [&](std::size_t k) { return height(slices[k]) - height(slices[k - 1]); };
-    const auto name = [&](std::size_t k) { return "'" + slices[k].file.filename().string() + "'"; };
+    const auto name = [&](std::size_t k) {
+        const DicomSlice& slice = slices[k];
+        const std::string file = "'" + slice.file.filename().string() + "'";
+        return slice.frames == 1 ? file
+                                 : "slice " + std::to_string(slice.frame + 1) + " of " + file;
+    };
     for (std::size_t k = 1; k < slices.size(); ++k) {
         constexpr double least = 1e-4;  // millimetres
         if (gap(k) < least) {
@@ -120,23 +126,32 @@ Geometry geometry_of(const std::vector<DicomSlice>& slices) {
     return geometry;
 }
 
-/// The samples of all slices as they are stored.
+/// The samples of all slices as they are stored. Files of several slices are read once.
 Expected<Samples> stacked(const std::vector<DicomSlice>& slices) {
     const auto bytes = std::make_shared<std::vector<char>>();
+    std::map<std::filesystem::path, Samples> read;
     Samples all;
     for (const DicomSlice& slice : slices) {
-        const auto samples = read_dicom_samples(slice.file);
-        if (!samples) return std::unexpected(named(slice.file) + samples.error());
-        if (&slice == &slices.front()) {
-            all = *samples;
-        } else if (samples->type != all.type || samples->size != all.size) {
-            return std::unexpected(named(slice.file) + "it has other sizes than others, " +
-                                   std::to_string(samples->size[0]) + " x " +
-                                   std::to_string(samples->size[1]) + " samples of " +
-                                   std::string(name_of(samples->type)));
+        if (!read.contains(slice.file)) {
+            if (slice.frames == 1) read.clear();
+            auto samples = read_dicom_samples(slice.file);
+            if (!samples) return std::unexpected(named(slice.file) + samples.error());
+            read[slice.file] = std::move(*samples);
         }
-        const auto* const first = static_cast<const char*>(samples->data.get());
-        bytes->insert(bytes->end(), first, first + samples->count() * size_of(samples->type));
+        const Samples& samples = read[slice.file];
+        if (&slice == &slices.front()) all = samples;
+        if (samples.type != all.type || samples.size[0] != all.size[0] ||
+            samples.size[1] != all.size[1]) {
+            return std::unexpected(named(slice.file) + "it has other sizes than others, " +
+                                   std::to_string(samples.size[0]) + " x " +
+                                   std::to_string(samples.size[1]) + " samples of " +
+                                   std::string(name_of(samples.type)));
+        }
+        if (slice.frame >= samples.size[2])
+            return std::unexpected(named(slice.file) + "it changed while it was read");
+        const std::uint64_t each = samples.size[0] * samples.size[1] * size_of(samples.type);
+        const auto* const first = static_cast<const char*>(samples.data.get()) + slice.frame * each;
+        bytes->insert(bytes->end(), first, first + each);
     }
     all.size[2] = slices.size();
     all.data = std::shared_ptr<const void>(bytes, bytes->data());

@@ -3,6 +3,7 @@
 #include "engine/base/text.hpp"
 #include "engine/volume/files/dicom_elements.hpp"
 #include "engine/volume/files/dicom_packed.hpp"
+#include "engine/volume/files/dicom_rle.hpp"
 
 #include <bit>
 #include <cmath>
@@ -27,14 +28,17 @@ constexpr DicomTag bits_stored = 0x00280101;
 constexpr DicomTag pixel_representation = 0x00280103;
 constexpr DicomTag rescale_intercept = 0x00281052;
 constexpr DicomTag rescale_slope = 0x00281053;
+constexpr DicomTag frame_offsets = 0x3004000c;
+constexpr DicomTag dose_scaling = 0x3004000e;
 constexpr DicomTag pixel_data = 0x7fe00010;
 
 /// The bytes of a file with its elements.
 struct Header {
     std::string bytes;
     DicomElements elements;
+    std::optional<std::size_t> frame = {};  ///< the slice of which it is asked
 
-    [[nodiscard]] std::string text(DicomTag tag) const { return elements.text(bytes, tag); }
+    [[nodiscard]] std::string text(DicomTag tag) const { return elements.text(bytes, tag, frame); }
     [[nodiscard]] int number(DicomTag tag, int otherwise) const {
         return elements.number(bytes, tag, otherwise);
     }
@@ -117,9 +121,24 @@ Expected<Samples> samples_from(std::string_view bytes, const SampleBlock& block,
     return samples;
 }
 
-GridSize size_of_slice(const Header& header) {
-    return {static_cast<std::uint64_t>(header.number(column_count, 0)),
-            static_cast<std::uint64_t>(header.number(row_count, 0)), 1};
+/// How many slices a file has.
+Expected<std::uint64_t> frames_of(const Header& header) {
+    constexpr double most = 1U << 24U;
+    double frames = 1;
+    const std::string problem = header.take(number_of_frames, "NumberOfFrames", frames);
+    if (!problem.empty()) return std::unexpected(problem);
+    if (!(frames >= 1 && frames <= most && frames == std::floor(frames))) {
+        return std::unexpected(wrong_field("NumberOfFrames", header.text(number_of_frames),
+                                           "a whole number from 1 on is wanted"));
+    }
+    return static_cast<std::uint64_t>(frames);
+}
+
+Expected<GridSize> grid_size(const Header& header) {
+    const auto frames = frames_of(header);
+    if (!frames) return std::unexpected(frames.error());
+    return GridSize{static_cast<std::uint64_t>(header.number(column_count, 0)),
+                    static_cast<std::uint64_t>(header.number(row_count, 0)), *frames};
 }
 
 std::unexpected<std::string> no_numbers() {
@@ -127,30 +146,48 @@ std::unexpected<std::string> no_numbers() {
         std::string("its samples are no single whole numbers of 8, 16 or 32 bits"));
 }
 
-Expected<Samples> plain_samples(const Header& header, const std::filesystem::path& file) {
-    const auto type =
-        type_of(header.number(bits_allocated, 0), header.number(pixel_representation, 0) == 1);
-    if (!type) return no_numbers();
+/// The type that the header tells of.
+std::optional<SampleType> told_type(const Header& header) {
+    return type_of(header.number(bits_allocated, 0), header.number(pixel_representation, 0) == 1);
+}
+
+/// From the first sample on, or from what they are packed in.
+std::string_view pixels_of(const Header& header) {
     const auto& pixels = header.elements.elements.at(pixel_data);
-    return samples_from(std::string_view(header.bytes).substr(pixels.offset, pixels.length),
-                        {.file = file,
-                         .type = *type,
-                         .big_endian = header.elements.big_endian,
-                         .size = size_of_slice(header)},
+    return std::string_view(header.bytes).substr(pixels.offset, pixels.length);
+}
+
+Expected<Samples> plain_samples(const Header& header, const std::filesystem::path& file,
+                                const GridSize& size) {
+    const auto type = told_type(header);
+    if (!type) return no_numbers();
+    return samples_from(
+        pixels_of(header),
+        {.file = file, .type = *type, .big_endian = header.elements.big_endian, .size = size},
+        header.number(bits_stored, 0));
+}
+
+Expected<Samples> rle_samples(const Header& header, const std::filesystem::path& file,
+                              const GridSize& size) {
+    const auto type = told_type(header);
+    if (!type) return no_numbers();
+    const auto bytes = unpacked_rle(pixels_of(header), size, size_of(*type));
+    if (!bytes) return std::unexpected(bytes.error());
+    return samples_from(*bytes, {.file = file, .type = *type, .big_endian = false, .size = size},
                         header.number(bits_stored, 0));
 }
 
-Expected<Samples> packed_samples(const Header& header, const std::filesystem::path& file) {
-    const GridSize size = size_of_slice(header);
+Expected<Samples> packed_samples(const Header& header, const std::filesystem::path& file,
+                                 const GridSize& size) {
     const auto told = [&](const std::string& problem) {
         return std::unexpected(problem + " (transfer syntax '" + header.elements.transfer_syntax +
                                "')");
     };
     constexpr std::string_view item("\xfe\xff\x00\xe0", 4);
-    const std::size_t first = header.elements.elements.at(pixel_data).offset;
-    if (!std::string_view(header.bytes).substr(first).starts_with(item))
-        return told("its packed samples are not there");
-    const auto pixels = unpacked_pixels(header.bytes, size[0] * size[1]);
+    if (!pixels_of(header).starts_with(item)) return told("its packed samples are not there");
+    if (header.elements.transfer_syntax == "1.2.840.10008.1.2.5")
+        return rle_samples(header, file, size);
+    const auto pixels = unpacked_pixels(header.bytes, size[0] * size[1] * size[2]);
     if (!pixels) return told(pixels.error());
     const auto type = type_of(pixels->bits_allocated, pixels->is_signed);
     if (!type) return no_numbers();
@@ -162,43 +199,83 @@ Expected<Samples> packed_samples(const Header& header, const std::filesystem::pa
                         pixels->bits_stored);
 }
 
-}  // namespace
-
-Expected<DicomSlice> read_dicom_header(const std::filesystem::path& file) {
-    const auto header = read_header(file);
-    if (!header) return std::unexpected(header.error());
-    DicomSlice slice{.file = file, .series = header->text(series_instance_uid)};
-    double frames = 1;
-    std::string problem = header->take(number_of_frames, "NumberOfFrames", frames);
-    if (problem.empty()) problem = header->take(rescale_slope, "RescaleSlope", slice.slope);
-    if (problem.empty()) problem = header->take(rescale_intercept, "RescaleIntercept", slice.shift);
-    if (!problem.empty()) return std::unexpected(problem);
-    slice.one_frame = frames == 1;
-    if (const auto spacing = header->numbers(pixel_spacing, 2)) {
+/// Takes what a header says of a slice; what is wrong with it, or nothing.
+std::string take_slice(const Header& header, DicomSlice& slice) {
+    std::string problem = header.take(rescale_slope, "RescaleSlope", slice.slope);
+    if (problem.empty()) problem = header.take(dose_scaling, "DoseGridScaling", slice.slope);
+    if (problem.empty()) problem = header.take(rescale_intercept, "RescaleIntercept", slice.shift);
+    if (!problem.empty()) return problem;
+    if (const auto spacing = header.numbers(pixel_spacing, 2)) {
         slice.row_spacing = (*spacing)[0];
         slice.column_spacing = (*spacing)[1];
-    } else if (!header->text(pixel_spacing).empty()) {
-        return std::unexpected(
-            wrong_field("PixelSpacing", header->text(pixel_spacing), "two numbers are wanted"));
+    } else if (!header.text(pixel_spacing).empty()) {
+        return wrong_field("PixelSpacing", header.text(pixel_spacing), "two numbers are wanted");
     }
-    const auto place = header->numbers(image_position, 3);
-    const auto turn = header->numbers(image_orientation, 6);
-    if (!place || !turn) return slice;
+    const auto place = header.numbers(image_position, 3);
+    const auto turn = header.numbers(image_orientation, 6);
+    if (!place || !turn) return {};
     slice.placed = true;
     for (std::size_t i = 0; i < 3; ++i) {
         slice.position[i] = (*place)[i];
         slice.along_row[i] = (*turn)[i];
         slice.down_column[i] = (*turn)[i + 3];
     }
-    return slice;
+    return {};
+}
+
+/// Moves slices that all lie at the first one's place along their normal, as the offsets say that
+/// doses have (part 3, C.8.8.3.2).
+void move_by(const std::vector<double>& offsets, std::vector<DicomSlice>& slices) {
+    for (std::size_t k = 0; k < slices.size(); ++k) {
+        DicomSlice& slice = slices[k];
+        const auto& a = slice.along_row;
+        const auto& b = slice.down_column;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            const std::size_t l = (i + 2) % 3;
+            slice.position[i] += (offsets[k] - offsets.front()) * (a[j] * b[l] - a[l] * b[j]);
+        }
+    }
+}
+
+}  // namespace
+
+Expected<std::vector<DicomSlice>> read_dicom_header(const std::filesystem::path& file) {
+    auto header = read_header(file);
+    if (!header) return std::unexpected(header.error());
+    const auto frames = frames_of(*header);
+    if (!frames) return std::unexpected(frames.error());
+    const std::size_t told = header->elements.frames.size();
+    if (told != 0 && told != *frames) {
+        return std::unexpected("it announces " + std::to_string(*frames) +
+                               " slices, and tells of " + std::to_string(told));
+    }
+    const auto offsets = header->numbers(frame_offsets, *frames);
+    if (told == 0 && *frames > 1 && !offsets) {
+        return std::unexpected("it holds " + std::to_string(*frames) +
+                               " slices, and does not say where each of them lies");
+    }
+    DicomSlice slice{.file = file, .series = header->text(series_instance_uid)};
+    slice.frames = *frames;
+    std::vector<DicomSlice> slices(*frames, slice);
+    for (std::size_t k = 0; k < slices.size(); ++k) {
+        header->frame = k;
+        slices[k].frame = k;
+        if (auto problem = take_slice(*header, slices[k]); !problem.empty())
+            return std::unexpected(problem);
+    }
+    if (told == 0 && offsets) move_by(*offsets, slices);
+    return slices;
 }
 
 Expected<Samples> read_dicom_samples(const std::filesystem::path& file) {
     const auto header = read_header(file);
     if (!header) return std::unexpected(header.error());
     if (header->number(samples_per_pixel, 1) != 1) return no_numbers();
-    return is_unpacked(header->elements.transfer_syntax) ? plain_samples(*header, file)
-                                                         : packed_samples(*header, file);
+    const auto size = grid_size(*header);
+    if (!size) return std::unexpected(size.error());
+    return is_unpacked(header->elements.transfer_syntax) ? plain_samples(*header, file, *size)
+                                                         : packed_samples(*header, file, *size);
 }
 
 }  // namespace zeroset

@@ -8,8 +8,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
-// One file of a DICOM series.
+// One file of a DICOM series: of a slice, or of several.
 
 namespace zeroset {
 
@@ -22,14 +23,15 @@ struct DicomSlice {
     std::array<double, 3> down_column{};
     double row_spacing = 1, column_spacing = 1;  ///< between rows, and between columns
     double slope = 1, shift = 0;
-    bool one_frame = true;
-    bool placed = false;  ///< whether it says where it lies
+    std::size_t frame = 0, frames = 1;  ///< which of its file's slices it is
+    bool placed = false;                ///< whether it says where it lies
 };
 
-/// Reads a header. An error is what is wrong with the file, without its name.
-Expected<DicomSlice> read_dicom_header(const std::filesystem::path& file);
+/// Reads a header: the file's slices, in its order, at least one. An error is what is wrong with
+/// the file, without its name.
+Expected<std::vector<DicomSlice>> read_dicom_header(const std::filesystem::path& file);
 
-/// The samples of a slice, before slope and shift.
+/// The samples of a file's slices, one behind the other, before slope and shift.
 Expected<Samples> read_dicom_samples(const std::filesystem::path& file);
 
 }  // namespace zeroset

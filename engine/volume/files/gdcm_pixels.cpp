@@ -135,7 +135,7 @@ Pixels unpacked_pixels(std::string_view file, std::uint64_t count) {
     if (count > most_samples) {
         return std::unexpected("it announces " + std::to_string(count) +
                                " packed samples; at most " + std::to_string(most_samples) +
-                               " of a slice are unpacked");
+                               " of a file are unpacked");
     }
     constexpr std::size_t before = 64;  // bytes for the report
     static_assert(sizeof(Report) <= before);

@@ -228,7 +228,9 @@ TEST_F(Dicom, WhatIsNoGridGetsItsLine) {
     EXPECT_EQ(error_of(series("nowhere", [](Slice& slice) { slice.position = "none"; })).substr(4),
               "' of the series: it does not say where it lies");
     EXPECT_EQ(error_of(series("many", [](Slice& slice) { slice.frames = "7"; })).substr(4),
-              "' of the series: it holds several slices; only files of one each are read");
+              "' of the series: it holds 7 slices, and does not say where each of them lies");
+    EXPECT_EQ(error_of(series("halves", [](Slice& slice) { slice.frames = "1.5"; })).substr(4),
+              "' of the series: its 'NumberOfFrames' is '1.5'; a whole number from 1 on is wanted");
     EXPECT_EQ(error_of(series("words", [](Slice& slice) { slice.spacing = "near"; })).substr(4),
               "' of the series: its 'PixelSpacing' is 'near'; two numbers are wanted");
     EXPECT_EQ(
