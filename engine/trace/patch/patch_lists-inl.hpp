@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -101,12 +102,14 @@ public:
     double* v(std::size_t i) { return lists_.v.data() + i; }
     double* p(std::size_t i) { return lists_.p.data() + i; }
     double* q(std::size_t i) { return lists_.q.data() + i; }
+    double* spread(std::size_t i) { return lists_.spread.data() + i; }
+    std::int64_t* pixels(std::size_t i) { return lists_.pixel.data() + i; }
     [[nodiscard]] std::size_t pixel(std::size_t i) const {
         return static_cast<std::size_t>(lists_.pixel[i]);
     }
     void copy(std::size_t from, std::size_t to) {
-        lists_.u[to] = lists_.u[from];
-        lists_.v[to] = lists_.v[from];
+        for (std::vector<double>* const numbers : lists_.numbers())
+            (*numbers)[to] = (*numbers)[from];
         lists_.pixel[to] = lists_.pixel[from];
     }
 
@@ -168,6 +171,12 @@ private:
         hn::StoreU(squeezed(vs, left), d, v(to));
         hn::StoreU(squeezed(hn::IfThenElse(zeros.known, zeros.p, zero), left), d, p(to));
         hn::StoreU(squeezed(hn::IfThenElse(zeros.known, zeros.q, zero), left), d, q(to));
+        // More than places lose as floats.
+        const Vector sizes = hn::Add(number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
+        const Vector spread = hn::MulAdd(sizes, number(0x1p-20), zeros.radius);
+        const Vector unbounded = number(std::numeric_limits<double>::infinity());
+        hn::StoreU(squeezed(hn::IfThenElse(zeros.known, spread, unbounded), left), d,
+                   lists_.spread.data() + to);
         hn::StoreU(hn::BitCast(di, squeezed(pixels, left)), di, lists_.pixel.data() + to);
         return some;
     }
@@ -177,11 +186,15 @@ private:
         if (count == 0) return;
         const D d;
         const std::size_t end = first + count;
-        for (std::vector<double>* const numbers : {&lists_.u, &lists_.v, &lists_.p, &lists_.q}) {
+        for (std::vector<double>* const numbers : lists_.numbers()) {
             const Vector last = number((*numbers)[end - 1]);
             hn::StoreU(last, d, numbers->data() + end);
             hn::StoreU(last, d, numbers->data() + end + width);
         }
+        const hn::RebindToSigned<D> di;
+        const auto last = hn::Set(di, lists_.pixel[end - 1]);
+        hn::StoreU(last, di, lists_.pixel.data() + end);
+        hn::StoreU(last, di, lists_.pixel.data() + end + width);
     }
 
     const SightAxes& axes_;

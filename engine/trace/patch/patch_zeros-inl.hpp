@@ -46,6 +46,7 @@ HWY_INLINE Vector squeezed(Vector numbers, Mask wanted) {
 struct Zeros {
     Mask none, known;
     Vector p, q;
+    Vector radius;  ///< of both, where they are known
 };
 
 /// linear_zeros of a leaf, with its numbers in vectors.
@@ -98,6 +99,7 @@ public:
         const Mask beyond = hn::Or(hn::Gt(hn::Sub(hn::Abs(zeros.p), p_radius), number(inner)),
                                    hn::Gt(hn::Sub(hn::Abs(zeros.q), q_radius), number(inner)));
         zeros.none = hn::Or(beside, hn::And(zeros.known, beyond));
+        zeros.radius = hn::Max(p_radius, q_radius);
         return zeros;
     }
 
