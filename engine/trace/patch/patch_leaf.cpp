@@ -28,9 +28,6 @@ constexpr double flat_norm = 0.7;
 /// Nor is Newton's method tried on boxes that bend more than this.
 constexpr double bent_norm = 8.0;
 constexpr int most_halvings = 14;
-/// Terms that make no more than this of the error of depths are left out.
-constexpr double left_out = 0x1p-10;
-
 class LeafTracer {
 public:
     LeafTracer(const SightAxes& axes, const LeafRays& rays, const LeafClip& clip, LeafLists& lists,
@@ -40,7 +37,7 @@ public:
     }
 
     void trace(Piece& piece, const LeafPixels& pixels) {
-        lower_degree(piece, left_out * rays_.tolerance);
+        lower_degree(piece, rays_.tolerance);
         see(piece);
         trace_listed(piece, lists_.list(piece, pixels));
     }
@@ -69,7 +66,7 @@ private:
         for (const double sign : forward > 0.0 ? std::array{-1.0, 1.0} : std::array{1.0, -1.0}) {
             Piece half;
             halve(piece, along_p, sign, half);
-            lower_degree(half, left_out * rays_.tolerance);
+            lower_degree(half, rays_.tolerance);
             see(half);
             trace_listed(half, lists_.list(half, open));
         }
@@ -84,7 +81,7 @@ private:
     /// many.
     std::size_t solve_bent(const Piece& piece, const FloatTerms& floats, const Range& rays) {
         const Newton newton(piece, floats, axes_, rays_.tolerance);
-        return with_degree(piece.degree, [&](auto degree) HWY_ATTR {
+        return with_degree(piece.first_degree, [&](auto degree) HWY_ATTR {
             return solve_bent_by<degree()>(newton, rays);
         });
     }
@@ -122,19 +119,21 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     const D d;
     count_.evaluations += rays.count;
     std::size_t left = 0;
-    for (std::size_t i = 0; i < rays.count; i += 2 * width) {
-        const std::size_t at = rays.first + i;
+    for (std::size_t first = 0; first < rays.count; first += 2 * width) {
+        const std::size_t at = rays.first + first;
         SolverEnd end;
-        for (std::size_t half = 0; half < 2; ++half) {
-            const std::size_t from = at + half * width;
-            end.halves[half].u = hn::LoadU(d, lists_.u(from));
-            end.halves[half].v = hn::LoadU(d, lists_.v(from));
-            end.halves[half].p = hn::LoadU(d, lists_.p(from));
-            end.halves[half].q = hn::LoadU(d, lists_.q(from));
+        const auto u = lists_.pair(lists_.u(at));
+        const auto v = lists_.pair(lists_.v(at));
+        const auto p = doubles_of(hn::LoadU(df, lists_.p(at)));
+        const auto q = doubles_of(hn::LoadU(df, lists_.q(at)));
+        for (std::size_t i = 0; i < 2; ++i) {
+            end.halves[i].u = u[i];
+            end.halves[i].v = v[i];
+            end.halves[i].p = p[i];
+            end.halves[i].q = q[i];
         }
         solver.solve<degree>(end);
-        const LaneBits real = rays.count - i >= 2 * width ? (LaneBits{1} << (2 * width)) - 1
-                                                          : (LaneBits{1} << (rays.count - i)) - 1;
+        const LaneBits real = RayLists::first_bits(rays.count - first);
         const auto bits = [&](auto mask_of_half) HWY_ATTR {
             return real & (bits_of(d, mask_of_half(end.halves[0].test)) |
                            bits_of(d, mask_of_half(end.halves[1].test)) << width);
@@ -156,25 +155,17 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
 
 template <int degree>
 std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
-    const D d;
     count_.evaluations += rays.count;
     std::size_t left = 0;
     for (std::size_t i = 0; i < rays.count; i += 2 * width) {
         const std::size_t at = rays.first + i;
-        const auto pair = [&](const double* from) HWY_ATTR {
-            return std::array{hn::LoadU(d, from), hn::LoadU(d, from + width)};
-        };
-        const auto floats = [&](const double* from) HWY_ATTR {
-            return floats_of(hn::LoadU(d, from), hn::LoadU(d, from + width));
-        };
-        const NewtonRays some{.u = pair(lists_.u(at)),
-                              .v = pair(lists_.v(at)),
-                              .p = floats(lists_.p(at)),
-                              .q = floats(lists_.q(at)),
-                              .spread = floats(lists_.spread(at))};
+        const NewtonRays some{.u = lists_.pair(lists_.u(at)),
+                              .v = lists_.pair(lists_.v(at)),
+                              .p = hn::LoadU(df, lists_.p(at)),
+                              .q = hn::LoadU(df, lists_.q(at)),
+                              .spread = hn::LoadU(df, lists_.spread(at))};
         const NewtonEnd end = newton.solve<degree>(some);
-        const LaneBits real = rays.count - i >= 2 * width ? (LaneBits{1} << (2 * width)) - 1
-                                                          : (LaneBits{1} << (rays.count - i)) - 1;
+        const LaneBits real = RayLists::first_bits(rays.count - i);
         const LaneBits found = real & bits_of(df, end.found);
         if (found != 0) take_found(some, end, at, found);
         for (LaneBits open = real & ~found & ~bits_of(df, end.none); open != 0; open &= open - 1)
@@ -186,16 +177,13 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
 inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at,
                                    LaneBits hits) {
     const D d;
-    const hn::RebindToSigned<D> di;
     HWY_ALIGN double s[2 * width];
+    hits &= lists_.within_reach(at, end.s);
     for (std::size_t half = 0; half < 2; ++half) {
-        const Vector depth = end.s[half];
-        hn::Store(depth, d, s + half * width);
-        const auto pixel = hn::LoadU(di, lists_.pixels(at + half * width));
-        Mask out = hn::Gt(depth, hn::GatherIndex(d, rays_.reach, pixel));
-        if (clip_.window == LeafWindow::Box)
-            out = hn::Or(out, hn::Not(in_box(rays.u[half], rays.v[half], depth)));
-        hits &= ~(bits_of(d, out) << (half * width));
+        hn::Store(end.s[half], d, s + half * width);
+        if (clip_.window != LeafWindow::Box) continue;
+        const Mask in = in_box(rays.u[half], rays.v[half], end.s[half]);
+        hits &= ~(bits_of(d, hn::Not(in)) << (half * width));
     }
     if (hits == 0) return;
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
@@ -329,10 +317,12 @@ namespace zeroset {
 HWY_EXPORT(trace);
 
 void LeafLists::reserve(std::size_t first, std::size_t more) {
-    constexpr std::size_t most_lanes = 8;
+    constexpr std::size_t most_lanes = 16;
     const std::size_t size = first + more + 3 * most_lanes;
     if (size <= u.size()) return;
-    for (std::vector<double>* const all : numbers())
+    for (std::vector<double>* const all : {&u, &v})
+        all->resize(2 * size);
+    for (std::vector<float>* const all : floats())
         all->resize(2 * size);
     pixel.resize(2 * size);
 }

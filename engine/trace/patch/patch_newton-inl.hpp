@@ -3,8 +3,8 @@
 //
 // With Y near the inverse of g' at x, n = -Y g(x), and h = y - x for a zero y of g:
 //   h = n + (I - Y g') h,   |I - Y g'| <= k0 + K |h| / 2,
-// where g' is its mean between x and y, k0 is what rounding makes of g'(x), and K is |Y| times a
-// bound of the second derivatives. All zeros of the piece are within a distance R of x, by its
+// where g' is its mean between x and y, k0 is what rounding makes of g'(x), and K is a bound of Y
+// times the second derivatives. All zeros of the piece are within a distance R of x, by its
 // linear form; so with d = |n| and k = k0 + K R / 2 below 1
 //   |h| <= d / (1 - k) = r,   |y - (x + n)| <= (k0 + K r / 2) r.
 // There is a zero where the ball of radius r about x is in the piece [Krawczyk69]. Unlike
@@ -23,39 +23,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-/// As many floats as two vectors of doubles have numbers.
-using Floats = hn::Vec<hn::CappedTag<float, 2 * width>>;
-using FloatMask = hn::Mask<hn::CappedTag<float, 2 * width>>;
-constexpr hn::CappedTag<float, 2 * width> df{};
-
-HWY_INLINE Floats float_number(double x) { return hn::Set(df, static_cast<float>(x)); }
-
-/// Two vectors of doubles as floats, and floats as doubles.
-HWY_INLINE Floats floats_of(Vector lower, Vector upper) {
-    const hn::Rebind<float, D> half;
-    return hn::Combine(df, hn::DemoteTo(half, upper), hn::DemoteTo(half, lower));
-}
-HWY_INLINE std::array<Vector, 2> doubles_of(Floats floats) {
-    const hn::Rebind<float, D> half;
-    const D d;
-    return {hn::PromoteTo(d, hn::LowerHalf(half, floats)),
-            hn::PromoteTo(d, hn::UpperHalf(half, floats))};
-}
 
 /// A polynomial's value and slopes.
 struct FloatSlopes {
     Floats value, by_p, by_q;
 };
 
-/// The terms of a piece in float: of (a, b, s). Those of degree 0 and 1 are 0 in `terms`.
+/// The terms of a piece in float: of (a, b, s). Those below degree 3 are 0 in `terms`.
 struct FloatTerms {
     float terms[patch_terms][4];
-    float by_p[4], by_q[4];
+    float by_p[4], by_q[4];          ///< p, q
+    float by_pp[4], by_pq[4], by_qq[4];  ///< p^2, p q, q^2
 
     explicit FloatTerms(const Piece& piece) {
         const D4 d4;
@@ -64,19 +47,30 @@ struct FloatTerms {
             const auto put = [&](std::size_t i, float* to) HWY_ATTR {
                 hn::StoreU(hn::DemoteTo(f4, hn::Load(d4, piece.terms[i].data() + k)), f4, to + k);
             };
-            for (std::size_t i = 0; i < 3; ++i)
+            constexpr std::size_t first = patch_term(3, 0);
+            for (std::size_t i = 0; i < first; ++i)
                 hn::StoreU(hn::Zero(f4), f4, terms[i] + k);
             put(patch_term(1, 0), by_p);
             put(patch_term(0, 1), by_q);
-            for (std::size_t i = patch_term(2, 0); i < terms_of(piece.degree); ++i)
+            put(patch_term(2, 0), by_pp);
+            put(patch_term(1, 1), by_pq);
+            put(patch_term(0, 2), by_qq);
+            for (std::size_t i = first; i < terms_of(piece.degree); ++i)
                 put(i, terms[i]);
         }
     }
 };
 
-/// The terms of a coordinate from degree 2 on, and their slopes.
+/// The terms of a coordinate from degree 3 on, and the slopes of all terms.
 template <int degree>
-HWY_INLINE FloatSlopes bend_of(const FloatTerms& f, int k, Floats p, Floats q) {
+HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Floats q) {
+    const Floats pq = hn::Set(df, f.by_pq[k]);
+    const auto twice = [&](const float* from)
+                           HWY_ATTR { return hn::Set(df, 2.0F * from[k]); };
+    FloatSlopes low{.value = hn::Zero(df),
+                    .by_p = hn::MulAdd(twice(f.by_pp), p, hn::MulAdd(pq, q, hn::Set(df, f.by_p[k]))),
+                    .by_q = hn::MulAdd(twice(f.by_qq), q, hn::MulAdd(pq, p, hn::Set(df, f.by_q[k])))};
+    if constexpr (degree <= 2) return low;
     const auto term = [&](int i, int j)
                           HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
     FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
@@ -84,34 +78,30 @@ HWY_INLINE FloatSlopes bend_of(const FloatTerms& f, int k, Floats p, Floats q) {
         // The terms with p^i, and their slope by q.
         Floats row = term(i, degree - i);
         Floats by_q = row;
+        // Those below degree 3 are not there.
+        const int lowest = std::max(0, 3 - i);
         for (int j = degree - i - 1; j >= 1; --j) {
-            row = hn::MulAdd(row, q, term(i, j));
+            row = j >= lowest ? hn::MulAdd(row, q, term(i, j)) : hn::Mul(row, q);
             by_q = hn::MulAdd(by_q, q, row);
         }
-        row = i == 0 ? hn::Mul(row, q) : hn::MulAdd(row, q, term(i, 0));
+        row = lowest > 0 ? hn::Mul(row, q) : hn::MulAdd(row, q, term(i, 0));
         all.by_p = i == degree - 1 ? all.value : hn::MulAdd(all.by_p, p, all.value);
         all.value = hn::MulAdd(all.value, p, row);
         all.by_q = i == degree - 1 ? by_q : hn::MulAdd(all.by_q, p, by_q);
     }
-    return all;
-}
-
-/// As above with the slopes of all terms.
-template <int degree>
-HWY_INLINE FloatSlopes bend_and_slopes_of(const FloatTerms& f, int k, Floats p, Floats q) {
-    FloatSlopes all = bend_of<degree>(f, k, p, q);
-    all.by_p = hn::Add(all.by_p, hn::Set(df, f.by_p[k]));
-    all.by_q = hn::Add(all.by_q, hn::Set(df, f.by_q[k]));
+    all.by_p = hn::Add(all.by_p, low.by_p);
+    all.by_q = hn::Add(all.by_q, low.by_q);
     return all;
 }
 
 /// A coordinate, but for its constant.
 template <int degree>
 HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, Floats p, Floats q) {
-    FloatSlopes all = bend_and_slopes_of<degree>(f, k, p, q);
-    const Floats linear =
-        hn::MulAdd(hn::Set(df, f.by_p[k]), p, hn::Mul(hn::Set(df, f.by_q[k]), q));
-    all.value = hn::Add(all.value, linear);
+    FloatSlopes all = high_terms_of<degree>(f, k, p, q);
+    const auto set = [&](const float* from) HWY_ATTR { return hn::Set(df, from[k]); };
+    const Floats by_p = hn::MulAdd(set(f.by_pp), p, hn::MulAdd(set(f.by_pq), q, set(f.by_p)));
+    const Floats by_q = hn::MulAdd(set(f.by_qq), q, set(f.by_q));
+    all.value = hn::Add(all.value, hn::MulAdd(by_p, p, hn::Mul(by_q, q)));
     return all;
 }
 
@@ -143,22 +133,27 @@ constexpr double newton_limit = 1.125;
 /// Bounds for the polynomials of a piece in each of (a, b, s), by the sums of the sizes of their
 /// terms of each degree. In upward rounding.
 struct NewtonBounds {
-    /// Of the second derivatives' sum; of what rounding in float makes of the terms from degree 2
-    /// on, and of the slopes of all. A term of degree n is rounded n + 3 times at most, each time
-    /// by 2^-23 of it.
-    double bend[4], error[4], slope_error[4];
+    /// Of the sum of second derivatives, but for those of the terms of degree 2, and of what
+    /// rounding in float makes of the slopes.
+    double bend[4], slope_error[4];
+    double square[4];  ///< of the second derivatives of the terms of degree 2
+    /// Of what rounding makes of the terms from degree 3 on, where |p|, |q| <= 1. A term of degree
+    /// n is rounded n + 4 times at most, each time by 2^-23 of it.
+    double error[4];
 
     explicit NewtonBounds(const Piece& piece) {
         const D4 d4;
         for (std::size_t k = 0; k < 4; k += step4) {
             V4 all[3] = {hn::Zero(d4), hn::Zero(d4), hn::Zero(d4)};
             double power = 1.0;  // newton_limit^(n - 1)
-            for (int n = 1; n <= piece.degree; ++n, power *= newton_limit) {
+            for (int n = 1; n <= piece.first_degree; ++n, power *= newton_limit) {
                 const V4 size = size_of_degree(piece.terms, n, k);
                 const auto add = [&](V4& to, double factor)
                                      HWY_ATTR { to = hn::MulAdd(size, hn::Set(d4, factor), to); };
-                add(all[0], n * (n - 1) * power / newton_limit);
-                if (n > 1) add(all[1], 0x1p-22 * (n + 2) * power * newton_limit);
+                if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
+                // Products with the second derivatives are rounded, too.
+                add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
+                if (n > 2) add(all[1], 0x1p-23 * (n + 5));
                 add(all[2], 0x1p-20 * n * (n + 2) * power);
             }
             hn::StoreU(all[0], d4, bend + k);
@@ -195,10 +190,11 @@ public:
           bounds_(piece) {
         const PatchSight& sight = piece.sight;
         const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
-        a_error_ = sight.value_error + bounds_.error[0] + rounding * most.x;
-        b_error_ = sight.value_error + bounds_.error[1] + rounding * most.y;
-        along_error_ = sight.value_error + bounds_.error[2] + rounding * (distance_ + most.z);
-        s_error_ = sight.value_error + bounds_.error[2] + rounding * most.z;
+        const double error = sight.value_error + piece.first_error;
+        a_error_ = error + bounds_.error[0] + rounding * most.x;
+        b_error_ = error + bounds_.error[1] + rounding * most.y;
+        along_error_ = error + bounds_.error[2] + rounding * (distance_ + most.z);
+        s_error_ = error + bounds_.error[2] + rounding * most.z;
     }
 
     template <int degree>
@@ -221,9 +217,9 @@ public:
         NewtonEnd end;
         constexpr int most_tests = 3;
         for (int tests = 1;; ++tests) {
-            end.at_a = bend_and_slopes_of<degree>(floats_, 0, p, q);
-            end.at_b = bend_and_slopes_of<degree>(floats_, 1, p, q);
-            end.at_s = bend_and_slopes_of<degree>(floats_, 2, p, q);
+            end.at_a = high_terms_of<degree>(floats_, 0, p, q);
+            end.at_b = high_terms_of<degree>(floats_, 1, p, q);
+            end.at_s = high_terms_of<degree>(floats_, 2, p, q);
             if (test(rays, u, v, first1, first2, tests == most_tests, p, q, end)) return end;
         }
     }
@@ -258,24 +254,26 @@ private:
                          bool is_last, Floats& p, Floats& q, NewtonEnd& end) const {
         const auto ps = doubles_of(p);
         const auto qs = doubles_of(q);
-        // The linear terms, in double.
+        // The terms up to degree 2, in double.
         std::array<Vector, 2> s{};
-        std::array<Vector, 2> linear1{};
-        std::array<Vector, 2> linear2{};
-        const auto& by_p = piece_.terms[patch_term(1, 0)];
-        const auto& by_q = piece_.terms[patch_term(0, 1)];
+        std::array<Vector, 2> low1{};
+        std::array<Vector, 2> low2{};
         for (std::size_t i = 0; i < 2; ++i) {
             const auto sum = [&](std::size_t k, Vector from) HWY_ATTR {
-                return hn::MulAdd(number(by_p[k]), ps[i],
-                                  hn::MulAdd(number(by_q[k]), qs[i], from));
+                const auto term = [&](int by_p, int by_q)
+                                      HWY_ATTR { return number(piece_.terms[patch_term(by_p, by_q)][k]); };
+                const Vector by_p = hn::MulAdd(
+                    term(2, 0), ps[i], hn::MulAdd(term(1, 1), qs[i], term(1, 0)));
+                const Vector by_q = hn::MulAdd(term(0, 2), qs[i], term(0, 1));
+                return hn::MulAdd(by_p, ps[i], hn::MulAdd(by_q, qs[i], from));
             };
             s[i] = sum(2, hn::Zero(D()));
-            linear1[i] = hn::NegMulAdd(rays.u[i], s[i], sum(0, first1[i]));
-            linear2[i] = hn::NegMulAdd(rays.v[i], s[i], sum(1, first2[i]));
+            low1[i] = hn::NegMulAdd(rays.u[i], s[i], sum(0, first1[i]));
+            low2[i] = hn::NegMulAdd(rays.v[i], s[i], sum(1, first2[i]));
         }
-        const Floats g1 = hn::Add(floats_of(linear1[0], linear1[1]),
+        const Floats g1 = hn::Add(floats_of(low1[0], low1[1]),
                                   hn::NegMulAdd(u, end.at_s.value, end.at_a.value));
-        const Floats g2 = hn::Add(floats_of(linear2[0], linear2[1]),
+        const Floats g2 = hn::Add(floats_of(low2[0], low2[1]),
                                   hn::NegMulAdd(v, end.at_s.value, end.at_b.value));
         const Slopes2 by(end.at_a, end.at_b, end.at_s, u, v);
         const Floats ypp = hn::Mul(by.qq, by.inverse);
@@ -295,17 +293,29 @@ private:
             return hn::MulAdd(size, float_number(along), float_number(across));
         };
         const Floats tiny = float_number(0x1p-21);
-        const Floats lost =
-            norm(hn::MulAdd(hn::Abs(g1), tiny, both(size_u, a_error_, along_error_)),
-                 hn::MulAdd(hn::Abs(g2), tiny, both(size_v, b_error_, along_error_)));
-        const Floats flat = norm(both(size_u, bounds_.slope_error[0], bounds_.slope_error[2]),
-                                 both(size_v, bounds_.slope_error[1], bounds_.slope_error[2]));
-        const Floats bend =
-            hn::Mul(float_number(0.5), norm(both(size_u, bounds_.bend[0], bounds_.bend[2]),
-                                            both(size_v, bounds_.bend[1], bounds_.bend[2])));
-        const Floats step = hn::Max(hn::Abs(step_p), hn::Abs(step_q));
         const Floats one = float_number(1.0);
         const Floats out = hn::Max(hn::Abs(p), hn::Abs(q));
+        Floats lost = norm(hn::MulAdd(hn::Abs(g1), tiny, both(size_u, a_error_, along_error_)),
+                           hn::MulAdd(hn::Abs(g2), tiny, both(size_v, b_error_, along_error_)));
+        // Outside of the box rounding makes more.
+        constexpr double most_power = 2.3;  // newton_limit^patch_degree
+        lost = hn::IfThenElse(hn::Gt(out, one), hn::Mul(lost, float_number(most_power)), lost);
+        const Floats flat = norm(both(size_u, bounds_.slope_error[0], bounds_.slope_error[2]),
+                                 both(size_v, bounds_.slope_error[1], bounds_.slope_error[2]));
+        const Floats more = norm(both(size_u, bounds_.bend[0], bounds_.bend[2]),
+                                 both(size_v, bounds_.bend[1], bounds_.bend[2]));
+        // |Y g''| / 2, where g'' of the terms of degree 2 is known with its sign.
+        Floats bend_p = hn::Mul(more, float_number(0.5));
+        Floats bend_q = bend_p;
+        for (const float* const at : {floats_.by_pp, floats_.by_pq, floats_.by_qq}) {
+            const Floats s2 = hn::Set(df, at[2]);
+            const Floats h1 = hn::NegMulAdd(u, s2, hn::Set(df, at[0]));
+            const Floats h2 = hn::NegMulAdd(v, s2, hn::Set(df, at[1]));
+            bend_p = hn::Add(bend_p, hn::Abs(hn::NegMulAdd(ypq, h2, hn::Mul(ypp, h1))));
+            bend_q = hn::Add(bend_q, hn::Abs(hn::NegMulAdd(yqp, h1, hn::Mul(yqq, h2))));
+        }
+        const Floats bend = hn::Max(bend_p, bend_q);
+        const Floats step = hn::Max(hn::Abs(step_p), hn::Abs(step_q));
         const Floats moved_by =
             hn::Max(hn::Abs(hn::Sub(p, rays.p)), hn::Abs(hn::Sub(q, rays.q)));
         const Floats far = hn::Min(hn::Add(rays.spread, hn::MulAdd(moved_by, tiny, moved_by)),
@@ -328,7 +338,7 @@ private:
         const FloatMask is_one = hn::And(bounded, hn::Le(hn::Add(out, reach), one));
         const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
         const Floats s_radius = hn::MulAdd(
-            hn::MulAdd(reach, float_number(0.5 * bounds_.bend[2]),
+            hn::MulAdd(reach, float_number(0.5 * (bounds_.bend[2] + bounds_.square[2])),
                        float_number(bounds_.slope_error[2])),
             reach, hn::MulAdd(slope, within, float_number(s_error_)));
         const FloatMask narrow =
@@ -345,9 +355,9 @@ private:
         }
         end.found = hn::And(end.found, hn::And(in_unit(to_p, radius, piece_.box.u, piece_.box.u_radius), in_unit(to_q, radius, piece_.box.v, piece_.box.v_radius)));
         const Floats bent = hn::MulAdd(end.at_s.by_p, step_p, hn::MulAdd(end.at_s.by_q, step_q, end.at_s.value));
-        const auto more = doubles_of(bent);
+        const auto further = doubles_of(bent);
         for (std::size_t i = 0; i < 2; ++i)
-            end.s[i] = hn::Add(hn::Add(s[i], number(piece_.terms[0][2])), more[i]);
+            end.s[i] = hn::Add(hn::Add(s[i], number(piece_.terms[0][2])), further[i]);
         return true;
     }
 
