@@ -1,8 +1,10 @@
 // The rays of a tile on a leaf: as linear_zeros and zero_test (patch_sight.hpp) say it of one ray,
 // with S by the polynomials of its model.
 //   g = (a - u (distance + s), b - v (distance + s))
-// A leaf that Krawczyk's test does not contract on is halved, again and again, by shifts of its
-// polynomials: each half goes on with those rays that its linear form does not reject.
+// Newton's method in float settles most rays, each by itself (patch_newton-inl.hpp); Krawczyk's test
+// of the whole leaf in double those for which that is too coarse. A leaf that leaves rays open is
+// halved, again and again, by shifts of its polynomials: each half goes on with those of them that
+// its linear form does not reject.
 
 #include "engine/trace/patch/patch_leaf.hpp"
 
@@ -23,9 +25,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Boxes are halved until Krawczyk's test contracts by this.
+/// Krawczyk's test has to contract by this on all of a box.
 constexpr double flat_norm = 0.7;
-/// Nor is Newton's method tried on boxes that bend more than this.
+/// Newton's method is not tried on boxes that bend more than this.
 constexpr double bent_norm = 8.0;
 constexpr int most_halvings = 14;
 class LeafTracer {
@@ -135,8 +137,8 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
         solver.solve<degree>(end);
         const LaneBits real = RayLists::first_bits(rays.count - first);
         const auto bits = [&](auto mask_of_half) HWY_ATTR {
-            return real & (bits_of(d, mask_of_half(end.halves[0].test)) |
-                           bits_of(d, mask_of_half(end.halves[1].test)) << width);
+            return real & (lanes_of(d, mask_of_half(end.halves[0].test)) |
+                           lanes_of(d, mask_of_half(end.halves[1].test)) << width);
         };
         take_hits(piece, end, at, real);
         LaneBits wide = bits([](const Test& test) HWY_ATTR { return test.wide; });
@@ -166,9 +168,9 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
                               .spread = hn::LoadU(df, lists_.spread(at))};
         const NewtonEnd end = newton.solve<degree>(some);
         const LaneBits real = RayLists::first_bits(rays.count - i);
-        const LaneBits found = real & bits_of(df, end.found);
+        const LaneBits found = real & lanes_of(df, end.found);
         if (found != 0) take_found(some, end, at, found);
-        for (LaneBits open = real & ~found & ~bits_of(df, end.none); open != 0; open &= open - 1)
+        for (LaneBits open = real & ~found & ~lanes_of(df, end.none); open != 0; open &= open - 1)
             lists_.copy(at + static_cast<std::size_t>(std::countr_zero(open)), rays.first + left++);
     }
     return left;
@@ -183,7 +185,7 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
         hn::Store(end.s[half], d, s + half * width);
         if (clip_.window != LeafWindow::Box) continue;
         const Mask in = in_box(rays.u[half], rays.v[half], end.s[half]);
-        hits &= ~(bits_of(d, hn::Not(in)) << (half * width));
+        hits &= ~(lanes_of(d, hn::Not(in)) << (half * width));
     }
     if (hits == 0) return;
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
@@ -265,8 +267,8 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
         hn::Store(test.s_radius, d, s_radius + half * width);
         Mask some = hn::AndNot(test.outside, test.found);
         if (clip_.window == LeafWindow::Box) some = hn::And(some, in_box(rays.u, rays.v, depth));
-        hits |= bits_of(d, some) << (half * width);
-        inside |= bits_of(d, test.inside) << (half * width);
+        hits |= lanes_of(d, some) << (half * width);
+        inside |= lanes_of(d, test.inside) << (half * width);
     }
     hits &= real;
     if (hits == 0) return;

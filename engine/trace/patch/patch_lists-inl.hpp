@@ -135,7 +135,7 @@ private:
     template <class Call>
     static HWY_INLINE LaneBits both_halves(Call call) {
         const D d;
-        return bits_of(d, call(0)) | bits_of(d, call(1)) << width;
+        return lanes_of(d, call(0)) | lanes_of(d, call(1)) << width;
     }
     [[nodiscard]] HWY_INLINE LaneBits nearer(const std::array<Vector, 2>& depths,
                                              Pixels pixels) const {
@@ -203,9 +203,9 @@ private:
                                std::size_t to) {
         const D d;
         const Zeros zeros = form.zeros(floats_of(us[0], us[1]), floats_of(vs[0], vs[1]));
-        const LaneBits left_bits = wanted & ~bits_of(df, zeros.none);
+        const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
         if (left_bits == 0) return 0;
-        const FloatMask left = mask_of(df, left_bits);
+        const FloatMask left = lanes_at(df, left_bits);
         const Floats zero = hn::Zero(df);
         // More than places lose as floats.
         const Floats sizes = hn::Add(float_number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
@@ -219,7 +219,7 @@ private:
         hn::StoreU(hn::BitCast(di, squeezed(hn::BitCast(df, pixels), left)), di, pixels_at(to));
         constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
         const auto lower = static_cast<std::size_t>(std::popcount(left_bits & lower_bits));
-        const std::array halves{mask_of(d, left_bits & lower_bits), mask_of(d, left_bits >> width)};
+        const std::array halves{lanes_at(d, left_bits & lower_bits), lanes_at(d, left_bits >> width)};
         for (std::size_t i = 0; i < 2; ++i) {
             hn::StoreU(squeezed(us[i], halves[i]), d, u(to + i * lower));
             hn::StoreU(squeezed(vs[i], halves[i]), d, v(to + i * lower));

@@ -63,7 +63,7 @@ HWY_INLINE V4 size_of_degree(const SightTerms& terms, int degree, std::size_t k)
 /// Terms of high degree make no more than these of the error of depths when they are left out: of
 /// what is proved, and of what is tried first.
 constexpr double left_out = 0x1p-10;
-constexpr double left_out_first = 0x1p-6;
+constexpr double left_out_first = 0x1p-4;
 
 /// Lowers a degree as long as the terms that leaves out make no more than `most`; returns what they
 /// make.

@@ -53,6 +53,26 @@ HWY_INLINE std::array<Vector, 2> doubles_of(Floats floats) {
             hn::PromoteTo(d, hn::UpperHalf(half, floats))};
 }
 
+/// bits_of and mask_of without a way through memory.
+template <class Tag>
+HWY_INLINE LaneBits lanes_of(Tag tag, hn::Mask<Tag> mask) {
+#if HWY_TARGET <= HWY_AVX3
+    static_cast<void>(tag);
+    return static_cast<LaneBits>(mask.raw);
+#else
+    return bits_of(tag, mask);
+#endif
+}
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> lanes_at(Tag tag, LaneBits bits) {
+#if HWY_TARGET <= HWY_AVX3
+    static_cast<void>(tag);
+    return {static_cast<decltype(hn::Mask<Tag>::raw)>(bits)};
+#else
+    return mask_of(tag, bits);
+#endif
+}
+
 /// The lanes where `wanted` holds, first. Highway 1.0 copies a table of 2 kB for each vector.
 HWY_INLINE Vector squeezed(Vector numbers, Mask wanted) {
 #if HWY_TARGET <= HWY_AVX3
