@@ -323,8 +323,8 @@ private:
         // 1 - k, rounded downward.
         const Floats rest = hn::Neg(hn::Sub(hn::MulAdd(bend, far, flat), one));
         const Floats reach = hn::Div(hn::Add(step, lost), rest);
-        const FloatMask bounded =
-            hn::And(hn::Gt(rest, float_number(0x1p-4)), hn::Le(reach, far));
+        const FloatMask is_known = hn::Gt(rest, float_number(0x1p-4));
+        const FloatMask bounded = hn::And(is_known, hn::Le(reach, far));
         const Floats within = hn::MulAdd(
             hn::Add(hn::MulAdd(bend, reach, flat), float_number(0x1p-20)), reach, lost);
         const Floats to_p = hn::Add(p, step_p);
@@ -333,8 +333,7 @@ private:
         const auto beyond = [&](Floats at) HWY_ATTR {
             return hn::Gt(hn::Sub(hn::Abs(at), radius), float_number(inner));
         };
-        end.none = hn::And(hn::Gt(rest, float_number(0x1p-4)),
-                           hn::Or(beyond(to_p), beyond(to_q)));
+        end.none = hn::And(is_known, hn::Or(beyond(to_p), beyond(to_q)));
         const FloatMask is_one = hn::And(bounded, hn::Le(hn::Add(out, reach), one));
         const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
         const Floats s_radius = hn::MulAdd(
@@ -345,9 +344,8 @@ private:
             hn::Le(hn::Add(s_radius, s_radius), float_number(tolerance_ * (1.0 - 0x1p-20)));
         end.found = hn::And(hn::AndNot(end.none, is_one), narrow);
         // A better place may help where the step is what makes the radius.
-        const FloatMask may_help =
-            hn::And(hn::AndNot(hn::Or(end.none, end.found), hn::Lt(hn::Mul(bend, reach), one)),
-                    hn::Gt(step, lost));
+        const FloatMask may_help = hn::And(hn::AndNot(hn::Or(end.none, end.found), is_known),
+                                           hn::Gt(step, lost));
         if (!is_last && !hn::AllFalse(df, may_help)) {
             p = moved(p, step_p);
             q = moved(q, step_q);

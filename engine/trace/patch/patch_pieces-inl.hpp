@@ -41,13 +41,14 @@ struct Piece {
     Contraction contraction;
 };
 
-/// Calls `call` with the degree as a constant, or one above it.
+/// Calls `call` with the degree as a constant, from 2 on.
 template <class Call>
 HWY_INLINE auto with_degree(int degree, Call call) {
     if (degree <= 2) return call(std::integral_constant<int, 2>());
     if (degree == 3) return call(std::integral_constant<int, 3>());
     if (degree == 4) return call(std::integral_constant<int, 4>());
     if (degree == 5) return call(std::integral_constant<int, 5>());
+    if (degree == 6) return call(std::integral_constant<int, 6>());
     return call(std::integral_constant<int, patch_degree>());
 }
 
@@ -88,9 +89,6 @@ inline void lower_degree(Piece& piece, double tolerance) {
     piece.value_error += lowered(piece.terms, piece.degree, left_out * tolerance);
     piece.first_degree = piece.degree;
     piece.first_error = lowered(piece.terms, piece.first_degree, left_out_first * tolerance);
-    // with_degree goes on with terms that are left out.
-    if (piece.degree == 6) piece.degree = patch_degree;
-    if (piece.first_degree == 6) piece.first_degree = patch_degree;
 }
 
 /// The polynomials of a model in the axes of a view.
