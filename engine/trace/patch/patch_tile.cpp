@@ -17,7 +17,7 @@ constexpr double model_norm = 1.0;
 constexpr double small_model_norm = 2.0;
 constexpr double large_pixels = 64.0;
 /// Parts with a model that are as small as this, in pixels, are leaves.
-constexpr double small_pixels = 24.0;
+constexpr double small_pixels = 16.0;
 /// Parts as small as this, in pixels, are leaves, whatever they are like.
 constexpr double least_pixels = 5.0;
 /// Nor where S is not continuous: such parts may be as many as there are along a line.
