@@ -1,10 +1,10 @@
 // The rays of a tile on a leaf: as linear_zeros and zero_test (patch_sight.hpp) say it of one ray,
 // with S by the polynomials of its model.
 //   g = (a - u (distance + s), b - v (distance + s))
-// Newton's method in float settles most rays, each by itself (patch_newton-inl.hpp); Krawczyk's test
-// of the whole leaf in double those for which that is too coarse. A leaf that leaves rays open is
-// halved, again and again, by shifts of its polynomials: each half goes on with those of them that
-// its linear form does not reject.
+// Newton's method in float settles most rays, each by itself (patch_newton-inl.hpp); Krawczyk's
+// test of the whole leaf in double those for which that is too coarse. A leaf that leaves rays open
+// is halved, again and again, by shifts of its polynomials: each half goes on with those of them
+// that its linear form does not reject.
 
 #include "engine/trace/patch/patch_leaf.hpp"
 
@@ -228,7 +228,8 @@ inline Mask LeafTracer::in_box(Vector u, Vector v, Vector s) const {
 }
 
 /// dS/dp x dS/dq in the axes, then in the world.
-inline void LeafTracer::put_normals(const FloatSlopes& a_by, const FloatSlopes& b_by, const FloatSlopes& s_by, LeafFound* found) const {
+inline void LeafTracer::put_normals(const FloatSlopes& a_by, const FloatSlopes& b_by,
+                                    const FloatSlopes& s_by, LeafFound* found) const {
     const Floats flip = hn::Set(df, flip_);
     const auto cross = [&](Floats ap, Floats aq, Floats bp, Floats bq) HWY_ATTR {
         return hn::Mul(flip, hn::NegMulAdd(bp, aq, hn::Mul(ap, bq)));

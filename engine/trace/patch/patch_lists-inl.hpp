@@ -121,8 +121,7 @@ public:
     }
     /// The bits of the first lanes, up to all.
     static LaneBits first_bits(std::size_t lanes) {
-        return lanes >= float_width ? (LaneBits{1} << float_width) - 1
-                                    : (LaneBits{1} << lanes) - 1;
+        return lanes >= float_width ? (LaneBits{1} << float_width) - 1 : (LaneBits{1} << lanes) - 1;
     }
 
 private:
@@ -164,10 +163,10 @@ private:
                 const std::size_t from = std::min(col, rays_.row_size - float_width);
                 const std::size_t at = row * rays_.row_size + from;
                 const auto reach = pair(rays_.reach + at);
-                const LaneBits wanted =
-                    first_bits(end_col - from) & ~first_bits(col - from) &
-                    both_halves([&](std::size_t i)
-                                    HWY_ATTR { return hn::Le(number(near), reach[i]); });
+                const LaneBits wanted = first_bits(end_col - from) & ~first_bits(col - from) &
+                                        both_halves([&](std::size_t i) HWY_ATTR {
+                                            return hn::Le(number(near), reach[i]);
+                                        });
                 if (wanted == 0) continue;
                 const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
                 count += put(form, pair(rays_.u + at), pair(rays_.v + at), pixels, wanted, count);
@@ -208,7 +207,8 @@ private:
         const FloatMask left = lanes_at(df, left_bits);
         const Floats zero = hn::Zero(df);
         // More than places lose as floats.
-        const Floats sizes = hn::Add(float_number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
+        const Floats sizes =
+            hn::Add(float_number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
         const Floats spread = hn::MulAdd(sizes, float_number(0x1p-20), zeros.radius);
         const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
         const auto store = [&](Floats numbers, float* at)
@@ -219,7 +219,8 @@ private:
         hn::StoreU(hn::BitCast(di, squeezed(hn::BitCast(df, pixels), left)), di, pixels_at(to));
         constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
         const auto lower = static_cast<std::size_t>(std::popcount(left_bits & lower_bits));
-        const std::array halves{lanes_at(d, left_bits & lower_bits), lanes_at(d, left_bits >> width)};
+        const std::array halves{lanes_at(d, left_bits & lower_bits),
+                                lanes_at(d, left_bits >> width)};
         for (std::size_t i = 0; i < 2; ++i) {
             hn::StoreU(squeezed(us[i], halves[i]), d, u(to + i * lower));
             hn::StoreU(squeezed(vs[i], halves[i]), d, v(to + i * lower));

@@ -37,7 +37,7 @@ struct FloatSlopes {
 /// The terms of a piece in float: of (a, b, s). Those below degree 3 are 0 in `terms`.
 struct FloatTerms {
     float terms[patch_terms][4];
-    float by_p[4], by_q[4];          ///< p, q
+    float by_p[4], by_q[4];              ///< p, q
     float by_pp[4], by_pq[4], by_qq[4];  ///< p^2, p q, q^2
 
     explicit FloatTerms(const Piece& piece) {
@@ -65,11 +65,11 @@ struct FloatTerms {
 template <int degree>
 HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Floats q) {
     const Floats pq = hn::Set(df, f.by_pq[k]);
-    const auto twice = [&](const float* from)
-                           HWY_ATTR { return hn::Set(df, 2.0F * from[k]); };
-    FloatSlopes low{.value = hn::Zero(df),
-                    .by_p = hn::MulAdd(twice(f.by_pp), p, hn::MulAdd(pq, q, hn::Set(df, f.by_p[k]))),
-                    .by_q = hn::MulAdd(twice(f.by_qq), q, hn::MulAdd(pq, p, hn::Set(df, f.by_q[k])))};
+    const auto twice = [&](const float* from) HWY_ATTR { return hn::Set(df, 2.0F * from[k]); };
+    FloatSlopes low{
+        .value = hn::Zero(df),
+        .by_p = hn::MulAdd(twice(f.by_pp), p, hn::MulAdd(pq, q, hn::Set(df, f.by_p[k]))),
+        .by_q = hn::MulAdd(twice(f.by_qq), q, hn::MulAdd(pq, p, hn::Set(df, f.by_q[k])))};
     if constexpr (degree <= 2) return low;
     const auto term = [&](int i, int j)
                           HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
@@ -260,10 +260,11 @@ private:
         std::array<Vector, 2> low2{};
         for (std::size_t i = 0; i < 2; ++i) {
             const auto sum = [&](std::size_t k, Vector from) HWY_ATTR {
-                const auto term = [&](int by_p, int by_q)
-                                      HWY_ATTR { return number(piece_.terms[patch_term(by_p, by_q)][k]); };
-                const Vector by_p = hn::MulAdd(
-                    term(2, 0), ps[i], hn::MulAdd(term(1, 1), qs[i], term(1, 0)));
+                const auto term = [&](int by_p, int by_q) HWY_ATTR {
+                    return number(piece_.terms[patch_term(by_p, by_q)][k]);
+                };
+                const Vector by_p =
+                    hn::MulAdd(term(2, 0), ps[i], hn::MulAdd(term(1, 1), qs[i], term(1, 0)));
                 const Vector by_q = hn::MulAdd(term(0, 2), qs[i], term(0, 1));
                 return hn::MulAdd(by_p, ps[i], hn::MulAdd(by_q, qs[i], from));
             };
@@ -271,10 +272,10 @@ private:
             low1[i] = hn::NegMulAdd(rays.u[i], s[i], sum(0, first1[i]));
             low2[i] = hn::NegMulAdd(rays.v[i], s[i], sum(1, first2[i]));
         }
-        const Floats g1 = hn::Add(floats_of(low1[0], low1[1]),
-                                  hn::NegMulAdd(u, end.at_s.value, end.at_a.value));
-        const Floats g2 = hn::Add(floats_of(low2[0], low2[1]),
-                                  hn::NegMulAdd(v, end.at_s.value, end.at_b.value));
+        const Floats g1 =
+            hn::Add(floats_of(low1[0], low1[1]), hn::NegMulAdd(u, end.at_s.value, end.at_a.value));
+        const Floats g2 =
+            hn::Add(floats_of(low2[0], low2[1]), hn::NegMulAdd(v, end.at_s.value, end.at_b.value));
         const Slopes2 by(end.at_a, end.at_b, end.at_s, u, v);
         const Floats ypp = hn::Mul(by.qq, by.inverse);
         const Floats ypq = hn::Mul(by.pq, by.inverse);
@@ -316,17 +317,16 @@ private:
         }
         const Floats bend = hn::Max(bend_p, bend_q);
         const Floats step = hn::Max(hn::Abs(step_p), hn::Abs(step_q));
-        const Floats moved_by =
-            hn::Max(hn::Abs(hn::Sub(p, rays.p)), hn::Abs(hn::Sub(q, rays.q)));
-        const Floats far = hn::Min(hn::Add(rays.spread, hn::MulAdd(moved_by, tiny, moved_by)),
-                                   hn::Add(one, out));
+        const Floats moved_by = hn::Max(hn::Abs(hn::Sub(p, rays.p)), hn::Abs(hn::Sub(q, rays.q)));
+        const Floats far =
+            hn::Min(hn::Add(rays.spread, hn::MulAdd(moved_by, tiny, moved_by)), hn::Add(one, out));
         // 1 - k, rounded downward.
         const Floats rest = hn::Neg(hn::Sub(hn::MulAdd(bend, far, flat), one));
         const Floats reach = hn::Div(hn::Add(step, lost), rest);
         const FloatMask is_known = hn::Gt(rest, float_number(0x1p-4));
         const FloatMask bounded = hn::And(is_known, hn::Le(reach, far));
-        const Floats within = hn::MulAdd(
-            hn::Add(hn::MulAdd(bend, reach, flat), float_number(0x1p-20)), reach, lost);
+        const Floats within =
+            hn::MulAdd(hn::Add(hn::MulAdd(bend, reach, flat), float_number(0x1p-20)), reach, lost);
         const Floats to_p = hn::Add(p, step_p);
         const Floats to_q = hn::Add(q, step_q);
         const Floats radius = hn::Add(within, tiny);
@@ -336,23 +336,26 @@ private:
         end.none = hn::And(is_known, hn::Or(beyond(to_p), beyond(to_q)));
         const FloatMask is_one = hn::And(bounded, hn::Le(hn::Add(out, reach), one));
         const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
-        const Floats s_radius = hn::MulAdd(
-            hn::MulAdd(reach, float_number(0.5 * (bounds_.bend[2] + bounds_.square[2])),
-                       float_number(bounds_.slope_error[2])),
-            reach, hn::MulAdd(slope, within, float_number(s_error_)));
+        const Floats s_radius =
+            hn::MulAdd(hn::MulAdd(reach, float_number(0.5 * (bounds_.bend[2] + bounds_.square[2])),
+                                  float_number(bounds_.slope_error[2])),
+                       reach, hn::MulAdd(slope, within, float_number(s_error_)));
         const FloatMask narrow =
             hn::Le(hn::Add(s_radius, s_radius), float_number(tolerance_ * (1.0 - 0x1p-20)));
         end.found = hn::And(hn::AndNot(end.none, is_one), narrow);
         // A better place may help where the step is what makes the radius.
-        const FloatMask may_help = hn::And(hn::AndNot(hn::Or(end.none, end.found), is_known),
-                                           hn::Gt(step, lost));
+        const FloatMask may_help =
+            hn::And(hn::AndNot(hn::Or(end.none, end.found), is_known), hn::Gt(step, lost));
         if (!is_last && !hn::AllFalse(df, may_help)) {
             p = moved(p, step_p);
             q = moved(q, step_q);
             return false;
         }
-        end.found = hn::And(end.found, hn::And(in_unit(to_p, radius, piece_.box.u, piece_.box.u_radius), in_unit(to_q, radius, piece_.box.v, piece_.box.v_radius)));
-        const Floats bent = hn::MulAdd(end.at_s.by_p, step_p, hn::MulAdd(end.at_s.by_q, step_q, end.at_s.value));
+        end.found =
+            hn::And(end.found, hn::And(in_unit(to_p, radius, piece_.box.u, piece_.box.u_radius),
+                                       in_unit(to_q, radius, piece_.box.v, piece_.box.v_radius)));
+        const Floats bent =
+            hn::MulAdd(end.at_s.by_p, step_p, hn::MulAdd(end.at_s.by_q, step_q, end.at_s.value));
         const auto further = doubles_of(bent);
         for (std::size_t i = 0; i < 2; ++i)
             end.s[i] = hn::Add(hn::Add(s[i], number(piece_.terms[0][2])), further[i]);

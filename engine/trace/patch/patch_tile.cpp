@@ -174,7 +174,7 @@ bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {
     if (node->model != nullptr && pixels < small_pixels) return true;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
-    const double most = node->model == nullptr    ? flat_norm
+    const double most = node->model == nullptr  ? flat_norm
                         : pixels < large_pixels ? small_model_norm
                                                 : model_norm;
     return contraction_of(with_slopes, rays_of(rect)).norm <= most;

@@ -147,10 +147,10 @@ public:
         const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
         zeros.radius = hn::Max(p_radius, q_radius);
         // Products of small numbers may be 0.
-        zeros.known = hn::And(hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
-                                      hn::Gt(hn::Abs(determinant),
-                                             hn::Mul(float_number(0x1p-10), size))),
-                              hn::And(hn::Lt(p_radius, unbounded), hn::Lt(q_radius, unbounded)));
+        zeros.known =
+            hn::And(hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
+                            hn::Gt(hn::Abs(determinant), hn::Mul(float_number(0x1p-10), size))),
+                    hn::And(hn::Lt(p_radius, unbounded), hn::Lt(q_radius, unbounded)));
         const FloatMask beyond =
             hn::Or(hn::Gt(hn::Sub(hn::Abs(zeros.p), p_radius), float_number(inner)),
                    hn::Gt(hn::Sub(hn::Abs(zeros.q), q_radius), float_number(inner)));

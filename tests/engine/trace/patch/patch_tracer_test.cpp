@@ -128,8 +128,7 @@ std::vector<double> quadratic_roots(const Ray& ray, const std::function<double(d
 }
 
 /// Those of a quadric f(x, y, z) = 0 where |z| < 1.
-std::vector<double> quadric_roots(const Ray& ray,
-                                  double (*f)(double x, double y, double z)) {
+std::vector<double> quadric_roots(const Ray& ray, double (*f)(double x, double y, double z)) {
     std::vector<double> roots = quadratic_roots(ray, [&](double t) {
         const glm::dvec3 at = ray.at(t);
         return f(at.x, at.y, at.z);
@@ -139,12 +138,11 @@ std::vector<double> quadric_roots(const Ray& ray,
 }
 
 std::vector<double> cone_roots(const Ray& ray) {
-    return quadric_roots(
-        ray, [](double x, double y, double z) { return x * x + y * y - z * z; });
+    return quadric_roots(ray, [](double x, double y, double z) { return x * x + y * y - z * z; });
 }
 std::vector<double> hyperboloid_roots(const Ray& ray) {
-    return quadric_roots(
-        ray, [](double x, double y, double z) { return x * x + y * y - z * z - 0.25; });
+    return quadric_roots(ray,
+                         [](double x, double y, double z) { return x * x + y * y - z * z - 0.25; });
 }
 std::vector<double> saddle_roots(const Ray& ray) {
     return quadric_roots(ray, [](double x, double y, double z) { return x * x - y * y - z; });
@@ -213,9 +211,8 @@ std::vector<PatchCase> cases() {
     const std::array<std::string, 3> helicoid{"1.5*x*cos(pi*(y-1/2))", "1.5*x*sin(pi*(y-1/2))",
                                               "pi*(y-1/2)"};
     const std::array<std::string, 3> cone{"(2*x-1)*cos(2*pi*y)", "(2*x-1)*sin(2*pi*y)", "2*x-1"};
-    const std::array<std::string, 3> hyperboloid{"0.5*cosh(3*x-3/2)*cos(2*pi*y)",
-                                                 "0.5*cosh(3*x-3/2)*sin(2*pi*y)",
-                                                 "0.5*sinh(3*x-3/2)"};
+    const std::array<std::string, 3> hyperboloid{
+        "0.5*cosh(3*x-3/2)*cos(2*pi*y)", "0.5*cosh(3*x-3/2)*sin(2*pi*y)", "0.5*sinh(3*x-3/2)"};
     const std::array<std::string, 3> saddle{"4*x-2", "4*y-2", "(4*x-2)^2-(4*y-2)^2"};
     const std::array<std::string, 3> umbrella{"(2*x-1)*(2*y-1)", "2*x-1", "(2*y-1)^2"};
     const Box slab{{-2, -2, -1}, {2, 2, 1}};
