@@ -124,8 +124,8 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     for (std::size_t first = 0; first < rays.count; first += 2 * width) {
         const std::size_t at = rays.first + first;
         SolverEnd end;
-        const auto u = lists_.pair(lists_.u(at));
-        const auto v = lists_.pair(lists_.v(at));
+        const auto u = RayLists::pair(lists_.u(at));
+        const auto v = RayLists::pair(lists_.v(at));
         const auto p = doubles_of(hn::LoadU(df, lists_.p(at)));
         const auto q = doubles_of(hn::LoadU(df, lists_.q(at)));
         for (std::size_t i = 0; i < 2; ++i) {
@@ -161,8 +161,8 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < rays.count; i += 2 * width) {
         const std::size_t at = rays.first + i;
-        const NewtonRays some{.u = lists_.pair(lists_.u(at)),
-                              .v = lists_.pair(lists_.v(at)),
+        const NewtonRays some{.u = RayLists::pair(lists_.u(at)),
+                              .v = RayLists::pair(lists_.v(at)),
                               .p = hn::LoadU(df, lists_.p(at)),
                               .q = hn::LoadU(df, lists_.q(at)),
                               .spread = hn::LoadU(df, lists_.spread(at))};
