@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -23,7 +24,7 @@ HWY_INLINE Vector distances(const TileFound& tile, std::size_t at) {
 }
 
 /// The rays from `at` on, as many as a vector of floats has numbers.
-inline void put_some(const TileFound& tile, std::size_t at, TileHits& hits) {
+inline bool put_some(const TileFound& tile, std::size_t at, TileHits& hits) {
     const hn::RebindToUnsigned<decltype(df)> dw;
     Floats normal[3];
     Floats state;
@@ -34,7 +35,10 @@ inline void put_some(const TileFound& tile, std::size_t at, TileHits& hits) {
     };
     const auto proved = hn::RebindMask(df, is(RayState::Proved));
     const auto hit = hn::Or(proved, hn::RebindMask(df, is(RayState::Drawn)));
-    if (hn::AllFalse(df, hit)) return;
+    const auto kept = hn::RebindMask(df, is(RayState::Kept));
+    const bool are_others =
+        !hn::AllFalse(df, hn::Or(kept, hn::AndNot(hn::IsFinite(normal[0]), hit)));
+    if (hn::AllFalse(df, hit)) return are_others;
     hits.any = true;
     const auto put = [&](Floats numbers, std::vector<float>& to) HWY_ATTR {
         hn::StoreU(hn::IfThenElse(hit, numbers, hn::LoadU(df, to.data() + at)), df, to.data() + at);
@@ -49,13 +53,36 @@ inline void put_some(const TileFound& tile, std::size_t at, TileHits& hits) {
         hits.certificate[at + lane] =
             (is_proved >> lane & 1U) != 0 ? Certificate::Certified : Certificate::Undecided;
     }
+    return are_others;
 }
 
-void put_all(const TileFound& tile, TileHits& hits) {
+bool put_all(const TileFound& tile, TileHits& hits) {
+    bool are_others = false;
     for (int row = 0; row < tile.rows; ++row) {
         const auto first = static_cast<std::size_t>(row) * tile_size;
         for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += 2 * width)
-            put_some(tile, first + col, hits);
+            are_others = put_some(tile, first + col, hits) || are_others;
+    }
+    return are_others;
+}
+
+double largest_of(const double* numbers) {
+    const hn::CappedTag<double, reach_block> d;
+    auto largest = hn::LoadU(d, numbers);
+    for (std::size_t row = 0; row < reach_block; ++row) {
+        for (std::size_t col = 0; col < reach_block; col += hn::MaxLanes(d))
+            largest = hn::Max(largest, hn::LoadU(d, numbers + row * tile_size + col));
+    }
+    return hn::GetLane(hn::MaxOfLanes(d, largest));
+}
+
+void largest(const double* numbers, std::uint64_t blocks,
+             std::array<double, reach_blocks>& largest) {
+    constexpr std::size_t in_row = tile_size / reach_block;
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const auto at = static_cast<std::size_t>(std::countr_zero(blocks));
+        const std::size_t row = at / in_row * reach_block;
+        largest[at] = largest_of(numbers + row * tile_size + at % in_row * reach_block);
     }
 }
 
@@ -67,8 +94,16 @@ HWY_AFTER_NAMESPACE();
 namespace zeroset {
 
 HWY_EXPORT(put_all);
+HWY_EXPORT(largest);
 
-void put_found(const TileFound& tile, TileHits& hits) { HWY_DYNAMIC_DISPATCH(put_all)(tile, hits); }
+bool put_found(const TileFound& tile, TileHits& hits) {
+    return HWY_DYNAMIC_DISPATCH(put_all)(tile, hits);
+}
+
+void find_largest(const double* numbers, std::uint64_t blocks,
+                  std::array<double, reach_blocks>& largest) {
+    HWY_DYNAMIC_DISPATCH(largest)(numbers, blocks, largest);
+}
 
 }  // namespace zeroset
 

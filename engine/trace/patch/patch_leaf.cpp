@@ -1,8 +1,10 @@
 // The rays of a tile on a leaf: as linear_zeros and zero_test (patch_sight.hpp) say it of one ray,
 // with S by the polynomials of its model.
 //   g = (a - u (distance + s), b - v (distance + s))
-// A leaf that Krawczyk's test does not contract on is halved, again and again, by shifts of its
-// polynomials: each half goes on with those rays that its linear form does not reject.
+// Newton's method in float settles most rays, each by itself (patch_newton-inl.hpp); Krawczyk's
+// test of the whole leaf in double those for which that is too coarse. A leaf that leaves rays open
+// is halved, again and again, by shifts of its polynomials: each half goes on with those of them
+// that its linear form does not reject.
 
 #include "engine/trace/patch/patch_leaf.hpp"
 
@@ -23,12 +25,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Boxes are halved until Krawczyk's test contracts by this.
+/// Krawczyk's test has to contract by this on all of a box.
 constexpr double flat_norm = 0.7;
+/// Newton's method is not tried on boxes that bend more than this.
+constexpr double bent_norm = 8.0;
 constexpr int most_halvings = 14;
-/// Terms that make no more than this of the error of depths are left out.
-constexpr double left_out = 0x1p-10;
-
 class LeafTracer {
 public:
     LeafTracer(const SightAxes& axes, const LeafRays& rays, const LeafClip& clip, LeafLists& lists,
@@ -38,7 +39,7 @@ public:
     }
 
     void trace(Piece& piece, const LeafPixels& pixels) {
-        lower_degree(piece, left_out * rays_.tolerance);
+        lower_degree(piece, rays_.tolerance);
         see(piece);
         trace_listed(piece, lists_.list(piece, pixels));
     }
@@ -51,7 +52,12 @@ private:
         if (some.count == 0) return;
         piece.contraction = contraction_of(piece.sight, lists_.bounds_of(some));
         Range open = some;
-        if (piece.contraction.norm <= flat_norm) open.count = solve(piece, some);
+        if (piece.contraction.norm <= bent_norm) {
+            const FloatTerms floats(piece);
+            open.count = solve_bent(piece, floats, some);
+            if (open.count == 0) return;
+            if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
+        }
         if (open.count == 0) return;
         if (piece.halvings >= most_halvings) return leave(open, piece.sight.depths().near);
         const PatchSight& sight = piece.sight;
@@ -62,7 +68,7 @@ private:
         for (const double sign : forward > 0.0 ? std::array{-1.0, 1.0} : std::array{1.0, -1.0}) {
             Piece half;
             halve(piece, along_p, sign, half);
-            lower_degree(half, left_out * rays_.tolerance);
+            lower_degree(half, rays_.tolerance);
             see(half);
             trace_listed(half, lists_.list(half, open));
         }
@@ -73,9 +79,19 @@ private:
             taker_.leave(lists_.pixel(i), near, LeafLeft::Tangent);
     }
 
-    /// Solves the rays of a piece. Those that are left come first afterwards; returns how many.
-    std::size_t solve(const Piece& piece, const Range& rays) {
-        const Solver solver(piece, axes_, rays_.tolerance);
+    /// Solves the rays of a piece in float. Those that are left come first afterwards; returns how
+    /// many.
+    std::size_t solve_bent(const Piece& piece, const FloatTerms& floats, const Range& rays) {
+        const Newton newton(piece, floats, axes_, rays_.tolerance);
+        return with_degree(piece.first_degree, [&](auto degree) HWY_ATTR {
+            return solve_bent_by<degree()>(newton, rays);
+        });
+    }
+    template <int degree>
+    std::size_t solve_bent_by(const Newton& newton, const Range& rays);
+    /// As above in double, where Krawczyk's test contracts.
+    std::size_t solve(const Piece& piece, const FloatTerms& floats, const Range& rays) {
+        const Solver solver(piece, floats, axes_, rays_.tolerance);
         return with_degree(piece.degree, [&](auto degree) HWY_ATTR {
             return solve_by<degree()>(piece, solver, rays);
         });
@@ -85,8 +101,11 @@ private:
     /// Takes those hits among twice as many rays as vectors have numbers, from `at` on, that count.
     void take_hits(const Piece& piece, const SolverEnd& end, std::size_t at, LaneBits real);
     /// The lanes whose places are in the box of what counts.
-    [[nodiscard]] Mask in_box(const HalfRays& rays, Vector s) const;
-    void put_normals(const SolverEnd& end, LeafFound* found) const;
+    [[nodiscard]] Mask in_box(Vector u, Vector v, Vector s) const;
+    void put_normals(const FloatSlopes& a, const FloatSlopes& b, const FloatSlopes& s,
+                     LeafFound* found) const;
+    /// Takes the certain hits of Newton's method that count.
+    void take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at, LaneBits hits);
 
     const SightAxes& axes_;
     const LeafRays& rays_;
@@ -102,22 +121,24 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     const D d;
     count_.evaluations += rays.count;
     std::size_t left = 0;
-    for (std::size_t i = 0; i < rays.count; i += 2 * width) {
-        const std::size_t at = rays.first + i;
+    for (std::size_t first = 0; first < rays.count; first += 2 * width) {
+        const std::size_t at = rays.first + first;
         SolverEnd end;
-        for (std::size_t half = 0; half < 2; ++half) {
-            const std::size_t from = at + half * width;
-            end.halves[half].u = hn::LoadU(d, lists_.u(from));
-            end.halves[half].v = hn::LoadU(d, lists_.v(from));
-            end.halves[half].p = hn::LoadU(d, lists_.p(from));
-            end.halves[half].q = hn::LoadU(d, lists_.q(from));
+        const auto u = RayLists::pair(lists_.u(at));
+        const auto v = RayLists::pair(lists_.v(at));
+        const auto p = doubles_of(hn::LoadU(df, lists_.p(at)));
+        const auto q = doubles_of(hn::LoadU(df, lists_.q(at)));
+        for (std::size_t i = 0; i < 2; ++i) {
+            end.halves[i].u = u[i];
+            end.halves[i].v = v[i];
+            end.halves[i].p = p[i];
+            end.halves[i].q = q[i];
         }
         solver.solve<degree>(end);
-        const LaneBits real = rays.count - i >= 2 * width ? (LaneBits{1} << (2 * width)) - 1
-                                                          : (LaneBits{1} << (rays.count - i)) - 1;
+        const LaneBits real = RayLists::first_bits(rays.count - first);
         const auto bits = [&](auto mask_of_half) HWY_ATTR {
-            return real & (bits_of(d, mask_of_half(end.halves[0].test)) |
-                           bits_of(d, mask_of_half(end.halves[1].test)) << width);
+            return real & (lanes_of(d, mask_of_half(end.halves[0].test)) |
+                           lanes_of(d, mask_of_half(end.halves[1].test)) << width);
         };
         take_hits(piece, end, at, real);
         LaneBits wide = bits([](const Test& test) HWY_ATTR { return test.wide; });
@@ -134,14 +155,70 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     return left;
 }
 
-inline Mask LeafTracer::in_box(const HalfRays& rays, Vector s) const {
+template <int degree>
+std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
+    count_.evaluations += rays.count;
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < rays.count; i += 2 * width) {
+        const std::size_t at = rays.first + i;
+        const NewtonRays some{.u = RayLists::pair(lists_.u(at)),
+                              .v = RayLists::pair(lists_.v(at)),
+                              .p = hn::LoadU(df, lists_.p(at)),
+                              .q = hn::LoadU(df, lists_.q(at)),
+                              .spread = hn::LoadU(df, lists_.spread(at))};
+        const NewtonEnd end = newton.solve<degree>(some);
+        const LaneBits real = RayLists::first_bits(rays.count - i);
+        const LaneBits found = real & lanes_of(df, end.found);
+        if (found != 0) take_found(some, end, at, found);
+        for (LaneBits open = real & ~found & ~lanes_of(df, end.none); open != 0; open &= open - 1)
+            lists_.copy(at + static_cast<std::size_t>(std::countr_zero(open)), rays.first + left++);
+    }
+    return left;
+}
+
+inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at,
+                                   LaneBits hits) {
+    const D d;
+    HWY_ALIGN double s[2 * width];
+    hits &= lists_.within_reach(at, end.s);
+    for (std::size_t half = 0; half < 2; ++half) {
+        hn::Store(end.s[half], d, s + half * width);
+        if (clip_.window != LeafWindow::Box) continue;
+        const Mask in = in_box(rays.u[half], rays.v[half], end.s[half]);
+        hits &= ~(lanes_of(d, hn::Not(in)) << (half * width));
+    }
+    if (hits == 0) return;
+    count_.hits += static_cast<std::size_t>(std::popcount(hits));
+    LeafFound found[2 * width];
+    put_normals(end.at_a, end.at_b, end.at_s, found);
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    for (; hits != 0; hits &= hits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
+        const std::size_t pixel = lists_.pixel(at + lane);
+        if (clip_.window == LeafWindow::Judged) {
+            const RayState state = taker_.judge({.pixel = pixel,
+                                                 .is_inside = true,
+                                                 .s = s[lane],
+                                                 .s_radius = 0.5 * rays_.tolerance});
+            if (state == RayState::Open) continue;
+            found[lane].state = state;
+        }
+        rays_.found[pixel] = found[lane];
+        rays_.reach[pixel] = s[lane];
+        if (rays_.to == nullptr || found[lane].state != RayState::Proved) continue;
+        rays_.reach[pixel] = -unbounded;
+        rays_.to[pixel] = -unbounded;
+    }
+}
+
+inline Mask LeafTracer::in_box(Vector u, Vector v, Vector s) const {
     // Rounding may shift a place by this.
     const double spare = 8.0 * axes_.error;
     const Vector along = hn::Add(s, number(axes_.distance));
     Mask inside = hn::Ge(s, number(clip_.first));
     for (int k = 0; k < 3; ++k) {
         const Vector across =
-            hn::MulAdd(rays.u, number(axes_.right[k]), hn::Mul(rays.v, number(axes_.up[k])));
+            hn::MulAdd(u, number(axes_.right[k]), hn::Mul(v, number(axes_.up[k])));
         const Vector from = hn::MulAdd(s, number(axes_.forward[k]), number(axes_.base[k]));
         const Vector at = hn::MulAdd(along, across, from);
         inside = hn::And(inside, hn::And(hn::Ge(at, number(clip_.box.lo[k] - spare)),
@@ -151,14 +228,15 @@ inline Mask LeafTracer::in_box(const HalfRays& rays, Vector s) const {
 }
 
 /// dS/dp x dS/dq in the axes, then in the world.
-inline void LeafTracer::put_normals(const SolverEnd& end, LeafFound* found) const {
+inline void LeafTracer::put_normals(const FloatSlopes& a_by, const FloatSlopes& b_by,
+                                    const FloatSlopes& s_by, LeafFound* found) const {
     const Floats flip = hn::Set(df, flip_);
     const auto cross = [&](Floats ap, Floats aq, Floats bp, Floats bq) HWY_ATTR {
         return hn::Mul(flip, hn::NegMulAdd(bp, aq, hn::Mul(ap, bq)));
     };
-    const Floats a = cross(end.b.by_p, end.b.by_q, end.s.by_p, end.s.by_q);
-    const Floats b = cross(end.s.by_p, end.s.by_q, end.a.by_p, end.a.by_q);
-    const Floats c = cross(end.a.by_p, end.a.by_q, end.b.by_p, end.b.by_q);
+    const Floats a = cross(b_by.by_p, b_by.by_q, s_by.by_p, s_by.by_q);
+    const Floats b = cross(s_by.by_p, s_by.by_q, a_by.by_p, a_by.by_q);
+    const Floats c = cross(a_by.by_p, a_by.by_q, b_by.by_p, b_by.by_q);
     const Floats most = hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c));
     const Floats scale = hn::Div(float_number(1.0), most);
     Floats world[3];
@@ -167,11 +245,10 @@ inline void LeafTracer::put_normals(const SolverEnd& end, LeafFound* found) cons
             hn::MulAdd(a, float_number(axes_.right[k]), hn::Mul(b, float_number(axes_.up[k])));
         world[k] = hn::Mul(scale, hn::MulAdd(c, float_number(axes_.forward[k]), across));
     }
-    HWY_ALIGN float numbers[3][2 * width];
-    for (std::size_t k = 0; k < 3; ++k)
-        hn::Store(world[k], df, numbers[k]);
-    for (std::size_t lane = 0; lane < 2 * width; ++lane)
-        found[lane].normal = {numbers[0][lane], numbers[1][lane], numbers[2][lane]};
+    const hn::RebindToUnsigned<decltype(df)> dw;
+    const auto state = hn::Set(dw, static_cast<std::uint32_t>(RayState::Proved));
+    hn::StoreInterleaved4(world[0], world[1], world[2], hn::BitCast(df, state), df,
+                          found->normal.data());
 }
 
 inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std::size_t at,
@@ -190,14 +267,14 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
         hn::Store(depth, d, s + half * width);
         hn::Store(test.s_radius, d, s_radius + half * width);
         Mask some = hn::AndNot(test.outside, test.found);
-        if (clip_.window == LeafWindow::Box) some = hn::And(some, in_box(rays, depth));
-        hits |= bits_of(d, some) << (half * width);
-        inside |= bits_of(d, test.inside) << (half * width);
+        if (clip_.window == LeafWindow::Box) some = hn::And(some, in_box(rays.u, rays.v, depth));
+        hits |= lanes_of(d, some) << (half * width);
+        inside |= lanes_of(d, test.inside) << (half * width);
     }
     hits &= real;
     if (hits == 0) return;
     LeafFound found[2 * width];
-    put_normals(end, found);
+    put_normals(end.a, end.b, end.s, found);
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
@@ -243,11 +320,13 @@ namespace zeroset {
 HWY_EXPORT(trace);
 
 void LeafLists::reserve(std::size_t first, std::size_t more) {
-    constexpr std::size_t most_lanes = 8;
+    constexpr std::size_t most_lanes = 16;
     const std::size_t size = first + more + 3 * most_lanes;
     if (size <= u.size()) return;
-    for (std::vector<double>* const numbers : {&u, &v, &p, &q})
-        numbers->resize(2 * size);
+    for (std::vector<double>* const all : {&u, &v})
+        all->resize(2 * size);
+    for (std::vector<float>* const all : floats())
+        all->resize(2 * size);
     pixel.resize(2 * size);
 }
 

@@ -99,9 +99,12 @@ struct LeafClip {
 
 /// The rays that may meet a leaf, and smaller lists of those that may meet parts of it.
 struct LeafLists {
-    std::vector<double> u, v, p, q;
-    std::vector<std::int64_t> pixel;
+    std::vector<double> u, v;
+    std::vector<float> p, q;    ///< where the linear form has the zeros
+    std::vector<float> spread;  ///< from where they are within this
+    std::vector<std::int32_t> pixel;
 
+    std::array<std::vector<float>*, 3> floats() { return {&p, &q, &spread}; }
     /// Room for so many more than the first ones.
     void reserve(std::size_t first, std::size_t more);
 };

@@ -14,13 +14,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
+
+constexpr std::size_t float_width = 2 * width;
 
 /// Some rays of the lists: from `first` on.
 struct Range {
@@ -48,23 +52,17 @@ public:
     /// Lists those rays again, behind them, that the piece's linear form does not reject, with
     /// where it has their zeros.
     Range list(const Piece& piece, const Range& rays) {
-        const D d;
-        const hn::RebindToSigned<D> di;
         const LinearForm form(piece.sight, axes_);
         const double near = piece.sight.depths().near;
         const std::size_t first = rays.first + rays.count;
-        lists_.reserve(first, rays.count + width);
+        lists_.reserve(first, rays.count);
         std::size_t count = 0;
-        for (std::size_t i = 0; i < rays.count; i += width) {
+        for (std::size_t i = 0; i < rays.count; i += float_width) {
             const std::size_t at = rays.first + i;
-            const Mask real = hn::FirstN(d, rays.count - i);
-            const auto pixel = hn::IfThenElseZero(hn::RebindMask(di, real),
-                                                  hn::LoadU(di, lists_.pixel.data() + at));
-            const Vector reach = hn::GatherIndex(d, rays_.reach, pixel);
-            const Mask wanted = hn::And(real, hn::Le(number(near), reach));
-            if (hn::AllFalse(d, wanted)) continue;
-            count += put(form, hn::LoadU(d, u(at)), hn::LoadU(d, v(at)), hn::BitCast(d, pixel),
-                         wanted, first + count);
+            const auto pixels = hn::LoadU(di, pixels_at(at));
+            const LaneBits wanted = first_bits(rays.count - i) & nearer(near, pixels);
+            if (wanted == 0) continue;
+            count += put(form, pair(u(at)), pair(v(at)), pixels, wanted, first + count);
         }
         repeat_last(first, count);
         return {.first = first, .count = count};
@@ -99,37 +97,79 @@ public:
 
     double* u(std::size_t i) { return lists_.u.data() + i; }
     double* v(std::size_t i) { return lists_.v.data() + i; }
-    double* p(std::size_t i) { return lists_.p.data() + i; }
-    double* q(std::size_t i) { return lists_.q.data() + i; }
+    float* p(std::size_t i) { return lists_.p.data() + i; }
+    float* q(std::size_t i) { return lists_.q.data() + i; }
+    float* spread(std::size_t i) { return lists_.spread.data() + i; }
     [[nodiscard]] std::size_t pixel(std::size_t i) const {
         return static_cast<std::size_t>(lists_.pixel[i]);
+    }
+    /// A bit for each of the listed rays from `at` on whose reach is not below its depth.
+    [[nodiscard]] LaneBits within_reach(std::size_t at, const std::array<Vector, 2>& depths) {
+        return nearer(depths, hn::LoadU(di, pixels_at(at)));
     }
     void copy(std::size_t from, std::size_t to) {
         lists_.u[to] = lists_.u[from];
         lists_.v[to] = lists_.v[from];
+        for (std::vector<float>* const numbers : lists_.floats())
+            (*numbers)[to] = (*numbers)[from];
         lists_.pixel[to] = lists_.pixel[from];
+    }
+    /// Numbers of as many rays as a vector of floats has.
+    static HWY_INLINE std::array<Vector, 2> pair(const double* from) {
+        const D d;
+        return {hn::LoadU(d, from), hn::LoadU(d, from + width)};
+    }
+    /// The bits of the first lanes, up to all.
+    static LaneBits first_bits(std::size_t lanes) {
+        return lanes >= float_width ? (LaneBits{1} << float_width) - 1 : (LaneBits{1} << lanes) - 1;
     }
 
 private:
-    std::size_t list(const LinearForm& form, const TileRect& rect, double near, std::size_t count) {
+    static constexpr hn::RebindToSigned<decltype(df)> di{};
+    using Pixels = hn::Vec<hn::RebindToSigned<decltype(df)>>;
+
+    std::int32_t* pixels_at(std::size_t i) { return lists_.pixel.data() + i; }
+
+    /// Lanes of the upper half, and those of the lower one before.
+    template <class Call>
+    static HWY_INLINE LaneBits both_halves(Call call) {
         const D d;
-        const hn::RebindToSigned<D> di;
-        const auto col_of = [](int col) { return static_cast<std::size_t>(col); };
-        const std::size_t first_col = col_of(rect.col) / width * width;
-        const std::size_t end_col = col_of(rect.end_col);
-        const std::size_t end_row = col_of(rect.end_row);
-        lists_.reserve(count, (end_row - col_of(rect.row)) * (end_col + width));
-        for (std::size_t row = col_of(rect.row); row < end_row; ++row) {
-            for (std::size_t col = first_col; col < end_col; col += width) {
-                const std::size_t at = row * rays_.row_size + col;
-                Mask wanted = hn::And(hn::Le(number(near), hn::LoadU(d, rays_.reach + at)),
-                                      hn::FirstN(d, end_col - col));
-                if (col < col_of(rect.col))
-                    wanted = hn::AndNot(hn::FirstN(d, col_of(rect.col) - col), wanted);
-                if (hn::AllFalse(d, wanted)) continue;
-                const auto pixel = hn::Iota(di, static_cast<std::int64_t>(at));
-                count += put(form, hn::LoadU(d, rays_.u + at), hn::LoadU(d, rays_.v + at),
-                             hn::BitCast(d, pixel), wanted, count);
+        return lanes_of(d, call(0)) | lanes_of(d, call(1)) << width;
+    }
+    [[nodiscard]] HWY_INLINE LaneBits nearer(const std::array<Vector, 2>& depths,
+                                             Pixels pixels) const {
+        const D d;
+        const hn::RebindToSigned<D> dl;
+        const hn::Rebind<std::int32_t, D> half;
+        const std::array at{hn::PromoteTo(dl, hn::LowerHalf(half, pixels)),
+                            hn::PromoteTo(dl, hn::UpperHalf(half, pixels))};
+        return both_halves([&](std::size_t i) HWY_ATTR {
+            return hn::Le(depths[i], hn::GatherIndex(d, rays_.reach, at[i]));
+        });
+    }
+    [[nodiscard]] HWY_INLINE LaneBits nearer(double near, Pixels pixels) const {
+        return nearer(std::array{number(near), number(near)}, pixels);
+    }
+
+    std::size_t list(const LinearForm& form, const TileRect& rect, double near, std::size_t count) {
+        const auto index = [](int at) { return static_cast<std::size_t>(at); };
+        const std::size_t end_col = index(rect.end_col);
+        const std::size_t end_row = index(rect.end_row);
+        const auto lanes = hn::Iota(di, 0);
+        lists_.reserve(count, (end_row - index(rect.row)) * (end_col - index(rect.col)));
+        for (std::size_t row = index(rect.row); row < end_row; ++row) {
+            for (std::size_t col = index(rect.col); col < end_col; col += float_width) {
+                // No vector is read from behind the end of a row.
+                const std::size_t from = std::min(col, rays_.row_size - float_width);
+                const std::size_t at = row * rays_.row_size + from;
+                const auto reach = pair(rays_.reach + at);
+                const LaneBits wanted = first_bits(end_col - from) & ~first_bits(col - from) &
+                                        both_halves([&](std::size_t i) HWY_ATTR {
+                                            return hn::Le(number(near), reach[i]);
+                                        });
+                if (wanted == 0) continue;
+                const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
+                count += put(form, pair(rays_.u + at), pair(rays_.v + at), pixels, wanted, count);
             }
         }
         return count;
@@ -137,39 +177,55 @@ private:
 
     std::size_t list(const LinearForm& form, std::span<const std::size_t> pixels, double near,
                      std::size_t count) {
-        const D d;
-        const hn::RebindToSigned<D> di;
-        HWY_ALIGN std::int64_t indices[width] = {};
-        lists_.reserve(count, pixels.size() + width);
-        for (std::size_t i = 0; i < pixels.size(); i += width) {
-            const std::size_t some = std::min(width, pixels.size() - i);
-            for (std::size_t lane = 0; lane < some; ++lane)
-                indices[lane] = static_cast<std::int64_t>(pixels[i + lane]);
-            const auto pixel = hn::Load(di, indices);
-            const Mask wanted = hn::And(
-                hn::FirstN(d, some), hn::Le(number(near), hn::GatherIndex(d, rays_.reach, pixel)));
-            count += put(form, hn::GatherIndex(d, rays_.u, pixel),
-                         hn::GatherIndex(d, rays_.v, pixel), hn::BitCast(d, pixel), wanted, count);
+        HWY_ALIGN std::int32_t indices[float_width] = {};
+        HWY_ALIGN double us[float_width] = {};
+        HWY_ALIGN double vs[float_width] = {};
+        lists_.reserve(count, pixels.size());
+        for (std::size_t i = 0; i < pixels.size(); i += float_width) {
+            const std::size_t some = std::min(float_width, pixels.size() - i);
+            for (std::size_t lane = 0; lane < some; ++lane) {
+                const std::size_t pixel = pixels[i + lane];
+                indices[lane] = static_cast<std::int32_t>(pixel);
+                us[lane] = rays_.u[pixel];
+                vs[lane] = rays_.v[pixel];
+            }
+            const auto at = hn::Load(di, indices);
+            const LaneBits wanted = first_bits(some) & nearer(near, at);
+            count += put(form, pair(us), pair(vs), at, wanted, count);
         }
         return count;
     }
 
     /// Puts those of some rays that are wanted and not rejected into the lists; returns how many.
-    HWY_INLINE std::size_t put(const LinearForm& form, Vector us, Vector vs, Vector pixels,
-                               Mask wanted, std::size_t to) {
+    HWY_INLINE std::size_t put(const LinearForm& form, const std::array<Vector, 2>& us,
+                               const std::array<Vector, 2>& vs, Pixels pixels, LaneBits wanted,
+                               std::size_t to) {
         const D d;
-        const hn::RebindToSigned<D> di;
-        const Zeros zeros = form.zeros(us, vs);
-        const Mask left = hn::AndNot(zeros.none, wanted);
-        const std::size_t some = hn::CountTrue(d, left);
-        if (some == 0) return 0;
-        const Vector zero = number(0.0);
-        hn::StoreU(squeezed(us, left), d, u(to));
-        hn::StoreU(squeezed(vs, left), d, v(to));
-        hn::StoreU(squeezed(hn::IfThenElse(zeros.known, zeros.p, zero), left), d, p(to));
-        hn::StoreU(squeezed(hn::IfThenElse(zeros.known, zeros.q, zero), left), d, q(to));
-        hn::StoreU(hn::BitCast(di, squeezed(pixels, left)), di, lists_.pixel.data() + to);
-        return some;
+        const Zeros zeros = form.zeros(floats_of(us[0], us[1]), floats_of(vs[0], vs[1]));
+        const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
+        if (left_bits == 0) return 0;
+        const FloatMask left = lanes_at(df, left_bits);
+        const Floats zero = hn::Zero(df);
+        // More than places lose as floats.
+        const Floats sizes =
+            hn::Add(float_number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
+        const Floats spread = hn::MulAdd(sizes, float_number(0x1p-20), zeros.radius);
+        const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
+        const auto store = [&](Floats numbers, float* at)
+                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at); };
+        store(hn::IfThenElse(zeros.known, zeros.p, zero), p(to));
+        store(hn::IfThenElse(zeros.known, zeros.q, zero), q(to));
+        store(hn::IfThenElse(zeros.known, spread, unbounded), this->spread(to));
+        hn::StoreU(hn::BitCast(di, squeezed(hn::BitCast(df, pixels), left)), di, pixels_at(to));
+        constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
+        const auto lower = static_cast<std::size_t>(std::popcount(left_bits & lower_bits));
+        const std::array halves{lanes_at(d, left_bits & lower_bits),
+                                lanes_at(d, left_bits >> width)};
+        for (std::size_t i = 0; i < 2; ++i) {
+            hn::StoreU(squeezed(us[i], halves[i]), d, u(to + i * lower));
+            hn::StoreU(squeezed(vs[i], halves[i]), d, v(to + i * lower));
+        }
+        return static_cast<std::size_t>(std::popcount(left_bits));
     }
 
     /// Lanes behind the last ray repeat it.
@@ -177,11 +233,14 @@ private:
         if (count == 0) return;
         const D d;
         const std::size_t end = first + count;
-        for (std::vector<double>* const numbers : {&lists_.u, &lists_.v, &lists_.p, &lists_.q}) {
+        for (std::vector<double>* const numbers : {&lists_.u, &lists_.v}) {
             const Vector last = number((*numbers)[end - 1]);
             hn::StoreU(last, d, numbers->data() + end);
             hn::StoreU(last, d, numbers->data() + end + width);
         }
+        for (std::vector<float>* const numbers : lists_.floats())
+            hn::StoreU(hn::Set(df, (*numbers)[end - 1]), df, numbers->data() + end);
+        hn::StoreU(hn::Set(di, lists_.pixel[end - 1]), di, pixels_at(end));
     }
 
     const SightAxes& axes_;

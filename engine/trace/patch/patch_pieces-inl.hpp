@@ -33,19 +33,22 @@ struct Piece {
     HWY_ALIGN SightTerms terms;
     int degree;
     double value_error;
+    int first_degree;    ///< of what is tried first
+    double first_error;  ///< what the terms beyond that make
     UvBox box;
     int halvings;
     PatchSight sight;
     Contraction contraction;
 };
 
-/// Calls `call` with the degree as a constant, or one above it.
+/// Calls `call` with the degree as a constant, from 2 on.
 template <class Call>
 HWY_INLINE auto with_degree(int degree, Call call) {
     if (degree <= 2) return call(std::integral_constant<int, 2>());
     if (degree == 3) return call(std::integral_constant<int, 3>());
     if (degree == 4) return call(std::integral_constant<int, 4>());
     if (degree == 5) return call(std::integral_constant<int, 5>());
+    if (degree == 6) return call(std::integral_constant<int, 6>());
     return call(std::integral_constant<int, patch_degree>());
 }
 
@@ -58,24 +61,34 @@ HWY_INLINE V4 size_of_degree(const SightTerms& terms, int degree, std::size_t k)
     return size;
 }
 
-/// Leaves out terms of high degree, whose sizes go to the error, as long as they make no more of it
-/// than `most`.
-inline void lower_degree(Piece& piece, double most) {
+/// Terms of high degree make no more than these of the error of depths when they are left out: of
+/// what is proved, and of what is tried first.
+constexpr double left_out = 0x1p-10;
+constexpr double left_out_first = 0x1p-4;
+
+/// Lowers a degree as long as the terms that leaves out make no more than `most`; returns what they
+/// make.
+inline double lowered(const SightTerms& terms, int& degree, double most) {
     const D4 d4;
     HWY_ALIGN double sizes[4] = {};
-    double left_out = 0.0;
-    for (; piece.degree > 2; --piece.degree) {
+    double left = 0.0;
+    for (; degree > 2; --degree) {
         for (std::size_t k = 0; k < 4; k += step4) {
-            const V4 more = size_of_degree(piece.terms, piece.degree, k);
+            const V4 more = size_of_degree(terms, degree, k);
             hn::Store(hn::Add(hn::Load(d4, sizes + k), more), d4, sizes + k);
         }
         const double all = std::max({sizes[0], sizes[1], sizes[2]});
         if (!(all <= most)) break;
-        left_out = all;
+        left = all;
     }
-    piece.value_error += left_out;
-    // with_degree goes on with terms that are left out.
-    if (piece.degree == 6) piece.degree = patch_degree;
+    return left;
+}
+
+/// Leaves out terms of high degree, whose sizes go to the error.
+inline void lower_degree(Piece& piece, double tolerance) {
+    piece.value_error += lowered(piece.terms, piece.degree, left_out * tolerance);
+    piece.first_degree = piece.degree;
+    piece.first_error = lowered(piece.terms, piece.first_degree, left_out_first * tolerance);
 }
 
 /// The polynomials of a model in the axes of a view.

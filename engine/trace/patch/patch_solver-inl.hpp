@@ -8,7 +8,7 @@
 #define ZEROSET_PATCH_SOLVER_INL
 #endif
 
-#include "engine/trace/patch/patch_pieces-inl.hpp"
+#include "engine/trace/patch/patch_newton-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -18,56 +18,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-/// As many floats as two vectors of doubles have numbers.
-using Floats = hn::Vec<hn::CappedTag<float, 2 * width>>;
-constexpr hn::CappedTag<float, 2 * width> df{};
-
-HWY_INLINE Floats float_number(double x) { return hn::Set(df, static_cast<float>(x)); }
-
-/// Two vectors of doubles as floats, and floats as doubles.
-HWY_INLINE Floats floats_of(Vector lower, Vector upper) {
-    const hn::Rebind<float, D> half;
-    return hn::Combine(df, hn::DemoteTo(half, upper), hn::DemoteTo(half, lower));
-}
-HWY_INLINE std::array<Vector, 2> doubles_of(Floats floats) {
-    const hn::Rebind<float, D> half;
-    const D d;
-    return {hn::PromoteTo(d, hn::LowerHalf(half, floats)),
-            hn::PromoteTo(d, hn::UpperHalf(half, floats))};
-}
-
-/// A polynomial's value and slopes.
-struct FloatSlopes {
-    Floats value, by_p, by_q;
-};
-
-/// The terms of a piece in float: of (a, b, s), without those of degree 0.
-struct FloatTerms {
-    float terms[patch_terms][4];
-};
-
-/// A coordinate, but for its constant.
-template <int degree>
-HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, Floats p, Floats q) {
-    const auto term = [&](int i, int j)
-                          HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
-    FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
-    for (int i = degree - 1; i >= 0; --i) {
-        // The terms with p^i, and their slope by q.
-        Floats row = term(i, degree - i);
-        Floats by_q = row;
-        for (int j = degree - i - 1; j >= 1; --j) {
-            row = hn::MulAdd(row, q, term(i, j));
-            by_q = hn::MulAdd(by_q, q, row);
-        }
-        row = i == 0 ? hn::Mul(row, q) : hn::MulAdd(row, q, term(i, 0));
-        all.by_p = i == degree - 1 ? all.value : hn::MulAdd(all.by_p, p, all.value);
-        all.value = hn::MulAdd(all.value, p, row);
-        all.by_q = i == degree - 1 ? by_q : hn::MulAdd(all.by_q, p, by_q);
-    }
-    return all;
-}
 
 /// (a, b, s) at places.
 struct Values {
@@ -126,8 +76,9 @@ struct SolverEnd {
 /// Rays on a piece, until Krawczyk's test has decided.
 class Solver {
 public:
-    HWY_INLINE Solver(const Piece& piece, const SightAxes& axes, double tolerance)
-        : piece_(piece), axes_(axes), tolerance_(tolerance) {
+    HWY_INLINE Solver(const Piece& piece, const FloatTerms& floats, const SightAxes& axes,
+                      double tolerance)
+        : piece_(piece), axes_(axes), tolerance_(tolerance), floats_(floats) {
         const PatchSight& sight = piece.sight;
         const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
         a_most_ = most.x;
@@ -140,13 +91,6 @@ public:
         };
         is_within_ = is_within(piece.box.u, piece.box.u_radius) &&
                      is_within(piece.box.v, piece.box.v_radius);
-        const D4 d4;
-        const hn::Rebind<float, D4> f4;
-        for (std::size_t i = 0; i < terms_of(piece.degree); ++i) {
-            for (std::size_t k = 0; k < 4; k += step4)
-                hn::StoreU(hn::DemoteTo(f4, hn::Load(d4, piece.terms[i].data() + k)), f4,
-                           floats_.terms[i] + k);
-        }
     }
 
     /// `end`: with u, v and where the search begins of each half.
@@ -192,9 +136,9 @@ private:
             end.s = slopes_of<degree>(floats_, 2, p, q);
             const Floats g1 = hn::NegMulAdd(end.u, end.s.value, hn::Add(first1, end.a.value));
             const Floats g2 = hn::NegMulAdd(end.v, end.s.value, hn::Add(first2, end.b.value));
-            const Slopes2 by = slopes(end);
-            const Floats dp = hn::Mul(hn::NegMulAdd(by.qq, g1, hn::Mul(by.pq, g2)), by.inverse);
-            const Floats dq = hn::Mul(hn::NegMulAdd(by.pp, g2, hn::Mul(by.qp, g1)), by.inverse);
+            const Slopes2 by(end.a, end.b, end.s, end.u, end.v);
+            const Floats dp = by.step_p(g1, g2);
+            const Floats dq = by.step_q(g1, g2);
             const auto moved = [&](Floats at, Floats step_by) HWY_ATTR {
                 return hn::IfThenElse(hn::IsNaN(step_by), at, clamped(hn::Add(at, step_by)));
             };
@@ -215,24 +159,9 @@ private:
         }
     }
 
-    /// The derivatives of g, and 1 over their determinant.
-    struct Slopes2 {
-        Floats pp, pq, qp, qq, inverse;
-    };
-    static HWY_INLINE Slopes2 slopes(const SolverEnd& end) {
-        Slopes2 by;
-        by.pp = hn::NegMulAdd(end.u, end.s.by_p, end.a.by_p);
-        by.pq = hn::NegMulAdd(end.u, end.s.by_q, end.a.by_q);
-        by.qp = hn::NegMulAdd(end.v, end.s.by_p, end.b.by_p);
-        by.qq = hn::NegMulAdd(end.v, end.s.by_q, end.b.by_q);
-        const Floats determinant = hn::NegMulAdd(by.pq, by.qp, hn::Mul(by.pp, by.qq));
-        by.inverse = hn::Div(float_number(1.0), determinant);
-        return by;
-    }
-
     /// A step of Newton's method in double, with the slopes of before.
     static HWY_INLINE void improve(SolverEnd& end) {
-        const Slopes2 by = slopes(end);
+        const Slopes2 by(end.a, end.b, end.s, end.u, end.v);
         const auto pp = doubles_of(by.pp);
         const auto pq = doubles_of(by.pq);
         const auto qp = doubles_of(by.qp);
@@ -335,7 +264,7 @@ private:
     double a_most_, b_most_, s_most_;
     double by_radius_;
     bool is_within_;  ///< the piece does not touch the ends of the ranges
-    FloatTerms floats_;
+    const FloatTerms& floats_;
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

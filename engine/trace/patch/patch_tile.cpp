@@ -13,8 +13,11 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double flat_norm = 0.4;
 /// Leaves with a model need not be flatter than this: trace_leaf halves them.
 constexpr double model_norm = 1.0;
+/// Nor than this where they are not large, in pixels: larger ones are halved again in each tile.
+constexpr double small_model_norm = 2.0;
+constexpr double large_pixels = 64.0;
 /// Parts with a model that are as small as this, in pixels, are leaves.
-constexpr double small_pixels = 24.0;
+constexpr double small_pixels = 16.0;
 /// Parts as small as this, in pixels, are leaves, whatever they are like.
 constexpr double least_pixels = 5.0;
 /// Nor where S is not continuous: such parts may be as many as there are along a line.
@@ -89,7 +92,8 @@ void PatchTile::find_bounds() {
                    .u_hi = rays_.u(cols_ - 1),
                    .v_lo = rays_.v(rows_ - 1),
                    .v_hi = rays_.v(0.0)};
-        limit_ = *std::ranges::max_element(room_.to);
+        find_reaches();
+        limit_ = *std::ranges::max_element(block_reach_);
         return;
     }
     blocks_.fill(none);
@@ -117,22 +121,17 @@ bool PatchTile::is_hidden(const SightDepths& depths) const {
     return depths.near > limit_ || depths.far < depths_.near;
 }
 
+void PatchTile::find_reaches() {
+    find_largest(room_.reach.data(), changed_blocks_, block_reach_);
+    changed_blocks_ = 0;
+}
+
 bool PatchTile::is_covered(const Rect& rect, double near) {
+    find_reaches();
     for (int row = rect.row / block; row * block < rect.end_row; ++row) {
         for (int col = rect.col / block; col * block < rect.end_col; ++col) {
-            const auto at = static_cast<std::size_t>(row * (tile_size / block) + col);
-            const std::uint64_t bit = std::uint64_t{1} << at;
-            if ((changed_blocks_ & bit) != 0) {
-                double reach = -unbounded;
-                for (int i = 0; i < block; ++i) {
-                    const double* const first =
-                        room_.reach.data() + index_of(col * block, row * block + i);
-                    reach = std::max(reach, *std::max_element(first, first + block));
-                }
-                block_reach_[at] = reach;
-                changed_blocks_ &= ~bit;
-            }
-            if (near <= block_reach_[at]) return false;
+            if (near <= block_reach_[static_cast<std::size_t>(row * (tile_size / block) + col)])
+                return false;
         }
     }
     return true;
@@ -175,8 +174,10 @@ bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {
     if (node->model != nullptr && pixels < small_pixels) return true;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
-    return contraction_of(with_slopes, rays_of(rect)).norm <=
-           (node->model != nullptr ? model_norm : flat_norm);
+    const double most = node->model == nullptr  ? flat_norm
+                        : pixels < large_pixels ? small_model_norm
+                                                : model_norm;
+    return contraction_of(with_slopes, rays_of(rect)).norm <= most;
 }
 
 SightRays PatchTile::rays_of(const Rect& rect) const {
@@ -262,12 +263,8 @@ void PatchTile::visit_parts(PatchNode::Children& children) {
 
 void PatchTile::find_limit() {
     new_hits_ = 0;
-    double farthest = -unbounded;
-    for (int row = 0; row < rows_; ++row) {
-        for (int col = 0; col < cols_; ++col)
-            farthest = std::max(farthest, room_.reach[index_of(col, row)]);
-    }
-    limit_ = std::min(limit_, farthest);
+    find_reaches();
+    limit_ = std::min(limit_, *std::ranges::max_element(block_reach_));
 }
 
 void PatchTile::search_rest() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/trace/patch/patch_found.hpp"
 #include "engine/trace/patch/patch_leaf.hpp"
 #include "engine/trace/patch/patch_look.hpp"
 #include "engine/trace/patch/patch_search.hpp"
@@ -105,6 +106,8 @@ private:
     using Order = std::array<std::pair<double, std::size_t>, PatchForms::at_once>;
 
     void find_bounds();
+    /// Makes block_reach_ know new hits.
+    void find_reaches();
     /// Marks the blocks of a rectangle: there are new hits in them.
     void change(const Rect& rect);
     /// Sets a part; false where no ray meets it.
@@ -165,8 +168,8 @@ private:
     const PatchTree& tree_;
     Box clip_;            ///< what of the scene's clip box is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted
-    static constexpr int block = 8;
-    static constexpr std::size_t block_count = std::size_t{tile_size / block} * (tile_size / block);
+    static constexpr int block = reach_block;
+    static constexpr std::size_t block_count = reach_blocks;
     std::array<RayBounds, block_count> blocks_{};
     /// The largest reach of each block's pixels, but for those with new hits: a bit for each block.
     std::array<double, block_count> block_reach_{};

@@ -92,14 +92,15 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
     place_rays(tile, rays, room);
     PatchTile(frame, rays, tile.cols, tile.rows, PatchTile::Wish::FirstHits, counters, room).run();
     if (frame.stopped()) return hits.leave_undecided(tile);
-    put_found({.u = room.u.data(),
-               .v = room.v.data(),
-               .reach = room.reach.data(),
-               .found = room.found.data(),
-               .look_distance = rays.look_distance(),
-               .cols = tile.cols,
-               .rows = tile.rows},
-              hits);
+    const bool are_others = put_found({.u = room.u.data(),
+                                       .v = room.v.data(),
+                                       .reach = room.reach.data(),
+                                       .found = room.found.data(),
+                                       .look_distance = rays.look_distance(),
+                                       .cols = tile.cols,
+                                       .rows = tile.rows},
+                                      hits);
+    if (!are_others) return;
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
             const std::size_t pixel = index_of(col, row);

@@ -112,6 +112,55 @@ std::vector<double> sign_changes(const Ray& ray, const std::function<double(doub
     return roots;
 }
 
+/// The roots of a function that is quadratic on rays.
+std::vector<double> quadratic_roots(const Ray& ray, const std::function<double(double)>& f) {
+    const double middle = 0.5 * (ray.t_in + ray.t_out);
+    const double half = 0.5 * (ray.t_out - ray.t_in);
+    const double before = f(ray.t_in);
+    const double behind = f(ray.t_out);
+    const double c = f(middle);
+    const double a = 0.5 * (before + behind) - c;
+    const double b = 0.5 * (behind - before);
+    const double discriminant = b * b - 4.0 * a * c;
+    if (discriminant < 0.0) return {};
+    const double large = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    return {middle + half * large / a, middle + half * c / large};
+}
+
+/// Those of a quadric f(x, y, z) = 0 where |z| < 1.
+std::vector<double> quadric_roots(const Ray& ray, double (*f)(double x, double y, double z)) {
+    std::vector<double> roots = quadratic_roots(ray, [&](double t) {
+        const glm::dvec3 at = ray.at(t);
+        return f(at.x, at.y, at.z);
+    });
+    std::erase_if(roots, [&](double t) { return !(std::abs(ray.at(t).z) < 1.0); });
+    return roots;
+}
+
+std::vector<double> cone_roots(const Ray& ray) {
+    return quadric_roots(ray, [](double x, double y, double z) { return x * x + y * y - z * z; });
+}
+std::vector<double> hyperboloid_roots(const Ray& ray) {
+    return quadric_roots(ray,
+                         [](double x, double y, double z) { return x * x + y * y - z * z - 0.25; });
+}
+std::vector<double> saddle_roots(const Ray& ray) {
+    return quadric_roots(ray, [](double x, double y, double z) { return x * x - y * y - z; });
+}
+
+/// Whitney's umbrella (u v, u, v^2), |u|, |v| < 1.
+std::vector<double> umbrella_roots(const Ray& ray) {
+    std::vector<double> roots = sign_changes(ray, [&](double t) {
+        const glm::dvec3 at = ray.at(t);
+        return at.x * at.x - at.y * at.y * at.z;
+    });
+    std::erase_if(roots, [&](double t) {
+        const glm::dvec3 at = ray.at(t);
+        return !(at.z > 0.0 && at.z < 1.0 && std::abs(at.y) < 1.0);
+    });
+    return roots;
+}
+
 /// The Moebius strip of ring 1 and half width 0.5, by its cubic.
 std::vector<double> moebius_roots(const Ray& ray) {
     const auto f = [&](double t) {
@@ -161,6 +210,12 @@ std::vector<PatchCase> cases() {
                                              "(y-1/2)*sin(pi*x)"};
     const std::array<std::string, 3> helicoid{"1.5*x*cos(pi*(y-1/2))", "1.5*x*sin(pi*(y-1/2))",
                                               "pi*(y-1/2)"};
+    const std::array<std::string, 3> cone{"(2*x-1)*cos(2*pi*y)", "(2*x-1)*sin(2*pi*y)", "2*x-1"};
+    const std::array<std::string, 3> hyperboloid{
+        "0.5*cosh(3*x-3/2)*cos(2*pi*y)", "0.5*cosh(3*x-3/2)*sin(2*pi*y)", "0.5*sinh(3*x-3/2)"};
+    const std::array<std::string, 3> saddle{"4*x-2", "4*y-2", "(4*x-2)^2-(4*y-2)^2"};
+    const std::array<std::string, 3> umbrella{"(2*x-1)*(2*y-1)", "2*x-1", "(2*y-1)^2"};
+    const Box slab{{-2, -2, -1}, {2, 2, 1}};
     const Region ball{Ball{{0.2, -0.3, 0.4}, 0.9}, {}};
     const Region half{{}, {make_section({1, 0, 0}, 0.3, false)}};
     return {{"sphere", sphere, unit_sphere_roots, usual},
@@ -178,6 +233,12 @@ std::vector<PatchCase> cases() {
             {"square from above", square, square_roots, down},
             {"torus", torus, torus_roots, usual},
             {"torus from above", torus, torus_roots, down},
+            {"cone", cone, cone_roots, usual},
+            {"cone from above", cone, cone_roots, down},
+            {"hyperboloid", hyperboloid, hyperboloid_roots, usual, slab},
+            {"saddle", saddle, saddle_roots, usual, slab},
+            {"saddle from inside", saddle, saddle_roots, inside, slab},
+            {"umbrella", umbrella, umbrella_roots, usual},
             {"Moebius strip", moebius, moebius_roots, usual},
             {"helicoid", helicoid, helicoid_roots, usual},
             {"helicoid from inside", helicoid, helicoid_roots, inside}};

@@ -1,0 +1,345 @@
+// Newton's method in float on a piece of a leaf, with a proof for each ray.
+// Included once for each instruction set, after Highway.
+//
+// With Y near the inverse of g' at x, n = -Y g(x), and h = y - x for a zero y of g:
+//   h = n + (I - Y g') h,   |I - Y g'| <= k0 + K |h| / 2,
+// where g' is its mean between x and y, k0 is what rounding makes of g'(x), and K is a bound of Y
+// times the second derivatives. All zeros of the piece are within a distance R of x, by its
+// linear form; so with d = |n| and k = k0 + K R / 2 below 1
+//   |h| <= d / (1 - k) = r,   |y - (x + n)| <= (k0 + K r / 2) r.
+// There is a zero where the ball of radius r about x is in the piece [Krawczyk69]. Unlike
+// Krawczyk's test of all of a piece this does not ask how the derivatives vary over it.
+
+#if defined(ZEROSET_PATCH_NEWTON_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_PATCH_NEWTON_INL
+#undef ZEROSET_PATCH_NEWTON_INL
+#else
+#define ZEROSET_PATCH_NEWTON_INL
+#endif
+
+#include "engine/trace/patch/patch_floats-inl.hpp"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// Where Newton's method may go, and bounds of polynomials hold: |p|, |q| <= newton_limit.
+constexpr double newton_limit = 1.125;
+/// More than what rounding takes from a place as floats, or from Y g relative to its terms.
+constexpr double rounding_of_places = 0x1p-21;
+
+/// Bounds for the polynomials of a piece in each of (a, b, s), by the sums of the sizes of their
+/// terms of each degree. In upward rounding.
+struct NewtonBounds {
+    /// Of the sum of second derivatives, but for those of the terms of degree 2, and of what
+    /// rounding in float makes of the slopes.
+    double bend[4], slope_error[4];
+    double square[4];  ///< of the second derivatives of the terms of degree 2
+    /// Of what rounding makes of the terms from degree 3 on, where |p|, |q| <= 1. A term of degree
+    /// n is rounded n + 6 times at most, each time by 2^-23 of it.
+    double error[4];
+
+    explicit NewtonBounds(const Piece& piece) {
+        const D4 d4;
+        for (std::size_t k = 0; k < 4; k += step4) {
+            V4 all[3] = {hn::Zero(d4), hn::Zero(d4), hn::Zero(d4)};
+            double power = 1.0;  // newton_limit^(n - 1)
+            for (int n = 1; n <= piece.first_degree; ++n, power *= newton_limit) {
+                const V4 size = size_of_degree(piece.terms, n, k);
+                const auto add = [&](V4& to, double factor)
+                                     HWY_ATTR { to = hn::MulAdd(size, hn::Set(d4, factor), to); };
+                if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
+                // Products with the second derivatives are rounded, too.
+                add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
+                if (n > 2) add(all[1], 0x1p-23 * (n + 6));
+                add(all[2], 0x1p-20 * n * (n + 2) * power);
+            }
+            hn::StoreU(all[0], d4, bend + k);
+            hn::StoreU(all[1], d4, error + k);
+            hn::StoreU(all[2], d4, slope_error + k);
+        }
+    }
+};
+
+/// The rays that are solved at once, twice as many as vectors of doubles have numbers.
+struct NewtonRays {
+    std::array<Vector, 2> u, v;
+    Floats p, q;    ///< where the search begins
+    Floats spread;  ///< from where all zeros of the piece are within this
+};
+
+/// What is known of them.
+struct NewtonEnd {
+    FloatMask none;   ///< no zero within `inner`
+    FloatMask found;  ///< one, in the unit square, and its depth is known well enough
+    std::array<Vector, 2> s;
+    FloatSlopes at_a, at_b, at_s;  ///< where the search ended: terms from degree 3 on, all slopes
+};
+
+/// The inverse of a matrix.
+struct Inverse2 {
+    Floats pp, pq, qp, qq;  ///< without the signs of pq and qp, which are -1
+
+    explicit HWY_INLINE Inverse2(const Slopes2& by)
+        : pp(hn::Mul(by.qq, by.inverse)),
+          pq(hn::Mul(by.pq, by.inverse)),
+          qp(hn::Mul(by.qp, by.inverse)),
+          qq(hn::Mul(by.pp, by.inverse)) {}
+
+    [[nodiscard]] HWY_INLINE Floats p(Floats x1, Floats x2) const {
+        return hn::NegMulAdd(pq, x2, hn::Mul(pp, x1));
+    }
+    [[nodiscard]] HWY_INLINE Floats q(Floats x1, Floats x2) const {
+        return hn::NegMulAdd(qp, x1, hn::Mul(qq, x2));
+    }
+    /// The larger number of its sizes times (x1, x2).
+    [[nodiscard]] HWY_INLINE Floats most(Floats x1, Floats x2) const {
+        return hn::Max(hn::MulAdd(hn::Abs(pp), x1, hn::Mul(hn::Abs(pq), x2)),
+                       hn::MulAdd(hn::Abs(qp), x1, hn::Mul(hn::Abs(qq), x2)));
+    }
+};
+
+/// Newton's method for rays on a piece.
+class Newton {
+public:
+    HWY_INLINE Newton(const Piece& piece, const FloatTerms& floats, const SightAxes& axes,
+                      double tolerance)
+        : piece_(piece),
+          floats_(floats),
+          distance_(axes.distance),
+          tolerance_(tolerance),
+          bounds_(piece) {
+        const PatchSight& sight = piece.sight;
+        const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
+        const double error = sight.value_error + piece.first_error;
+        error_[0] = error + bounds_.error[0] + rounding * most.x;
+        error_[1] = error + bounds_.error[1] + rounding * most.y;
+        error_[2] = error + bounds_.error[2] + rounding * (distance_ + most.z);
+        s_error_ = error + bounds_.error[2] + rounding * most.z;
+    }
+
+    template <int degree>
+    HWY_INLINE NewtonEnd solve(const NewtonRays& rays) const {
+        // What is constant on a ray is large: in double.
+        const auto& constant = piece_.terms[0];
+        const Vector far = number(distance_ + constant[2]);
+        const auto beside = [&](Vector along, double at)
+                                HWY_ATTR { return hn::NegMulAdd(along, far, number(at)); };
+        const Search search{
+            .rays = rays,
+            .u = floats_of(rays.u[0], rays.u[1]),
+            .v = floats_of(rays.v[0], rays.v[1]),
+            .first1 = {beside(rays.u[0], constant[0]), beside(rays.u[1], constant[0])},
+            .first2 = {beside(rays.v[0], constant[1]), beside(rays.v[1], constant[1])}};
+        Place at{.p = clamped(rays.p), .q = clamped(rays.q)};
+        step<std::min(degree, 3)>(search, at);
+        step<std::min(degree, 4)>(search, at);
+        NewtonEnd end;
+        constexpr int most_tests = 3;
+        for (int tests = 1;; ++tests) {
+            end.at_a = high_terms_of<degree>(floats_, 0, at.p, at.q);
+            end.at_b = high_terms_of<degree>(floats_, 1, at.p, at.q);
+            end.at_s = high_terms_of<degree>(floats_, 2, at.p, at.q);
+            const Low low = low_terms(search, at);
+            const Step by = step_from(search, at, low, end);
+            const Proof proof = test(by, at, end);
+            if (tests < most_tests && !hn::AllFalse(df, proof.may_help)) {
+                at = {.p = moved(at.p, by.p), .q = moved(at.q, by.q)};
+                continue;
+            }
+            finish(by, at, low, proof, end);
+            return end;
+        }
+    }
+
+private:
+    /// Rays and what is constant on them: g but for the other terms.
+    struct Search {
+        const NewtonRays& rays;
+        Floats u, v;
+        std::array<Vector, 2> first1, first2;
+    };
+    struct Place {
+        Floats p, q;
+    };
+    /// The terms up to degree 2: of s, without the constant, and of g.
+    struct Low {
+        std::array<Vector, 2> s, g1, g2;
+    };
+    /// A step of Newton's method, and bounds of what it leaves.
+    struct Step {
+        Floats p, q;
+        Floats lost;  ///< what errors of g make of it
+        Floats flat;  ///< k0
+        Floats bend;  ///< K / 2
+        Floats far;   ///< R
+    };
+    struct Proof {
+        FloatMask may_help;  ///< a better place may settle a ray that is open
+        Floats radius;       ///< of all zeros about where the step leads
+    };
+
+    static HWY_INLINE Floats clamped(Floats at) {
+        const Floats limit = float_number(newton_limit);
+        return hn::Min(hn::Max(at, hn::Neg(limit)), limit);
+    }
+    /// A step from `at`, or none where it is not known.
+    static HWY_INLINE Floats moved(Floats at, Floats by) {
+        return hn::IfThenElse(hn::IsNaN(by), at, clamped(hn::Add(at, by)));
+    }
+
+    /// A step with the terms up to a degree.
+    template <int degree>
+    HWY_INLINE void step(const Search& search, Place& at) const {
+        const FloatSlopes a = slopes_of<degree>(floats_, 0, at.p, at.q);
+        const FloatSlopes b = slopes_of<degree>(floats_, 1, at.p, at.q);
+        const FloatSlopes s = slopes_of<degree>(floats_, 2, at.p, at.q);
+        const Floats c1 = floats_of(search.first1[0], search.first1[1]);
+        const Floats c2 = floats_of(search.first2[0], search.first2[1]);
+        const Floats g1 = hn::NegMulAdd(search.u, s.value, hn::Add(c1, a.value));
+        const Floats g2 = hn::NegMulAdd(search.v, s.value, hn::Add(c2, b.value));
+        const Slopes2 by(a, b, s, search.u, search.v);
+        at = {.p = moved(at.p, by.step_p(g1, g2)), .q = moved(at.q, by.step_q(g1, g2))};
+    }
+
+    HWY_INLINE Low low_terms(const Search& search, const Place& at) const {
+        const auto ps = doubles_of(at.p);
+        const auto qs = doubles_of(at.q);
+        Low low{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto sum = [&](std::size_t k, Vector from) HWY_ATTR {
+                const auto term = [&](int by_p, int by_q) HWY_ATTR {
+                    return number(piece_.terms[patch_term(by_p, by_q)][k]);
+                };
+                const Vector by_p =
+                    hn::MulAdd(term(2, 0), ps[i], hn::MulAdd(term(1, 1), qs[i], term(1, 0)));
+                const Vector by_q = hn::MulAdd(term(0, 2), qs[i], term(0, 1));
+                return hn::MulAdd(by_p, ps[i], hn::MulAdd(by_q, qs[i], from));
+            };
+            low.s[i] = sum(2, hn::Zero(D()));
+            low.g1[i] = hn::NegMulAdd(search.rays.u[i], low.s[i], sum(0, search.first1[i]));
+            low.g2[i] = hn::NegMulAdd(search.rays.v[i], low.s[i], sum(1, search.first2[i]));
+        }
+        return low;
+    }
+
+    HWY_INLINE Step step_from(const Search& search, const Place& at, const Low& low,
+                              const NewtonEnd& end) const {
+        const Floats g1 = hn::Add(floats_of(low.g1[0], low.g1[1]),
+                                  hn::NegMulAdd(search.u, end.at_s.value, end.at_a.value));
+        const Floats g2 = hn::Add(floats_of(low.g2[0], low.g2[1]),
+                                  hn::NegMulAdd(search.v, end.at_s.value, end.at_b.value));
+        const Inverse2 y(Slopes2(end.at_a, end.at_b, end.at_s, search.u, search.v));
+        /// |Y| times bounds for the coordinates.
+        const auto most = [&](const double* of, Floats more1, Floats more2) HWY_ATTR {
+            const Floats along = float_number(of[2]);
+            return y.most(
+                hn::Add(more1, hn::MulAdd(hn::Abs(search.u), along, float_number(of[0]))),
+                hn::Add(more2, hn::MulAdd(hn::Abs(search.v), along, float_number(of[1]))));
+        };
+        const Floats zero = hn::Zero(df);
+        const Floats one = float_number(1.0);
+        const Floats tiny = float_number(rounding_of_places);
+        const Floats out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
+        Step by{};
+        by.p = hn::Neg(y.p(g1, g2));
+        by.q = hn::Neg(y.q(g1, g2));
+        by.lost = most(error_, hn::Mul(hn::Abs(g1), tiny), hn::Mul(hn::Abs(g2), tiny));
+        // Outside of the box rounding makes more.
+        constexpr double most_power = 2.3;  // newton_limit^patch_degree
+        by.lost =
+            hn::IfThenElse(hn::Gt(out, one), hn::Mul(by.lost, float_number(most_power)), by.lost);
+        by.flat = most(bounds_.slope_error, zero, zero);
+        // g'' of the terms of degree 2 is known with its sign.
+        Floats bend_p = hn::Mul(most(bounds_.bend, zero, zero), float_number(0.5));
+        Floats bend_q = bend_p;
+        for (const float* const term : {floats_.by_pp, floats_.by_pq, floats_.by_qq}) {
+            const Floats s2 = hn::Set(df, term[2]);
+            const Floats h1 = hn::NegMulAdd(search.u, s2, hn::Set(df, term[0]));
+            const Floats h2 = hn::NegMulAdd(search.v, s2, hn::Set(df, term[1]));
+            bend_p = hn::Add(bend_p, hn::Abs(y.p(h1, h2)));
+            bend_q = hn::Add(bend_q, hn::Abs(y.q(h1, h2)));
+        }
+        by.bend = hn::Max(bend_p, bend_q);
+        const Floats moved_by =
+            hn::Max(hn::Abs(hn::Sub(at.p, search.rays.p)), hn::Abs(hn::Sub(at.q, search.rays.q)));
+        by.far = hn::Min(hn::Add(search.rays.spread, hn::MulAdd(moved_by, tiny, moved_by)),
+                         hn::Add(one, out));
+        return by;
+    }
+
+    /// What is known of the zeros by a step.
+    HWY_INLINE Proof test(const Step& by, const Place& at, NewtonEnd& end) const {
+        const Floats one = float_number(1.0);
+        const Floats size = hn::Max(hn::Abs(by.p), hn::Abs(by.q));
+        // 1 - k, rounded downward.
+        const Floats rest = hn::Neg(hn::Sub(hn::MulAdd(by.bend, by.far, by.flat), one));
+        const Floats reach = hn::Div(hn::Add(size, by.lost), rest);
+        const FloatMask is_known = hn::Gt(rest, float_number(0x1p-4));
+        const Floats within = hn::MulAdd(
+            hn::Add(hn::MulAdd(by.bend, reach, by.flat), float_number(0x1p-20)), reach, by.lost);
+        Proof proof{};
+        proof.radius = hn::Add(within, float_number(rounding_of_places));
+        const auto beyond = [&](Floats to) HWY_ATTR {
+            return hn::Gt(hn::Sub(hn::Abs(to), proof.radius), float_number(inner));
+        };
+        end.none =
+            hn::And(is_known, hn::Or(beyond(hn::Add(at.p, by.p)), beyond(hn::Add(at.q, by.q))));
+        const Floats out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
+        const FloatMask is_one =
+            hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(out, reach), one));
+        const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
+        const Floats s_radius =
+            hn::MulAdd(hn::MulAdd(reach, float_number(0.5 * (bounds_.bend[2] + bounds_.square[2])),
+                                  float_number(bounds_.slope_error[2])),
+                       reach, hn::MulAdd(slope, within, float_number(s_error_)));
+        const FloatMask narrow =
+            hn::Le(hn::Add(s_radius, s_radius), float_number(tolerance_ * (1.0 - 0x1p-20)));
+        end.found = hn::And(hn::AndNot(end.none, is_one), narrow);
+        // It may where the step is what makes the radius.
+        proof.may_help =
+            hn::And(hn::AndNot(hn::Or(end.none, end.found), is_known), hn::Gt(size, by.lost));
+        return proof;
+    }
+
+    HWY_INLINE void finish(const Step& by, const Place& at, const Low& low, const Proof& proof,
+                           NewtonEnd& end) const {
+        const UvBox& box = piece_.box;
+        end.found = hn::And(
+            end.found, hn::And(in_unit(hn::Add(at.p, by.p), proof.radius, box.u, box.u_radius),
+                               in_unit(hn::Add(at.q, by.q), proof.radius, box.v, box.v_radius)));
+        const auto further = doubles_of(
+            hn::MulAdd(end.at_s.by_p, by.p, hn::MulAdd(end.at_s.by_q, by.q, end.at_s.value)));
+        for (std::size_t i = 0; i < 2; ++i)
+            end.s[i] = hn::Add(hn::Add(low.s[i], number(piece_.terms[0][2])), further[i]);
+    }
+
+    /// Whether places are surely in [0, 1].
+    static HWY_INLINE FloatMask in_unit(Floats place, Floats radius, double middle,
+                                        double box_radius) {
+        const double lo = -middle / box_radius;
+        const double hi = (1.0 - middle) / box_radius;
+        // More than rounding may take from these, and from the middles of halves.
+        const auto most = [&](double at) { return 0x1p-22 * std::abs(at) + 0x1p-48 / box_radius; };
+        return hn::And(hn::Ge(hn::Sub(place, radius), float_number(lo + most(lo))),
+                       hn::Le(hn::Add(place, radius), float_number(hi - most(hi))));
+    }
+
+    const Piece& piece_;
+    const FloatTerms& floats_;
+    double distance_, tolerance_;
+    NewtonBounds bounds_;
+    double error_[3];  ///< of g, by that of a, of b, and of how far along the ray
+    double s_error_;
+};
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
