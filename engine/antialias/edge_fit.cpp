@@ -35,7 +35,7 @@ int sign_over_square(const std::array<double, square_ray_count>& numbers) {
 
 }  // namespace
 
-Signs signs_of(const SquareStretches& stretches) {
+Signs signs_of(SquareStretches stretches) {
     std::array<double, square_ray_count> near{};
     std::array<double, square_ray_count> far{};
     for (std::size_t i = 0; i < square_ray_count; ++i) {
@@ -70,7 +70,7 @@ std::size_t EdgeSamples::nearest_hit(const SquareRay& place) const {
     return nearest;
 }
 
-RayRoot EdgeSamples::bracket(const SquareStretches& stretches, std::size_t i) const {
+RayRoot EdgeSamples::bracket(SquareStretches stretches, std::size_t i) const {
     const RayStretch& ray = stretches[i];
     return {.col = ray.col,
             .row = ray.row,
@@ -86,7 +86,7 @@ SquareRayFlags EdgeSamples::misses() const {
     return none;
 }
 
-EdgeSamples edge_samples(const SquareStretches& stretches) {
+EdgeSamples edge_samples(SquareStretches stretches) {
     const auto positive = [](double f) { return f >= 0.0; };
     const bool near = positive(stretches[0].near);
     const bool far = positive(stretches[0].far);
@@ -115,7 +115,7 @@ EdgeSamples edge_samples(const SquareStretches& stretches) {
     return samples;
 }
 
-EdgeSamples entry_samples(const SquareStretches& stretches) {
+EdgeSamples entry_samples(SquareStretches stretches) {
     const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
     EdgeSamples samples;
     samples.known = true;
@@ -147,7 +147,7 @@ bool is_touched(const EdgeSamples& samples) {
     return samples.known && least <= most * (greatest - least);
 }
 
-bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& stretches) {
+bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches) {
     constexpr double most = 1e-9;  // of f at the ends of stretches
     if (!samples.known || samples.roots() == square_ray_count) return false;
     double size = 0.0;
