@@ -115,6 +115,24 @@ EdgeSamples edge_samples(SquareStretches stretches) {
     return samples;
 }
 
+std::optional<EdgeSamples> one_end_samples(SquareStretches stretches) {
+    const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
+    EdgeSamples near{.height = {}, .known = true, .before_end = {}};
+    EdgeSamples far = near;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        near.height[i] = sign * ray.near;
+        far.height[i] = sign * ray.far;
+        near.before_end[i] = true;
+        far.before_end[i] = true;
+        const bool kept = near.height[i] > 0.0 && far.height[i] > 0.0;
+        if (!kept || ray.is_empty() || ray.inner) return std::nullopt;
+        if (!std::isfinite(ray.near) || !std::isfinite(ray.far)) return std::nullopt;
+    }
+    if (sign_over_square(near.height) > 0) return far;
+    return sign_over_square(far.height) > 0 ? std::optional(near) : std::nullopt;
+}
+
 EdgeSamples entry_samples(SquareStretches stretches) {
     const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
     EdgeSamples samples;
@@ -145,6 +163,15 @@ bool is_touched(const EdgeSamples& samples) {
     constexpr double most = 0.2;  // above that a thread is thicker than the square, or beside it
     const auto [least, greatest] = std::ranges::minmax(samples.height);
     return samples.known && least <= most * (greatest - least);
+}
+
+bool is_one_slope(SquareStretches stretches) {
+    constexpr double most = 0.05;  // in parts of the slope
+    const RayStretch& first = stretches[0];
+    const double size = std::hypot(first.by_col, first.by_row);
+    return std::ranges::all_of(stretches, [&](const RayStretch& ray) {
+        return std::hypot(ray.by_col - first.by_col, ray.by_row - first.by_row) <= most * size;
+    });
 }
 
 bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches) {

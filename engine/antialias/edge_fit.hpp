@@ -29,12 +29,20 @@ struct EdgeSamples {
     [[nodiscard]] std::size_t nearest_hit(const SquareRay& place) const;
 };
 EdgeSamples edge_samples(SquareStretches stretches);
+/// Samples of f at one end of stretches on none of which f has a root, nor is least within: where f
+/// surely keeps its sign at the other end all over the square, roots are where it does not at this
+/// one. Nothing unless that is so of one end.
+std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.
 EdgeSamples entry_samples(SquareStretches stretches);
 
 /// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
 bool is_touched(const EdgeSamples& samples);
+
+/// Whether f changes from ray to ray in nearly the same way at all rays: where it may have kinks
+/// elsewhere on them, these leave the edge alone.
+bool is_one_slope(SquareStretches stretches);
 
 /// Whether f comes to 0 on all rays, and on none goes through it.
 bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches);

@@ -128,32 +128,37 @@ public:
     static constexpr std::uint64_t calm = std::uint64_t{1} << 56U;
 
     explicit MarkWords(Words words) : words_(words) {}
-    [[nodiscard]] Words words() const { return words_; }
     [[nodiscard]] HWY_INLINE M<double> has(std::uint64_t bit) const {
         return hn::RebindMask(d<double>, hn::TestBit(words_, hn::Set(tag, bit)));
     }
-    /// Sets or clears a bit in some lanes.
-    HWY_INLINE void set(std::uint64_t bit, M<double> lanes, M<double> value) {
-        const Words on = hn::Set(tag, bit);
-        const Words cleared = hn::AndNot(on, words_);
-        const Words with = hn::IfThenElse(hn::RebindMask(tag, value), hn::Or(cleared, on), cleared);
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), with, words_);
-    }
-    HWY_INLINE void set_state(FrontMarks::State to, M<double> lanes) {
-        const Words cleared = hn::AndNot(hn::Set(tag, state), words_);
-        const Words with = hn::Or(cleared, hn::Set(tag, static_cast<std::uint64_t>(to)));
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), with, words_);
-    }
     /// Counts one more open cell; the first one where a stretch begins.
     HWY_INLINE void count_cell(M<double> lanes, M<double> begins) {
-        const Words before = hn::IfThenElse(hn::RebindMask(tag, begins),
-                                            hn::AndNot(hn::Set(tag, cells), words_), words_);
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), hn::Add(before, hn::Set(tag, one_cell)),
-                                words_);
+        words_ = hn::AndNot(in(begins, cells), words_);
+        words_ = hn::Add(words_, in(lanes, one_cell));
+    }
+    /// Sets bits in these lanes, and clears them in others of `lanes`.
+    HWY_INLINE void set(std::uint64_t bit, M<double> lanes, M<double> value) {
+        cleared_ = hn::Or(cleared_, in(lanes, bit));
+        added_ = hn::Or(added_, in(hn::And(lanes, value), bit));
+    }
+    HWY_INLINE void set_state(FrontMarks::State to, M<double> lanes) {
+        cleared_ = hn::Or(cleared_, in(lanes, state));
+        added_ = hn::Or(added_, in(lanes, static_cast<std::uint64_t>(to)));
+    }
+    /// The words with all that was set, which `has` does not know of.
+    [[nodiscard]] HWY_INLINE Words changed() const {
+        return hn::Or(hn::AndNot(cleared_, words_), added_);
     }
 
 private:
+    static HWY_INLINE Words in(M<double> lanes, std::uint64_t bits) {
+        return hn::IfThenElseZero(hn::RebindMask(tag, lanes), hn::Set(tag, bits));
+    }
+
     Words words_;
+    // Apart from the words, so that no change waits for another one.
+    Words cleared_ = hn::Zero(tag);
+    Words added_ = hn::Zero(tag);
 };
 
 inline constexpr std::uint64_t most_open_cells = 8;  // a power of two
@@ -234,9 +239,9 @@ HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerd
                    hn::Or(marks.has(most_open_cells * MarkWords::one_cell), hn::Ge(cell.to, end)));
 }
 
-/// Takes what is known of the fronts' next cells.
-HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
-                     const FrontRules& rules) {
+/// Takes what is known of the fronts' next cells; returns which fronts go on no more.
+HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                          const FrontRules& rules) {
     MarkWords marks(hn::LoadU(MarkWords::tag, &fronts.marks[i]));
     const CellSteps steps = steps_of(fronts, i, cell, marks, rules);
     const V<double> length = hn::Sub(cell.to, cell.from);
@@ -279,14 +284,16 @@ HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
     at = where(edged, load(&fronts.open_from[i]), at);
 
     const V<double> end = load(&fronts.end[i]);
-    marks.set_state(FrontMarks::State::Gone, hn::And(steps.free, hn::Ge(at, end)));
+    const M<double> gone = hn::And(steps.free, hn::Ge(at, end));
+    marks.set_state(FrontMarks::State::Gone, gone);
     marks.set_state(FrontMarks::State::Rooted, steps.rooted);
     marks.set_state(FrontMarks::State::Edged, edged);
     store(at, &fronts.at[i]);
     store(to, &fronts.to[i]);
     store(next, &fronts.step[i]);
     store(where(steps.rooted, cell.turn, load(&fronts.turn[i])), &fronts.turn[i]);
-    hn::StoreU(marks.words(), MarkWords::tag, &fronts.marks[i]);
+    hn::StoreU(marks.changed(), MarkWords::tag, &fronts.marks[i]);
+    return hn::Or(gone, hn::Or(steps.rooted, edged));
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -45,9 +45,12 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
 bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    const EdgeSamples samples = edge_samples(stretches);
+    EdgeSamples samples = edge_samples(stretches);
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
+    if (!is_inside && !front.kinked && at.level >= first_one_end_level) {
+        if (const auto at_one_end = one_end_samples(stretches)) samples = *at_one_end;
+    }
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
@@ -85,7 +88,9 @@ bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
     const SquarePart part = part_below_zero(fit);
     if (!(part.share > 0.0)) return pass(square);
     const CoverSquare& at = field_.square(square);
-    if (field_.fronts(square)[surface_].kinked && at.level < last_kinked_edge_level) {
+    const bool kinked = field_.fronts(square)[surface_].kinked &&
+                        (at.level < first_one_slope_level || !is_one_slope(stretches));
+    if (kinked && at.level < last_kinked_edge_level) {
         field_.divide(square);
         return false;
     }
