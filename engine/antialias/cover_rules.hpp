@@ -29,10 +29,12 @@ inline constexpr double most_turn_at_kinks = 0.15;
 constexpr double most_turn_of(bool kinked) { return kinked ? most_turn_at_kinks : most_turn; }
 /// The error of the f of a cell, in parts of its change across the square, from which on the cell
 /// is halved rather than the square divided.
-inline constexpr double most_cell_error = 0.5;
+inline constexpr double most_cell_error = 0.25;
+/// The same where the pixels around look like the square's own, so that it holds no thread.
+inline constexpr double most_calm_cell_error = 0.5;
 /// How far an edge may be off from a line: in pixels, within the clip region and at its walls, and
 /// in parts of the square's side.
-inline constexpr double most_error_of_line = 1.0 / 72;
+inline constexpr double most_error_of_line = 1.0 / 68;
 inline constexpr double most_error_at_walls = 1.0 / 200;
 inline constexpr double most_error_of_edge = 1.0 / 8;
 /// As wide, in pixels, threads are drawn of which no ray is known to have a root; and half the

@@ -53,66 +53,6 @@ struct CellVerdict {
     V<double> fair;  ///< the longest cell that is not halved
 };
 
-/// Where the next cells end.
-HWY_INLINE V<double> next_of(const FrontBlock& fronts, std::size_t i) {
-    const V<double> to = hn::Add(load(&fronts.at[i]), load(&fronts.step[i]));
-    return hn::Min(to, load(&fronts.end[i]));
-}
-
-HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
-                             const FrontBlock& fronts, std::size_t i) {
-    const V<double> one = number(1.0);
-    const V<double> zero = hn::Zero(d<double>);
-    const V<double> steepness = hn::Abs(form.along);
-    const V<double> size = hn::Abs(form.c);
-    const V<double> most = hn::Add(hn::Add(form.aside, form.error), steepness);
-    const M<double> known = hn::IsFinite(form.error);
-    CellVerdict verdict{};
-    verdict.from = load(&fronts.at[i]);
-    verdict.to = next_of(fronts, i);
-    verdict.rejected = hn::Or(form.nowhere, hn::Gt(size, most));
-    verdict.continuous = hn::And(known, form.continuous);
-    verdict.monotone = hn::Or(hn::Lt(form.slope_hi, zero), hn::Lt(form.slope_neg_lo, zero));
-    verdict.kinked = form.kinked;
-    const V<double> most_error = hn::Mul(number(most_cell_error), form.aside);
-    verdict.precise = hn::And(known, hn::Le(form.error, most_error));
-    verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
-    // The error goes with the square of the length, or nearly so.
-    const M<double> coarse = hn::AndNot(verdict.precise, known);
-    const V<double> part = hn::Div(hn::IfThenElse(verdict.rejected, size, most_error),
-                                   hn::IfThenElse(verdict.rejected, most, form.error));
-    const M<double> shorter = hn::AndNot(verdict.rejected, coarse);
-    verdict.growth = hn::IfThenElse(verdict.rejected, part, one);
-    if (!hn::AllFalse(d<double>, shorter))
-        verdict.growth = hn::IfThenElse(shorter, hn::Sqrt(part), verdict.growth);
-    // Where the linear part vanishes.
-    const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
-    const V<double> per_along = hn::Div(one, form.along);
-    const V<double> at = hn::Neg(hn::Mul(form.c, per_along));
-    const V<double> slack = number(rules.slack);
-    const V<double> spare = hn::Add(
-        hn::Mul(hn::Mul(hn::Add(form.aside, form.error), hn::Abs(per_along)), hn::Add(one, slack)),
-        hn::Mul(slack, hn::Add(one, hn::Abs(at))));
-    const auto depth_at = [&](V<double> t) {
-        return hn::Add(form.middle, hn::Mul(form.radius, t));
-    };
-    verdict.root_from =
-        hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
-    verdict.root_to = hn::IfThenElse(sloped, depth_at(hn::Add(at, spare)), hn::Inf(d<double>));
-    // The form's linear part is f's gradient, in parts of the cell's radii: along the ray, and
-    // across.
-    V<double> gradient = steepness;
-    V<double> radii = form.radius;
-    if (rules.half_width > 0.0) {
-        const V<double> half =
-            hn::Mul(number(rules.half_width), hn::Add(number(rules.distance), form.middle));
-        gradient = hn::Max(hn::Mul(form.aside, radii), hn::Mul(steepness, half));
-        radii = hn::Mul(radii, half);
-    }
-    verdict.turn = hn::Div(hn::Mul(hn::Add(form.slope_hi, form.slope_neg_lo), radii), gradient);
-    return verdict;
-}
-
 /// FrontMarks of a vector of fronts.
 class MarkWords {
 public:
@@ -160,6 +100,69 @@ private:
     Words cleared_ = hn::Zero(tag);
     Words added_ = hn::Zero(tag);
 };
+
+/// Where the next cells end.
+HWY_INLINE V<double> next_of(const FrontBlock& fronts, std::size_t i) {
+    const V<double> to = hn::Add(load(&fronts.at[i]), load(&fronts.step[i]));
+    return hn::Min(to, load(&fronts.end[i]));
+}
+
+HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
+                             const FrontBlock& fronts, std::size_t i) {
+    const V<double> one = number(1.0);
+    const V<double> zero = hn::Zero(d<double>);
+    const V<double> steepness = hn::Abs(form.along);
+    const V<double> size = hn::Abs(form.c);
+    const V<double> most = hn::Add(hn::Add(form.aside, form.error), steepness);
+    const M<double> known = hn::IsFinite(form.error);
+    CellVerdict verdict{};
+    verdict.from = load(&fronts.at[i]);
+    verdict.to = next_of(fronts, i);
+    verdict.rejected = hn::Or(form.nowhere, hn::Gt(size, most));
+    verdict.continuous = hn::And(known, form.continuous);
+    verdict.monotone = hn::Or(hn::Lt(form.slope_hi, zero), hn::Lt(form.slope_neg_lo, zero));
+    verdict.kinked = form.kinked;
+    const V<double> most_error = hn::Mul(
+        hn::IfThenElse(MarkWords(hn::LoadU(MarkWords::tag, &fronts.marks[i])).has(MarkWords::calm),
+                       number(most_calm_cell_error), number(most_cell_error)),
+        form.aside);
+    verdict.precise = hn::And(known, hn::Le(form.error, most_error));
+    verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
+    // The error goes with the square of the length, or nearly so.
+    const M<double> coarse = hn::AndNot(verdict.precise, known);
+    const V<double> part = hn::Div(hn::IfThenElse(verdict.rejected, size, most_error),
+                                   hn::IfThenElse(verdict.rejected, most, form.error));
+    const M<double> shorter = hn::AndNot(verdict.rejected, coarse);
+    verdict.growth = hn::IfThenElse(verdict.rejected, part, one);
+    if (!hn::AllFalse(d<double>, shorter))
+        verdict.growth = hn::IfThenElse(shorter, hn::Sqrt(part), verdict.growth);
+    // Where the linear part vanishes.
+    const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
+    const V<double> per_along = hn::Div(one, form.along);
+    const V<double> at = hn::Neg(hn::Mul(form.c, per_along));
+    const V<double> slack = number(rules.slack);
+    const V<double> spare = hn::Add(
+        hn::Mul(hn::Mul(hn::Add(form.aside, form.error), hn::Abs(per_along)), hn::Add(one, slack)),
+        hn::Mul(slack, hn::Add(one, hn::Abs(at))));
+    const auto depth_at = [&](V<double> t) {
+        return hn::Add(form.middle, hn::Mul(form.radius, t));
+    };
+    verdict.root_from =
+        hn::IfThenElse(sloped, depth_at(hn::Sub(at, spare)), hn::Neg(hn::Inf(d<double>)));
+    verdict.root_to = hn::IfThenElse(sloped, depth_at(hn::Add(at, spare)), hn::Inf(d<double>));
+    // The form's linear part is f's gradient, in parts of the cell's radii: along the ray, and
+    // across.
+    V<double> gradient = steepness;
+    V<double> radii = form.radius;
+    if (rules.half_width > 0.0) {
+        const V<double> half =
+            hn::Mul(number(rules.half_width), hn::Add(number(rules.distance), form.middle));
+        gradient = hn::Max(hn::Mul(form.aside, radii), hn::Mul(steepness, half));
+        radii = hn::Mul(radii, half);
+    }
+    verdict.turn = hn::Div(hn::Mul(hn::Add(form.slope_hi, form.slope_neg_lo), radii), gradient);
+    return verdict;
+}
 
 inline constexpr std::uint64_t most_open_cells = 8;  // a power of two
 /// How much longer than the cell before it a cell is at most, and how much shorter.

@@ -33,6 +33,14 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareSt
     return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
 }
 
+EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
+    const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
+    if (at_walls && !front.kinked && square.level >= first_one_end_level) {
+        if (const auto at_one_end = one_end_samples(stretches)) return *at_one_end;
+    }
+    return edge_samples(stretches);
+}
+
 }  // namespace
 
 bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
@@ -45,12 +53,9 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
 bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    EdgeSamples samples = edge_samples(stretches);
+    const EdgeSamples samples = samples_of(stretches, at, front);
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
-    if (!is_inside && !front.kinked && at.level >= first_one_end_level) {
-        if (const auto at_one_end = one_end_samples(stretches)) samples = *at_one_end;
-    }
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
