@@ -15,8 +15,13 @@ inline constexpr int last_broken_level = 1;
 inline constexpr int last_color_level = 2;
 /// Where f may have kinks, and so an edge more than one colour.
 inline constexpr int last_kinked_edge_level = 2;
+/// From this level on an edge has one colour where f changes the same way at all rays.
+inline constexpr int first_one_slope_level = 1;
 /// From this level on rays that agree stand for a square.
 inline constexpr int first_flat_level = 2;
+/// From this level on an edge at walls that passes all five rays by may be where f at one end of
+/// their stretches tells. In larger squares walls meet too often between rays and corners.
+inline constexpr int first_one_end_level = 3;
 /// The width of the enclosure of normal . view from which on a square is looked at closely for its
 /// colours; and where f may have kinks.
 inline constexpr double most_turn = 0.5;
@@ -25,9 +30,11 @@ constexpr double most_turn_of(bool kinked) { return kinked ? most_turn_at_kinks 
 /// The error of the f of a cell, in parts of its change across the square, from which on the cell
 /// is halved rather than the square divided.
 inline constexpr double most_cell_error = 0.25;
+/// The same where the pixels around look like the square's own, so that it holds no thread.
+inline constexpr double most_calm_cell_error = 0.5;
 /// How far an edge may be off from a line: in pixels, within the clip region and at its walls, and
 /// in parts of the square's side.
-inline constexpr double most_error_of_line = 1.0 / 64;
+inline constexpr double most_error_of_line = 1.0 / 68;
 inline constexpr double most_error_at_walls = 1.0 / 200;
 inline constexpr double most_error_of_edge = 1.0 / 8;
 /// As wide, in pixels, threads are drawn of which no ray is known to have a root; and half the

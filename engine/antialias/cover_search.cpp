@@ -149,7 +149,7 @@ void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>&
         finish_level();
     } while (!stopped() && field_.go_down());
     if (stopped()) return;
-    for (const Work& work : work_)
+    for (Work& work : work_)
         work.drafts.write(work.frame, field_.rays(), out, counters_);
 }
 

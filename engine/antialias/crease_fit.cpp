@@ -29,7 +29,7 @@ LinearOnSquare plane_at(const RayRoot& root, const SquareRay& ray, double half_s
 
 }  // namespace
 
-std::optional<Creased> fit_crease(const SquareRoots& roots, double half_side) {
+std::optional<Creased> fit_crease(SquareRoots roots, double half_side) {
     // The sheet of the middle's root, and the other one.
     std::array<bool, square_ray_count> is_other{};
     std::size_t other = 0;

@@ -21,6 +21,6 @@ struct Creased {
 
 /// The sheets through the first roots of a square's rays, if they are such. `half_side`: of the
 /// square, in pixels.
-std::optional<Creased> fit_crease(const SquareRoots& roots, double half_side);
+std::optional<Creased> fit_crease(SquareRoots roots, double half_side);
 
 }  // namespace zeroset

@@ -35,7 +35,7 @@ int sign_over_square(const std::array<double, square_ray_count>& numbers) {
 
 }  // namespace
 
-Signs signs_of(const SquareStretches& stretches) {
+Signs signs_of(SquareStretches stretches) {
     std::array<double, square_ray_count> near{};
     std::array<double, square_ray_count> far{};
     for (std::size_t i = 0; i < square_ray_count; ++i) {
@@ -70,7 +70,7 @@ std::size_t EdgeSamples::nearest_hit(const SquareRay& place) const {
     return nearest;
 }
 
-RayRoot EdgeSamples::bracket(const SquareStretches& stretches, std::size_t i) const {
+RayRoot EdgeSamples::bracket(SquareStretches stretches, std::size_t i) const {
     const RayStretch& ray = stretches[i];
     return {.col = ray.col,
             .row = ray.row,
@@ -86,7 +86,7 @@ SquareRayFlags EdgeSamples::misses() const {
     return none;
 }
 
-EdgeSamples edge_samples(const SquareStretches& stretches) {
+EdgeSamples edge_samples(SquareStretches stretches) {
     const auto positive = [](double f) { return f >= 0.0; };
     const bool near = positive(stretches[0].near);
     const bool far = positive(stretches[0].far);
@@ -115,7 +115,25 @@ EdgeSamples edge_samples(const SquareStretches& stretches) {
     return samples;
 }
 
-EdgeSamples entry_samples(const SquareStretches& stretches) {
+std::optional<EdgeSamples> one_end_samples(SquareStretches stretches) {
+    const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
+    EdgeSamples near{.height = {}, .known = true, .before_end = {}};
+    EdgeSamples far = near;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        near.height[i] = sign * ray.near;
+        far.height[i] = sign * ray.far;
+        near.before_end[i] = true;
+        far.before_end[i] = true;
+        const bool kept = near.height[i] > 0.0 && far.height[i] > 0.0;
+        if (!kept || ray.is_empty() || ray.inner) return std::nullopt;
+        if (!std::isfinite(ray.near) || !std::isfinite(ray.far)) return std::nullopt;
+    }
+    if (sign_over_square(near.height) > 0) return far;
+    return sign_over_square(far.height) > 0 ? std::optional(near) : std::nullopt;
+}
+
+EdgeSamples entry_samples(SquareStretches stretches) {
     const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
     EdgeSamples samples;
     samples.known = true;
@@ -147,7 +165,16 @@ bool is_touched(const EdgeSamples& samples) {
     return samples.known && least <= most * (greatest - least);
 }
 
-bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& stretches) {
+bool is_one_slope(SquareStretches stretches) {
+    constexpr double most = 0.05;  // in parts of the slope
+    const RayStretch& first = stretches[0];
+    const double size = std::hypot(first.by_col, first.by_row);
+    return std::ranges::all_of(stretches, [&](const RayStretch& ray) {
+        return std::hypot(ray.by_col - first.by_col, ray.by_row - first.by_row) <= most * size;
+    });
+}
+
+bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches) {
     constexpr double most = 1e-9;  // of f at the ends of stretches
     if (!samples.known || samples.roots() == square_ray_count) return false;
     double size = 0.0;

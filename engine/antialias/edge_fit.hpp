@@ -20,7 +20,7 @@ struct EdgeSamples {
 
     [[nodiscard]] std::size_t roots() const;
     /// The bracket of ray i's root, or of where f comes nearest to 0.
-    [[nodiscard]] RayRoot bracket(const SquareStretches& stretches, std::size_t i) const;
+    [[nodiscard]] RayRoot bracket(SquareStretches stretches, std::size_t i) const;
     /// The rays that have no root.
     [[nodiscard]] SquareRayFlags misses() const;
     /// The ray of the least height.
@@ -28,16 +28,24 @@ struct EdgeSamples {
     /// The ray with a root that is nearest to a place; `deepest` where none has one.
     [[nodiscard]] std::size_t nearest_hit(const SquareRay& place) const;
 };
-EdgeSamples edge_samples(const SquareStretches& stretches);
+EdgeSamples edge_samples(SquareStretches stretches);
+/// Samples of f at one end of stretches on none of which f has a root, nor is least within: where f
+/// surely keeps its sign at the other end all over the square, roots are where it does not at this
+/// one. Nothing unless that is so of one end.
+std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.
-EdgeSamples entry_samples(const SquareStretches& stretches);
+EdgeSamples entry_samples(SquareStretches stretches);
 
 /// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
 bool is_touched(const EdgeSamples& samples);
 
+/// Whether f changes from ray to ray in nearly the same way at all rays: where it may have kinks
+/// elsewhere on them, these leave the edge alone.
+bool is_one_slope(SquareStretches stretches);
+
 /// Whether f comes to 0 on all rays, and on none goes through it.
-bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& stretches);
+bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches);
 
 /// Whether all of the square has a root, as far as the heights tell.
 bool is_all_below(const EdgeSamples& samples);
@@ -45,7 +53,7 @@ bool is_all_below(const EdgeSamples& samples);
 /// Whether f keeps its sign on all rays of a square, or changes it on all, as far as f at the ends
 /// of their stretches tells; empty ones count, too.
 enum class Signs : std::uint8_t { Unknown, Kept, Changed };
-Signs signs_of(const SquareStretches& stretches);
+Signs signs_of(SquareStretches stretches);
 
 /// The linear function through the heights, if it is one to within `error` of its slope; with
 /// `flat_too` also where it is far from 0 all over the square.

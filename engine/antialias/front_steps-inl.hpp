@@ -53,6 +53,54 @@ struct CellVerdict {
     V<double> fair;  ///< the longest cell that is not halved
 };
 
+/// FrontMarks of a vector of fronts.
+class MarkWords {
+public:
+    using Words = hn::Vec<hn::RebindToUnsigned<Tag<double>>>;
+    static constexpr hn::RebindToUnsigned<Tag<double>> tag{};
+    static constexpr std::uint64_t state = 0xFF;
+    static constexpr std::uint64_t continuous = std::uint64_t{1} << 8U;
+    static constexpr std::uint64_t kinked = std::uint64_t{1} << 16U;
+    static constexpr std::uint64_t stretched = std::uint64_t{1} << 24U;
+    static constexpr std::uint64_t monotone = std::uint64_t{1} << 32U;
+    static constexpr std::uint64_t one_cell = std::uint64_t{1} << 40U;
+    static constexpr std::uint64_t cells = 0xFF * one_cell;
+    static constexpr std::uint64_t calm = std::uint64_t{1} << 56U;
+
+    explicit MarkWords(Words words) : words_(words) {}
+    [[nodiscard]] HWY_INLINE M<double> has(std::uint64_t bit) const {
+        return hn::RebindMask(d<double>, hn::TestBit(words_, hn::Set(tag, bit)));
+    }
+    /// Counts one more open cell; the first one where a stretch begins.
+    HWY_INLINE void count_cell(M<double> lanes, M<double> begins) {
+        words_ = hn::AndNot(in(begins, cells), words_);
+        words_ = hn::Add(words_, in(lanes, one_cell));
+    }
+    /// Sets bits in these lanes, and clears them in others of `lanes`.
+    HWY_INLINE void set(std::uint64_t bit, M<double> lanes, M<double> value) {
+        cleared_ = hn::Or(cleared_, in(lanes, bit));
+        added_ = hn::Or(added_, in(hn::And(lanes, value), bit));
+    }
+    HWY_INLINE void set_state(FrontMarks::State to, M<double> lanes) {
+        cleared_ = hn::Or(cleared_, in(lanes, state));
+        added_ = hn::Or(added_, in(lanes, static_cast<std::uint64_t>(to)));
+    }
+    /// The words with all that was set, which `has` does not know of.
+    [[nodiscard]] HWY_INLINE Words changed() const {
+        return hn::Or(hn::AndNot(cleared_, words_), added_);
+    }
+
+private:
+    static HWY_INLINE Words in(M<double> lanes, std::uint64_t bits) {
+        return hn::IfThenElseZero(hn::RebindMask(tag, lanes), hn::Set(tag, bits));
+    }
+
+    Words words_;
+    // Apart from the words, so that no change waits for another one.
+    Words cleared_ = hn::Zero(tag);
+    Words added_ = hn::Zero(tag);
+};
+
 /// Where the next cells end.
 HWY_INLINE V<double> next_of(const FrontBlock& fronts, std::size_t i) {
     const V<double> to = hn::Add(load(&fronts.at[i]), load(&fronts.step[i]));
@@ -74,7 +122,10 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.continuous = hn::And(known, form.continuous);
     verdict.monotone = hn::Or(hn::Lt(form.slope_hi, zero), hn::Lt(form.slope_neg_lo, zero));
     verdict.kinked = form.kinked;
-    const V<double> most_error = hn::Mul(number(most_cell_error), form.aside);
+    const V<double> most_error = hn::Mul(
+        hn::IfThenElse(MarkWords(hn::LoadU(MarkWords::tag, &fronts.marks[i])).has(MarkWords::calm),
+                       number(most_calm_cell_error), number(most_cell_error)),
+        form.aside);
     verdict.precise = hn::And(known, hn::Le(form.error, most_error));
     verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
     // The error goes with the square of the length, or nearly so.
@@ -112,49 +163,6 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.turn = hn::Div(hn::Mul(hn::Add(form.slope_hi, form.slope_neg_lo), radii), gradient);
     return verdict;
 }
-
-/// FrontMarks of a vector of fronts.
-class MarkWords {
-public:
-    using Words = hn::Vec<hn::RebindToUnsigned<Tag<double>>>;
-    static constexpr hn::RebindToUnsigned<Tag<double>> tag{};
-    static constexpr std::uint64_t state = 0xFF;
-    static constexpr std::uint64_t continuous = std::uint64_t{1} << 8U;
-    static constexpr std::uint64_t kinked = std::uint64_t{1} << 16U;
-    static constexpr std::uint64_t stretched = std::uint64_t{1} << 24U;
-    static constexpr std::uint64_t monotone = std::uint64_t{1} << 32U;
-    static constexpr std::uint64_t one_cell = std::uint64_t{1} << 40U;
-    static constexpr std::uint64_t cells = 0xFF * one_cell;
-    static constexpr std::uint64_t calm = std::uint64_t{1} << 56U;
-
-    explicit MarkWords(Words words) : words_(words) {}
-    [[nodiscard]] Words words() const { return words_; }
-    [[nodiscard]] HWY_INLINE M<double> has(std::uint64_t bit) const {
-        return hn::RebindMask(d<double>, hn::TestBit(words_, hn::Set(tag, bit)));
-    }
-    /// Sets or clears a bit in some lanes.
-    HWY_INLINE void set(std::uint64_t bit, M<double> lanes, M<double> value) {
-        const Words on = hn::Set(tag, bit);
-        const Words cleared = hn::AndNot(on, words_);
-        const Words with = hn::IfThenElse(hn::RebindMask(tag, value), hn::Or(cleared, on), cleared);
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), with, words_);
-    }
-    HWY_INLINE void set_state(FrontMarks::State to, M<double> lanes) {
-        const Words cleared = hn::AndNot(hn::Set(tag, state), words_);
-        const Words with = hn::Or(cleared, hn::Set(tag, static_cast<std::uint64_t>(to)));
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), with, words_);
-    }
-    /// Counts one more open cell; the first one where a stretch begins.
-    HWY_INLINE void count_cell(M<double> lanes, M<double> begins) {
-        const Words before = hn::IfThenElse(hn::RebindMask(tag, begins),
-                                            hn::AndNot(hn::Set(tag, cells), words_), words_);
-        words_ = hn::IfThenElse(hn::RebindMask(tag, lanes), hn::Add(before, hn::Set(tag, one_cell)),
-                                words_);
-    }
-
-private:
-    Words words_;
-};
 
 inline constexpr std::uint64_t most_open_cells = 8;  // a power of two
 /// How much longer than the cell before it a cell is at most, and how much shorter.
@@ -234,9 +242,9 @@ HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerd
                    hn::Or(marks.has(most_open_cells * MarkWords::one_cell), hn::Ge(cell.to, end)));
 }
 
-/// Takes what is known of the fronts' next cells.
-HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
-                     const FrontRules& rules) {
+/// Takes what is known of the fronts' next cells; returns which fronts go on no more.
+HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                          const FrontRules& rules) {
     MarkWords marks(hn::LoadU(MarkWords::tag, &fronts.marks[i]));
     const CellSteps steps = steps_of(fronts, i, cell, marks, rules);
     const V<double> length = hn::Sub(cell.to, cell.from);
@@ -279,14 +287,16 @@ HWY_INLINE void step(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
     at = where(edged, load(&fronts.open_from[i]), at);
 
     const V<double> end = load(&fronts.end[i]);
-    marks.set_state(FrontMarks::State::Gone, hn::And(steps.free, hn::Ge(at, end)));
+    const M<double> gone = hn::And(steps.free, hn::Ge(at, end));
+    marks.set_state(FrontMarks::State::Gone, gone);
     marks.set_state(FrontMarks::State::Rooted, steps.rooted);
     marks.set_state(FrontMarks::State::Edged, edged);
     store(at, &fronts.at[i]);
     store(to, &fronts.to[i]);
     store(next, &fronts.step[i]);
     store(where(steps.rooted, cell.turn, load(&fronts.turn[i])), &fronts.turn[i]);
-    hn::StoreU(marks.words(), MarkWords::tag, &fronts.marks[i]);
+    hn::StoreU(marks.changed(), MarkWords::tag, &fronts.marks[i]);
+    return hn::Or(gone, hn::Or(steps.rooted, edged));
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

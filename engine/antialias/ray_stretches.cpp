@@ -13,6 +13,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -27,7 +29,7 @@ void search_least(const TraceFrame& frame, const TileRays& rays, std::span<RaySt
 }
 
 void search_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
-                  Counters& counters) {
+                  std::span<const std::uint32_t> which, Counters& counters) {
     RootSearch search;
     for (const bool several : {false, true}) {
         const std::size_t samples = several ? RootSearch::several_samples : 2;
@@ -38,9 +40,9 @@ void search_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRo
                 search.search(frame, rays, roots, std::span(some).first(count), samples, counters);
             count = 0;
         };
-        for (std::size_t i = 0; i < roots.size(); ++i) {
+        for (const std::uint32_t i : which) {
             if (roots[i].several != several) continue;
-            some[count++] = static_cast<std::uint32_t>(i);
+            some[count++] = i;
             if (count == some.size()) search_some();
         }
         search_some();
@@ -67,7 +69,14 @@ void find_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStre
 
 void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
                 Counters& counters) {
-    HWY_DYNAMIC_DISPATCH(search_roots)(frame, rays, roots, counters);
+    std::vector<std::uint32_t> all(roots.size());
+    std::iota(all.begin(), all.end(), 0U);
+    find_roots(frame, rays, roots, all, counters);
+}
+
+void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
+                std::span<const std::uint32_t> which, Counters& counters) {
+    HWY_DYNAMIC_DISPATCH(search_roots)(frame, rays, roots, which, counters);
 }
 
 }  // namespace zeroset

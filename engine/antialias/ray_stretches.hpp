@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 namespace zeroset {
@@ -30,7 +31,7 @@ struct RayStretch {
 };
 
 /// A stretch of each of a square's rays.
-using SquareStretches = std::array<RayStretch, square_ray_count>;
+using SquareStretches = std::span<const RayStretch, square_ray_count>;
 
 /// Fills in what is `out`. In double; in upward rounding, as all here.
 void find_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
@@ -52,10 +53,12 @@ struct RayRoot {
 };
 
 /// A root of each of a square's rays.
-using SquareRoots = std::array<RayRoot, square_ray_count>;
+using SquareRoots = std::span<const RayRoot, square_ray_count>;
 
-/// Fills in what is `out`.
+/// Fills in what is `out`; with `which` only for those roots.
 void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
                 Counters& counters);
+void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
+                std::span<const std::uint32_t> which, Counters& counters);
 
 }  // namespace zeroset

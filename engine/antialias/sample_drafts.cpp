@@ -21,34 +21,33 @@ constexpr std::array<SquareRay, 8> sheet_places{{{.x = 0.125, .y = -0.375},
 
 }  // namespace
 
+RayRoot& SampleDrafts::begin(const CoverSquare& square, double share, Certificate certificate) {
+    CoverSample& sample = samples_.emplace_back();
+    sample.pixel = square.pixel;
+    sample.surface = surface_;
+    sample.certificate = certificate;
+    sample.area = static_cast<float>(share * square.area);
+    return roots_.emplace_back();
+}
+
 void SampleDrafts::add(const CoverSquare& square, double share, const RayRoot& root) {
-    drafts_.push_back({.sample = {.pixel = square.pixel,
-                                  .surface = surface_,
-                                  .certificate = Certificate::Certified,
-                                  .area = static_cast<float>(share * square.area),
-                                  .col = static_cast<float>(root.col),
-                                  .row = static_cast<float>(root.row),
-                                  .distance = 0.0F,
-                                  .gradient = {}},
-                       .root = root,
-                       .is_known = true});
+    begin(square, share, Certificate::Certified) = root;
 }
 
 void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double share, double from,
                        double to, Certificate certificate) {
-    add(square, share,
-        {.col = SquareField::col_of(square, place),
-         .row = SquareField::row_of(square, place),
-         .from = from,
-         .to = to,
-         .several = true});
-    drafts_.back().sample.certificate = certificate;
-    drafts_.back().is_known = false;
+    unknown_.push_back(static_cast<std::uint32_t>(roots_.size()));
+    RayRoot& root = begin(square, share, certificate);
+    root.col = SquareField::col_of(square, place);
+    root.row = SquareField::row_of(square, place);
+    root.from = from;
+    root.to = to;
+    root.several = true;
 }
 
 void SampleDrafts::add(const CoverSquare& square, const Front& front) {
     add(square, square.middle(), square.share(), front.at, front.to, Certificate::Certified);
-    drafts_.back().root.several = !front.monotone;
+    roots_.back().several = !front.monotone;
 }
 
 void SampleDrafts::add(const MixedPixel& pixel) {
@@ -68,23 +67,18 @@ void SampleDrafts::add(const MixedPixel& pixel) {
 }
 
 void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,
-                         std::vector<CoverSample>& out, Counters& counters) const {
-    std::vector<RayRoot> roots;
-    roots.reserve(drafts_.size());
-    out.reserve(out.size() + drafts_.size());
-    for (const Draft& draft : drafts_) {
-        if (!draft.is_known) roots.push_back(draft.root);
-    }
-    find_roots(frame, rays, roots, counters);
-    auto next = roots.begin();
-    for (const Draft& draft : drafts_) {
-        const RayRoot& root = draft.is_known ? draft.root : *next++;
-        CoverSample sample = draft.sample;
+                         std::vector<CoverSample>& out, Counters& counters) {
+    find_roots(frame, rays, roots_, unknown_, counters);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const RayRoot& root = roots_[i];
+        CoverSample& sample = samples_[i];
+        sample.col = static_cast<float>(root.col);
+        sample.row = static_cast<float>(root.row);
         sample.distance =
             static_cast<float>(rays.distance_at(root.s, rays.u(root.col), rays.v(root.row)));
         sample.gradient = float_gradient({root.gradient.x, root.gradient.y, root.gradient.z});
-        out.push_back(sample);
     }
+    out.insert(out.end(), samples_.begin(), samples_.end());
 }
 
 }  // namespace zeroset

@@ -5,6 +5,8 @@
 #include "engine/antialias/front.hpp"
 #include "engine/antialias/ray_stretches.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace zeroset {
@@ -15,7 +17,10 @@ public:
     explicit SampleDrafts(std::uint8_t surface) : surface_(surface) {}
 
     /// Makes room for so many samples.
-    void reserve(std::size_t samples) { drafts_.reserve(samples); }
+    void reserve(std::size_t samples) {
+        samples_.reserve(samples);
+        roots_.reserve(samples);
+    }
     /// A sample that stands for a share of a square; its root lies between depths on the ray of a
     /// place.
     void add(const CoverSquare& square, const SquareRay& place, double share, double from,
@@ -28,18 +33,16 @@ public:
     void add(const CoverSquare& square, double share, const RayRoot& root);
     /// Finds the roots and adds the samples to `out`.
     void write(const TraceFrame& frame, const TileRays& rays, std::vector<CoverSample>& out,
-               Counters& counters) const;
+               Counters& counters);
 
 private:
-    /// A sample, and its root; `is_known`: else its bracket.
-    struct Draft {
-        CoverSample sample;
-        RayRoot root;
-        bool is_known;
-    };
+    /// Begins a sample for a share of a square; its root is to be set.
+    RayRoot& begin(const CoverSquare& square, double share, Certificate certificate);
 
     std::uint8_t surface_;
-    std::vector<Draft> drafts_;
+    std::vector<CoverSample> samples_;
+    std::vector<RayRoot> roots_;          ///< of each sample; its bracket where it is not known
+    std::vector<std::uint32_t> unknown_;  ///< the samples whose roots are not
 };
 
 }  // namespace zeroset

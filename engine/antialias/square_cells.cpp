@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -46,6 +47,9 @@ private:
     /// Puts waiting squares in the place of those among the first `count` whose fronts go on no
     /// more; returns how many there are then.
     std::size_t replace_ended(std::size_t count, std::span<const std::size_t>& waiting);
+    /// Puts the last one of `count` that goes on in the place of i, and stores those behind it;
+    /// returns how many are left.
+    std::size_t close_gap(std::size_t i, std::size_t count);
     /// Sets the next cells.
     void place_cells(std::size_t size);
     /// Takes the fronts on by the forms of these cells.
@@ -61,6 +65,7 @@ private:
     std::array<ContinuityMask<Real>, FrontBlock::room> branches_;
     FrontBlock fronts_;
     std::array<std::size_t, FrontBlock::room> squares_;
+    std::array<std::uint64_t, FrontBlock::room / 64> ended_;  ///< a bit each: goes on no more
 };
 
 template <class Real>
@@ -113,22 +118,33 @@ std::size_t SquareCells<Real>::pad(std::size_t count) {
 template <class Real>
 std::size_t SquareCells<Real>::replace_ended(std::size_t count,
                                              std::span<const std::size_t>& waiting) {
-    for (std::size_t i = 0; i < count;) {
-        if (fronts_.is_going(i)) {
-            ++i;
-            continue;
-        }
-        store(i);
-        if (!waiting.empty()) {
-            load(i++, waiting.front());
-            waiting = waiting.subspan(1);
-        } else if (--count != i) {
-            cells_.u[i] = cells_.u[count];
-            cells_.v[i] = cells_.v[count];
-            squares_[i] = squares_[count];
-            fronts_.copy(count, i);
+    for (std::size_t word = 0; word < ended_.size(); ++word) {
+        for (std::uint64_t bits = ended_[word]; bits != 0; bits &= bits - 1) {
+            const std::size_t i = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+            if (i >= count) return count;
+            store(i);
+            if (waiting.empty()) {
+                count = close_gap(i, count);
+            } else {
+                load(i, waiting.front());
+                waiting = waiting.subspan(1);
+            }
         }
     }
+    return count;
+}
+
+template <class Real>
+std::size_t SquareCells<Real>::close_gap(std::size_t i, std::size_t count) {
+    for (--count; count > i; --count) {
+        if ((ended_[count / 64] >> count % 64 & 1U) == 0) break;
+        store(count);
+    }
+    if (count == i) return count;
+    cells_.u[i] = cells_.u[count];
+    cells_.v[i] = cells_.v[count];
+    squares_[i] = squares_[count];
+    fronts_.copy(count, i);
     return count;
 }
 
@@ -187,8 +203,12 @@ CellVerdict SquareCells<Real>::verdict_at(const FrontRules& rules, std::size_t i
 
 template <class Real>
 void SquareCells<Real>::take_cells(const FrontRules& rules, std::size_t size) {
-    for (std::size_t i = 0; i < size; i += lanes<double>)
-        step(fronts_, i, verdict_at(rules, i), rules);
+    ended_ = {};
+    for (std::size_t i = 0; i < size; i += lanes<double>) {
+        std::uint8_t bits = 0;
+        hn::StoreMaskBits(d<double>, step(fronts_, i, verdict_at(rules, i), rules), &bits);
+        ended_[i / 64] |= std::uint64_t{bits} << i % 64;
+    }
 }
 
 template <class Real>

@@ -8,27 +8,25 @@
 namespace zeroset {
 
 void SquareCreases::add(std::size_t square, const Front& front) {
-    Task task{.square = square, .is_covered = true, .roots = {}};
+    tasks_.push_back({.square = square, .is_covered = true});
     const CoverSquare& at = field_.square(square);
-    for (std::size_t i = 0; i < square_ray_count; ++i) {
-        task.roots[i] = {.col = SquareField::col_of(at, square_rays[i]),
-                         .row = SquareField::row_of(at, square_rays[i]),
-                         .from = front.at,
-                         .to = front.to,
-                         .several = !front.monotone};
+    for (const SquareRay& ray : square_rays) {
+        RayRoot& root = roots_.emplace_back();
+        root.col = SquareField::col_of(at, ray);
+        root.row = SquareField::row_of(at, ray);
+        root.from = front.at;
+        root.to = front.to;
+        root.several = !front.monotone;
     }
-    tasks_.push_back(task);
 }
 
-void SquareCreases::add(std::size_t square, const SquareStretches& stretches,
-                        const EdgeSamples& samples) {
-    Task task{.square = square, .is_covered = is_all_below(samples), .roots = {}};
+void SquareCreases::add(std::size_t square, SquareStretches stretches, const EdgeSamples& samples) {
+    tasks_.push_back({.square = square, .is_covered = is_all_below(samples)});
     for (std::size_t i = 0; i < square_ray_count; ++i)
-        task.roots[i] = samples.bracket(stretches, i);
-    tasks_.push_back(task);
+        roots_.push_back(samples.bracket(stretches, i));
 }
 
-bool SquareCreases::show(const Task& task, const SquareRoots& roots) {
+bool SquareCreases::show(const Task& task, SquareRoots roots) {
     const CoverSquare& square = field_.square(task.square);
     const auto creased = fit_crease(roots, 0.5 * square.side);
     if (!creased || (!task.is_covered && creased->grazed)) return false;
@@ -46,18 +44,14 @@ bool SquareCreases::show(const Task& task, const SquareRoots& roots) {
 
 void SquareCreases::decide() {
     if (tasks_.empty()) return;
-    std::vector<RayRoot> roots;
-    roots.reserve(tasks_.size() * square_ray_count);
-    for (const Task& task : tasks_)
-        roots.insert(roots.end(), task.roots.begin(), task.roots.end());
-    find_roots(frame_, field_.rays(), roots, counters_);
+    find_roots(frame_, field_.rays(), roots_, counters_);
+    const std::span<const RayRoot> roots(roots_);
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
-        SquareRoots of_square{};
-        std::ranges::copy(std::span(roots).subspan(k * square_ray_count, square_ray_count),
-                          of_square.begin());
+        const SquareRoots of_square(roots.subspan(k * square_ray_count).first<square_ray_count>());
         if (!show(tasks_[k], of_square)) field_.divide(tasks_[k].square);
     }
     tasks_.clear();
+    roots_.clear();
 }
 
 }  // namespace zeroset

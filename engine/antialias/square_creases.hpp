@@ -19,7 +19,7 @@ public:
     /// A square that is covered between the ends of the front.
     void add(std::size_t square, const Front& front);
     /// A square of which this is known of its rays.
-    void add(std::size_t square, const SquareStretches& stretches, const EdgeSamples& samples);
+    void add(std::size_t square, SquareStretches stretches, const EdgeSamples& samples);
     /// Decides the squares that were added, or divides them.
     void decide();
 
@@ -27,16 +27,16 @@ private:
     struct Task {
         std::size_t square;
         bool is_covered;  ///< not only the rays: all of it
-        SquareRoots roots;
     };
     /// Whether the sheets through the roots are clear.
-    bool show(const Task& task, const SquareRoots& roots);
+    bool show(const Task& task, SquareRoots roots);
 
     const TraceFrame& frame_;
     SquareField& field_;
     SampleDrafts& drafts_;
     Counters& counters_;
     std::vector<Task> tasks_;
+    std::vector<RayRoot> roots_;  ///< of each task those of its square's rays
 };
 
 }  // namespace zeroset

@@ -9,9 +9,6 @@
 namespace zeroset {
 namespace {
 
-/// So many rays at once: what is known of them stays near.
-constexpr std::size_t most_rays = 128;
-
 constexpr SquarePart unknown_part{.share = 0.0, .x = 0.0, .y = 0.0};
 
 constexpr LinearOnSquare all_of_square{.value = -1.0, .by_x = 0.0, .by_y = 0.0};
@@ -29,12 +26,19 @@ std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSqu
 }
 
 /// The edge of a root that rays may miss at their far ends, or have cut away where they enter.
-std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples,
-                                            const SquareStretches& stretches,
+std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareStretches stretches,
                                             const CoverSquare& square) {
     const EdgeSamples entry = entry_samples(stretches);
     if (is_all_below(entry)) return line_of(samples, square, false);
     return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
+}
+
+EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
+    const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
+    if (at_walls && !front.kinked && square.level >= first_one_end_level) {
+        if (const auto at_one_end = one_end_samples(stretches)) return *at_one_end;
+    }
+    return edge_samples(stretches);
 }
 
 }  // namespace
@@ -46,10 +50,10 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
     return false;
 }
 
-bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
-    const CoverSquare at = field_.square(square);
+bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
+    const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    const EdgeSamples samples = edge_samples(stretches);
+    const EdgeSamples samples = samples_of(stretches, at, front);
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool one_entry = is_inside || samples.before_end.front();
@@ -84,12 +88,14 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
                : take_rough(square, stretches, samples);
 }
 
-bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches,
+bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
                             const EdgeSamples& samples, const LinearOnSquare& fit) {
     const SquarePart part = part_below_zero(fit);
     if (!(part.share > 0.0)) return pass(square);
-    const CoverSquare at = field_.square(square);
-    if (field_.fronts(square)[surface_].kinked && at.level < last_kinked_edge_level) {
+    const CoverSquare& at = field_.square(square);
+    const bool kinked = field_.fronts(square)[surface_].kinked &&
+                        (at.level < first_one_slope_level || !is_one_slope(stretches));
+    if (kinked && at.level < last_kinked_edge_level) {
         field_.divide(square);
         return false;
     }
@@ -106,10 +112,10 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     return false;
 }
 
-bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretches,
+bool SquareEdges::take_thread(std::size_t square, SquareStretches stretches,
                               const EdgeSamples& samples, const Thread& thread) {
     if (thread.empty) return pass(square);
-    const CoverSquare at = field_.square(square);
+    const CoverSquare& at = field_.square(square);
     const bool is_proved = thread.half_width > 0.0;
     const double share = thread.share(is_proved ? thread.half_width : thread_width / at.side);
     const RayStretch& ray = stretches[samples.deepest()];
@@ -124,9 +130,9 @@ bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretch
     return false;
 }
 
-bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretches,
+bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
                              const EdgeSamples& samples) {
-    const CoverSquare at = field_.square(square);
+    const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
     const std::size_t roots = samples.roots();
     const bool is_inside = front.is_inside(front.at, front.to);
@@ -157,21 +163,22 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
 
 void SquareEdges::decide_some(std::span<const std::size_t> squares, bool are_rays,
                               std::vector<std::size_t>& open) {
-    std::array<RayStretch, most_rays> stretches;
     const std::size_t count = are_rays ? 1 : square_ray_count;
-    std::size_t size = 0;
-    for (const std::size_t i : squares) {
-        const Front& front = field_.fronts(i)[surface_];
-        for (const SquareRay& ray : std::span(square_rays).first(count))
-            stretches[size++] = SquareField::stretch_of(field_.square(i), front, ray);
-        field_.clip(front, std::span(stretches).first(size).last(count));
-    }
-    find_least(frame_, field_.rays(), std::span(stretches).first(size), counters_);
+    const auto stretches = std::span(stretches_).first(count * squares.size());
     for (std::size_t k = 0; k < squares.size(); ++k) {
-        const auto of_square = std::span(stretches).subspan(k * count, count);
-        SquareStretches all{};
-        std::ranges::copy(of_square, all.begin());
-        const bool goes_on = are_rays ? take_ray(squares[k], all.front()) : take(squares[k], all);
+        const Front& front = field_.fronts(squares[k])[surface_];
+        const CoverSquare& square = field_.square(squares[k]);
+        const auto of_square = stretches.subspan(k * count, count);
+        for (std::size_t i = 0; i < count; ++i)
+            SquareField::set_stretch(square, front, square_rays[i], of_square[i]);
+        field_.clip(front, of_square);
+    }
+    find_least(frame_, field_.rays(), stretches, counters_);
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+        const std::span<const RayStretch> of_square = stretches.subspan(k * count, count);
+        const bool goes_on =
+            are_rays ? take_ray(squares[k], of_square.front())
+                     : take(squares[k], SquareStretches(of_square.first<square_ray_count>()));
         if (goes_on) open.push_back(squares[k]);
     }
 }

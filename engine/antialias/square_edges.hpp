@@ -7,6 +7,7 @@
 #include "engine/antialias/square_walls.hpp"
 #include "engine/antialias/thread_fit.hpp"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -34,16 +35,18 @@ public:
     void decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
 
 private:
+    /// So many rays at once: what is known of them stays near.
+    static constexpr std::size_t most_rays = 128;
+
     void decide_some(std::span<const std::size_t> squares, bool are_rays,
                      std::vector<std::size_t>& open);
     /// Whether the search of the square goes on behind the edge.
-    bool take(std::size_t square, const SquareStretches& stretches);
-    bool take_line(std::size_t square, const SquareStretches& stretches, const EdgeSamples& samples,
+    bool take(std::size_t square, SquareStretches stretches);
+    bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
                    const LinearOnSquare& fit);
-    bool take_thread(std::size_t square, const SquareStretches& stretches,
-                     const EdgeSamples& samples, const Thread& thread);
-    bool take_rough(std::size_t square, const SquareStretches& stretches,
-                    const EdgeSamples& samples);
+    bool take_thread(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
+                     const Thread& thread);
+    bool take_rough(std::size_t square, SquareStretches stretches, const EdgeSamples& samples);
     bool take_ray(std::size_t square, const RayStretch& stretch);
     /// Nothing is seen of the surface at the edge.
     bool pass(std::size_t square) {
@@ -58,6 +61,7 @@ private:
     Counters& counters_;
     SquareCreases creases_;
     SquareWalls walls_;
+    std::array<RayStretch, most_rays> stretches_;
 };
 
 }  // namespace zeroset

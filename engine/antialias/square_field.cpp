@@ -53,14 +53,6 @@ void SquareField::begin_part(const CoverSquare& square, Front& front) const {
     if (!(front.at < front.end)) front.state = Front::State::Gone;
 }
 
-RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front,
-                                   const SquareRay& place) {
-    return {.col = col_of(square, place),
-            .row = row_of(square, place),
-            .from = front.at,
-            .to = front.to};
-}
-
 void SquareField::clip(const Front& front, std::span<RayStretch> stretches) const {
     if (!front.is_inside(front.at, front.to)) clip_stretches(rays_, stretches);
 }
@@ -80,11 +72,15 @@ bool SquareField::is_hit_between(std::size_t square, double from, double to) con
 }
 
 void SquareField::add(MixedPixel& pixel) {
-    squares_.push_back({.pixel = pixel.pixel, .least_level = pixel.least_level, .whole = &pixel});
-    Front front;
-    front.at = static_cast<double>(pixel.from);
-    front.calm = pixel.is_calm;
-    fronts_.insert(fronts_.end(), surfaces_, front);
+    CoverSquare& square = squares_.emplace_back();
+    square.pixel = pixel.pixel;
+    square.least_level = pixel.least_level;
+    square.whole = &pixel;
+    for (std::size_t i = 0; i < surfaces_; ++i) {
+        Front& front = fronts_.emplace_back();
+        front.at = static_cast<double>(pixel.from);
+        front.calm = pixel.is_calm;
+    }
 }
 
 void SquareField::divide(std::size_t square) {
@@ -142,7 +138,7 @@ void SquareField::reopen(std::vector<std::size_t>& open) {
 }
 
 void SquareField::divide_rest(std::size_t square, const SquareRest& rest) {
-    const CoverSquare at = squares_[square];
+    const CoverSquare& at = squares_[square];
     const auto count = static_cast<double>(std::ranges::count(rest.misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
     const bool several = count > 0.0 && (at.level == 0 || !(rest.part.share > 0.0));

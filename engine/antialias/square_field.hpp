@@ -50,7 +50,19 @@ public:
     }
     /// The stretch of a place's ray that the front leaves open.
     [[nodiscard]] static RayStretch stretch_of(const CoverSquare& square, const Front& front,
-                                               const SquareRay& place);
+                                               const SquareRay& place) {
+        RayStretch stretch{};
+        set_stretch(square, front, place, stretch);
+        return stretch;
+    }
+    /// Sets what of it is not `out`.
+    static void set_stretch(const CoverSquare& square, const Front& front, const SquareRay& place,
+                            RayStretch& stretch) {
+        stretch.col = col_of(square, place);
+        stretch.row = row_of(square, place);
+        stretch.from = front.at;
+        stretch.to = front.to;
+    }
     /// Shortens such stretches to what is in the clip region; outside of it they are empty.
     void clip(const Front& front, std::span<RayStretch> stretches) const;
 

@@ -2,13 +2,14 @@
 
 #include "engine/antialias/cover_rules.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
 
 namespace zeroset {
 
-auto SquareWalls::add(std::size_t square, const SquareStretches& stretches,
+auto SquareWalls::add(std::size_t square, SquareStretches stretches,
                       const std::optional<LinearOnSquare>& fit) -> Choice {
     const Front& front = field_.fronts(square)[surface_];
     std::array<bool, square_corners.size()> outside_at{};
@@ -37,7 +38,8 @@ auto SquareWalls::add(std::size_t square, const SquareStretches& stretches,
     }
     const auto ways = wall_between(places.all());
     if (!ways) return Choice::None;
-    tasks_.push_back({.square = square, .stretches = stretches, .places = places, .ways = *ways});
+    tasks_.push_back({.square = square, .stretches = {}, .places = places, .ways = *ways});
+    std::ranges::copy(stretches, tasks_.back().stretches.begin());
     return Choice::Sought;
 }
 

@@ -25,7 +25,7 @@ public:
     /// Whether a wall is sought in a square, or the square is outside of the clip region.
     enum class Choice : std::uint8_t { None, Sought, Outside };
     /// `fit`: the edge without the wall, where it is known.
-    Choice add(std::size_t square, const SquareStretches& stretches,
+    Choice add(std::size_t square, SquareStretches stretches,
                const std::optional<LinearOnSquare>& fit);
     /// Decides the squares that were added, or divides them.
     void decide();
@@ -42,7 +42,7 @@ private:
     };
     struct Task {
         std::size_t square;
-        SquareStretches stretches;
+        std::array<RayStretch, square_ray_count> stretches;
         WallPlaces places;
         WallWays ways;
     };

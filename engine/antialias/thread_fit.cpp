@@ -25,7 +25,7 @@ struct Quadratic {
 
 /// The heights' quadratic function, by their slopes: rays are left top, right top, left bottom and
 /// right bottom, a half of the side apart from the middle, 0.
-Quadratic quadratic_of(const SquareStretches& rays, double half_side) {
+Quadratic quadratic_of(SquareStretches rays, double half_side) {
     const auto by_x = [&](std::size_t i) { return half_side * rays[i].by_col; };
     const auto by_y = [&](std::size_t i) { return half_side * rays[i].by_row; };
     const double x_by_x = 0.5 * (by_x(2) - by_x(1) + by_x(4) - by_x(3));
@@ -56,8 +56,7 @@ SquareRay Thread::middle() const {
             .y = std::clamp(offset * normal.y, -1.0, 1.0)};
 }
 
-std::optional<Thread> fit_thread(const SquareStretches& stretches, double half_side,
-                                 double thinnest) {
+std::optional<Thread> fit_thread(SquareStretches stretches, double half_side, double thinnest) {
     const bool all_inner =
         std::ranges::all_of(stretches, [](const RayStretch& ray) { return ray.inner; });
     if (!all_inner) return std::nullopt;

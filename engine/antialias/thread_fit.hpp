@@ -23,7 +23,6 @@ struct Thread {
 /// The thread along which f is nearest to 0, if there f goes with the square of the distance from
 /// it; `half_side`: of the square, in pixels; `thinnest`: half the width from which on a thread is
 /// told from none.
-std::optional<Thread> fit_thread(const SquareStretches& stretches, double half_side,
-                                 double thinnest);
+std::optional<Thread> fit_thread(SquareStretches stretches, double half_side, double thinnest);
 
 }  // namespace zeroset

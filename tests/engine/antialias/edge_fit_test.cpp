@@ -1,0 +1,88 @@
+#include "engine/antialias/edge_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace zeroset::test {
+namespace {
+
+using Five = std::array<RayStretch, square_ray_count>;
+
+/// Stretches from 0 to 1, f being linear in the place at both ends, and least at one of them.
+Five stretches_of(const LinearOnSquare& near, const LinearOnSquare& far) {
+    Five five{};
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        five[i].to = 1.0;
+        five[i].near = near.at(square_rays[i]);
+        five[i].far = far.at(square_rays[i]);
+    }
+    return five;
+}
+
+constexpr LinearOnSquare far_from_zero{.value = 9.0, .by_x = 1.0, .by_y = -1.0};
+/// Above 0 at all five rays; below in a corner, a triangle of 1/32 of the square.
+constexpr LinearOnSquare cut_corner{.value = 1.5, .by_x = -1.0, .by_y = -1.0};
+
+TEST(EdgeFit, RootsAreWhereOneEndChangesItsSign) {
+    for (const bool at_far_end : {false, true}) {
+        for (const double sign : {1.0, -1.0}) {
+            Five five = at_far_end ? stretches_of(far_from_zero, cut_corner)
+                                   : stretches_of(cut_corner, far_from_zero);
+            for (RayStretch& ray : five) {
+                ray.near *= sign;
+                ray.far *= sign;
+            }
+            const auto samples = one_end_samples(five);
+            ASSERT_TRUE(samples);
+            EXPECT_EQ(samples->roots(), 0U);
+            const auto fit = fit_edge(*samples, 1e-6, false);
+            ASSERT_TRUE(fit);
+            EXPECT_NEAR(part_below_zero(*fit).share, 1.0 / 32, 1e-9);
+        }
+    }
+}
+
+TEST(EdgeFit, NothingIsSaidWhereBothEndsMayChangeTheirs) {
+    EXPECT_FALSE(one_end_samples(stretches_of(cut_corner, cut_corner)));
+}
+
+TEST(EdgeFit, NothingIsSaidWhereARayHasARootOrMayHaveTwo) {
+    Five five = stretches_of(cut_corner, far_from_zero);
+    five[3].near = -five[3].near;
+    EXPECT_FALSE(one_end_samples(five));
+    five = stretches_of(cut_corner, far_from_zero);
+    five[2].inner = true;
+    EXPECT_FALSE(one_end_samples(five));
+}
+
+TEST(EdgeFit, NothingIsSaidOfRaysBesideTheClipRegion) {
+    Five five = stretches_of(cut_corner, far_from_zero);
+    five[4].from = 2.0;
+    EXPECT_FALSE(one_end_samples(five));
+    five = stretches_of(cut_corner, far_from_zero);
+    five[1].far = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(one_end_samples(five));
+}
+
+TEST(EdgeFit, ASlopeIsOneWhereItIsNearlyTheSameAtAllRays) {
+    Five five = stretches_of(cut_corner, far_from_zero);
+    for (RayStretch& ray : five) {
+        ray.by_col = 3.0;
+        ray.by_row = -4.0;
+    }
+    five[2].by_col = 3.2;
+    EXPECT_TRUE(is_one_slope(five));
+    five[2].by_row = -4.3;
+    EXPECT_FALSE(is_one_slope(five));
+    five[2] = five[1];
+    five[0].by_col = -3.0;
+    EXPECT_FALSE(is_one_slope(five));
+    five[0].by_col = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(is_one_slope(five));
+}
+
+}  // namespace
+}  // namespace zeroset::test
