@@ -76,12 +76,17 @@ std::optional<Thread> fit_thread(SquareStretches stretches, double half_side, do
     // Farther away it is no thread of this square.
     if (!(std::abs(offset) <= 2.0) || !(std::abs(taper) <= most_change * across))
         return std::nullopt;
+    double error = 0.0;
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        if (!(std::abs(h.at(square_rays[i]) - stretches[i].least) <= most_error * across))
-            return std::nullopt;
+        const double off = std::abs(h.at(square_rays[i]) - stretches[i].least);
+        if (!(off <= most_error * across)) return std::nullopt;
+        error = std::max(error, off);
     }
     const double square = -least / across;
-    const bool empty = square < -thinnest * thinnest;
+    const double surely_none = -thinnest * thinnest;
+    const bool empty = square < surely_none;
+    // Where there may be one by twice the error that is seen, the fit does not tell.
+    if (empty && !(square + 2.0 * error / across < surely_none)) return std::nullopt;
     return Thread{.normal = normal,
                   .offset = offset,
                   .half_width = square > thinnest * thinnest ? std::sqrt(square) : 0.0,

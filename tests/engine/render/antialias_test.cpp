@@ -129,5 +129,27 @@ TEST(Antialias, ShowsWhatLiesBetweenThePixels) {
               rows_with(picture_of(wire, Antialias::None)));
 }
 
+/// Beyond the Roman surface an axis goes on as a line without width, here between two pixels.
+TEST(Antialias, LeavesNoGapInALineOnTheBorderOfPixels) {
+    const Scene scene = scene_of("x^2*y^2 + y^2*z^2 + x^2*z^2 + x*y*z", Box::cube(1));
+    Camera camera = default_camera(scene.clip);
+    camera.eye = {1.259, 1.259, 1.007};
+    camera.look_at = {0, 0, 0};
+    camera.fov_rad = glm::radians(42.0);
+    Framebuffer frame(500, 500);
+    TraceSettings settings;
+    settings.antialias = Antialias::Beams;
+    render_frame(scene, camera, settings, frame);
+    constexpr int first_row = 20;  // of the line, which the surface ends
+    constexpr int last_row = 90;
+    constexpr int middle = 250;
+    for (int row = first_row; row <= last_row; ++row) {
+        const std::uint32_t beside = frame.color[frame.index(middle - 20, row)];
+        EXPECT_TRUE(frame.color[frame.index(middle - 1, row)] != beside ||
+                    frame.color[frame.index(middle, row)] != beside)
+            << row;
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test
