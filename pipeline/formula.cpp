@@ -88,9 +88,8 @@ void add_facts(Formula& formula) {
         if (is_patch(formula.drawn[i])) continue;
         Kernel& kernel = formula.kernels[i];
         if (const auto is = level_of_field(formula.drawn[i])) {
-            const auto level = interpret(is->level).in_double;
-            *kernel.memory->of<FieldLevel>() = {
-                .field = is->field, .level = level.value, .level_range = level.range};
+            *kernel.memory->of<FieldLevel>() = {.field = is->field,
+                                                .level = interpret(is->level).in_double.range};
         }
         for (const Expr& witness : root_witnesses(formula.drawn[i]))
             kernel.witnesses.push_back(interpret(witness).in_double.range);

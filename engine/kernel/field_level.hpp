@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/kernel/kernel.hpp"
+#include "engine/kernel/uniforms.hpp"
 #include "engine/real/field.hpp"
 
 #include <memory>
@@ -11,8 +12,14 @@ namespace zeroset {
 /// who knows the formula, before tracers ask for it.
 struct FieldLevel {
     std::shared_ptr<const Field> field;  ///< nullptr: f is none, or it is not known
-    PointFunction level;                 ///< of the uniforms alone: the same at all points
-    KernelFunction<RangeBatchOf<double>> level_range = {};  ///< encloses the level
+    /// Encloses the level, which is of the uniforms alone: the same in all boxes.
+    KernelFunction<RangeBatchOf<double>> level;
+
+    struct Value {
+        double middle, error;  ///< NaN where the level may be undefined
+    };
+    /// The level for some values of the uniforms, in upward rounding.
+    [[nodiscard]] Value at(const Uniforms& uniforms) const;
 };
 
 }  // namespace zeroset

@@ -51,9 +51,8 @@ inline Expr level_set(std::shared_ptr<const Volume> volume, double level) {
 inline Kernel kernel_with_level(const Expr& f) {
     Kernel kernel = interpret(f);
     if (const auto is = level_of_field(f)) {
-        const auto level = interpret(is->level).in_double;
-        *kernel.memory->of<FieldLevel>() = {
-            .field = is->field, .level = level.value, .level_range = level.range};
+        *kernel.memory->of<FieldLevel>() = {.field = is->field,
+                                            .level = interpret(is->level).in_double.range};
     }
     return kernel;
 }

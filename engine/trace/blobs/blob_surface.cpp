@@ -1,11 +1,9 @@
 #include "engine/trace/blobs/blob_surface.hpp"
 
 #include "engine/kernel/field_level.hpp"
-#include "engine/kernel/range_boxes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace zeroset {
 namespace {
@@ -15,22 +13,6 @@ constexpr double least = 1e-12, most = 1e12;
 
 /// How much of a level may be unknown: beams tell more than rays at one level would.
 constexpr double most_unknown = 0x1p-30;
-
-struct Level {
-    double value, error;
-};
-/// NaN where the level may be undefined.
-Level level_of(const FieldLevel& known, const Uniforms& uniforms) {
-    RangeBoxes<double, batch_multiple> boxes;
-    for (auto& column : boxes.ends)
-        column[0] = 0.0;
-    boxes.pad(1);
-    known.level_range(boxes.batch(batch_multiple, uniforms.boxes<double>()));
-    const double lo = -boxes.f_neg_lo[0];
-    const double hi = boxes.f_hi[0];
-    const double value = std::midpoint(lo, hi);
-    return {.value = value, .error = std::max(hi - value, value - lo)};
-}
 
 /// Whether places and balls are neither so small nor so large that floats overflow.
 bool fits(const TraceFrame& frame, const BlobSet& set) {
@@ -43,18 +25,18 @@ bool fits(const TraceFrame& frame, const BlobSet& set) {
 
 std::optional<BlobSurface> blob_surface(const TraceFrame& frame) {
     const auto known = frame.kernel.memory->find<FieldLevel>();
-    if (known == nullptr || !known->level_range) return std::nullopt;
+    if (known == nullptr || !known->level) return std::nullopt;
     const auto* const field = dynamic_cast<const BlobsField*>(known->field.get());
     if (field == nullptr) return std::nullopt;
-    const Level level = level_of(*known, frame.scene.uniforms);
-    const double size = std::abs(level.value);
+    const FieldLevel::Value level = known->at(frame.scene.uniforms);
+    const double size = std::abs(level.middle);
     const Blobs& blobs = field->function();
     // Where no ball is, f is known to less than this.
     const double unsure = 0x1p-40 * (1 + blobs.set().total().size());
     if (!(level.error <= most_unknown * size) || size <= unsure || size > most ||
         !fits(frame, blobs.set()))
         return std::nullopt;
-    return BlobSurface{.blobs = &blobs, .level = level.value, .level_error = level.error};
+    return BlobSurface{.blobs = &blobs, .level = level.middle, .level_error = level.error};
 }
 
 }  // namespace zeroset

@@ -15,9 +15,11 @@ namespace zeroset {
 /// Bounds of the numbers of a volume and a level.
 struct GridBounds {
     double size;         ///< of samples and level
+    double level_error;  ///< how far the level may be off
     double indices = 0;  ///< of all terms of places in the grid
 
-    GridBounds(const Isosurface& surface, const TraceFrame& frame) : size(std::abs(surface.level)) {
+    GridBounds(const Isosurface& surface, const TraceFrame& frame)
+        : size(std::abs(surface.level)), level_error(surface.level_error) {
         const VolumeData& data = surface.volume->data();
         const SampleRange range = numbers_of(*surface.volume);
         size += std::max(std::abs(range.lo), std::abs(range.hi));
@@ -41,8 +43,8 @@ struct GridBounds {
                                                                 : spline->pyramid<double>().range();
     }
     /// What rounding may make of f: of places, some ulp of their terms times f's steepest slope;
-    /// of sums of samples, some ulp of these.
-    [[nodiscard]] double error() const { return 0x1p-44 * (indices + 16) * size; }
+    /// of sums of samples, some ulp of these; and what the level may be off.
+    [[nodiscard]] double error() const { return 0x1p-44 * (indices + 16) * size + level_error; }
     /// Whether places are known well enough.
     [[nodiscard]] bool usable() const { return indices < 0x1p30 && std::isfinite(size); }
 };

@@ -2,7 +2,6 @@
 
 #include "engine/base/translation.hpp"
 #include "engine/kernel/field_level.hpp"
-#include "engine/kernel/point_batch.hpp"
 
 #include <cmath>
 
@@ -14,16 +13,16 @@ const Volume* volume_of(const Kernel& surface) {
     return level == nullptr ? nullptr : dynamic_cast<const Volume*>(level->field.get());
 }
 
+/// How much of a level may be unknown: beams tell more than rays at one level would.
+constexpr double most_unknown = 0x1p-30;
+
 Outside outside_of(const Volume& volume) { return volume.options().outside; }
 
 std::optional<Isosurface> surface_of(const Kernel& surface, const Scene& scene) {
-    PointBatch<double> point(1);
-    point.set(0, 0.0, 0.0, 0.0);
-    point.pad();
-    surface.memory->of<FieldLevel>()->level(point.batch(scene.uniforms.points<double>()));
-    const double level = point.f(0);
-    if (!std::isfinite(level)) return std::nullopt;
-    return Isosurface{.volume = volume_of(surface), .level = level};
+    const auto level = surface.memory->of<FieldLevel>()->at(scene.uniforms);
+    if (!(level.error <= most_unknown * std::abs(level.middle))) return std::nullopt;
+    return Isosurface{
+        .volume = volume_of(surface), .level = level.middle, .level_error = level.error};
 }
 
 }  // namespace

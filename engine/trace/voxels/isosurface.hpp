@@ -12,6 +12,7 @@ namespace zeroset {
 struct Isosurface {
     const Volume* volume;
     double level;
+    double level_error = 0.0;  ///< how far it may be off
 };
 
 /// Why a surface is no plain isosurface of one trilinear volume: a line to be translated that says

@@ -200,7 +200,7 @@ TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
     const NodeId field = nodes.look_up(volume, x, y, z);
     const NodeId a = nodes.variable(variable_w + 1);
     const NodeId twice = nodes.apply(Op::Add, a, a);
-    const auto level_at = [&](NodeId root, double parameter) -> std::optional<double> {
+    const auto surface_at = [&](NodeId root, double parameter) -> std::optional<Isosurface> {
         const auto is = level_of_field(nodes.finish(root, {"a"}));
         if (!is) return std::nullopt;
         EXPECT_EQ(is->field, volume);
@@ -209,9 +209,13 @@ TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
         scene.uniforms.set(1, parameter);
         const Kernel kernel;
         *kernel.memory->of<FieldLevel>() = {.field = is->field,
-                                            .level = interpret(is->level).in_double.value};
+                                            .level = interpret(is->level).in_double.range};
         const UpwardRounding upward;
-        return isosurface(kernel, scene)->level;
+        return isosurface(kernel, scene);
+    };
+    const auto level_at = [&](NodeId root, double parameter) -> std::optional<double> {
+        const auto surface = surface_at(root, parameter);
+        return surface ? std::optional(surface->level) : std::nullopt;
     };
     EXPECT_EQ(level_at(field, 3), 0.0);
     EXPECT_EQ(level_at(nodes.apply(Op::Subtract, field, twice), 3), 6.0);
@@ -226,6 +230,17 @@ TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
     EXPECT_FALSE(level_at(nodes.look_up(volume, y, x, z), 3));
     EXPECT_FALSE(level_at(nodes.look_up(volume, x, y, z, derivative_by(1, 0, 0)), 3));
     EXPECT_FALSE(level_at(twice, 3));
+    // Levels that rounding leaves unsure.
+    const auto beside = [&](double large) {
+        const NodeId number = nodes.constant(large);
+        return nodes.apply(Op::Subtract, field,
+                           nodes.apply(Op::Subtract, nodes.apply(Op::Add, a, number), number));
+    };
+    const auto surface = surface_at(beside(1e4), 0.1);
+    ASSERT_TRUE(surface);
+    EXPECT_GT(surface->level_error, 0.0);
+    EXPECT_GE(surface->level_error, std::abs(surface->level - 0.1));
+    EXPECT_FALSE(surface_at(beside(1e12), 0.1));
 }
 
 }  // namespace
