@@ -42,7 +42,7 @@ struct NewtonBounds {
     double bend[4], slope_error[4];
     double square[4];  ///< of the second derivatives of the terms of degree 2
     /// Of what rounding makes of the terms from degree 3 on, where |p|, |q| <= 1. A term of degree
-    /// n is rounded n + 6 times at most, each time by 2^-23 of it.
+    /// n is rounded n + 8 times at most, each time by 2^-23 of it.
     double error[4];
 
     explicit NewtonBounds(const Piece& piece) {
@@ -57,7 +57,7 @@ struct NewtonBounds {
                 if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
                 // Products with the second derivatives are rounded, too.
                 add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
-                if (n > 2) add(all[1], 0x1p-23 * (n + 6));
+                if (n > 2) add(all[1], 0x1p-23 * (n + 8));
                 add(all[2], 0x1p-20 * n * (n + 2) * power);
             }
             hn::StoreU(all[0], d4, bend + k);
@@ -175,10 +175,11 @@ private:
     /// A step of Newton's method, and bounds of what it leaves.
     struct Step {
         Floats p, q;
-        Floats lost;  ///< what errors of g make of it
-        Floats flat;  ///< k0
-        Floats bend;  ///< K / 2
-        Floats far;   ///< R
+        Floats lost;      ///< what errors of g make of it
+        Floats flat;      ///< k0
+        Floats bend;      ///< K / 2
+        Floats far;       ///< R
+        FloatMask usual;  ///< the inverse of the slopes is no huge number
     };
     struct Proof {
         FloatMask may_help;  ///< a better place may settle a ray that is open
@@ -235,7 +236,8 @@ private:
                                   hn::NegMulAdd(search.u, end.at_s.value, end.at_a.value));
         const Floats g2 = hn::Add(floats_of(low.g2[0], low.g2[1]),
                                   hn::NegMulAdd(search.v, end.at_s.value, end.at_b.value));
-        const Inverse2 y(Slopes2(end.at_a, end.at_b, end.at_s, search.u, search.v));
+        const Slopes2 slopes(end.at_a, end.at_b, end.at_s, search.u, search.v);
+        const Inverse2 y(slopes);
         /// |Y| times bounds for the coordinates.
         const auto most = [&](const double* of, Floats more1, Floats more2) HWY_ATTR {
             const Floats along = float_number(of[2]);
@@ -248,6 +250,8 @@ private:
         const Floats tiny = float_number(rounding_of_places);
         const Floats out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
         Step by{};
+        // Beyond, rounding upward makes a finite number of an infinite one below 0.
+        by.usual = hn::Lt(hn::Abs(slopes.inverse), float_number(0x1p120));
         by.p = hn::Neg(y.p(g1, g2));
         by.q = hn::Neg(y.q(g1, g2));
         by.lost = most(error_, hn::Mul(hn::Abs(g1), tiny), hn::Mul(hn::Abs(g2), tiny));
@@ -281,7 +285,7 @@ private:
         // 1 - k, rounded downward.
         const Floats rest = hn::Neg(hn::Sub(hn::MulAdd(by.bend, by.far, by.flat), one));
         const Floats reach = hn::Div(hn::Add(size, by.lost), rest);
-        const FloatMask is_known = hn::Gt(rest, float_number(0x1p-4));
+        const FloatMask is_known = hn::And(by.usual, hn::Gt(rest, float_number(0x1p-4)));
         const Floats within = hn::MulAdd(
             hn::Add(hn::MulAdd(by.bend, reach, by.flat), float_number(0x1p-20)), reach, by.lost);
         Proof proof{};

@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace zeroset {
@@ -162,6 +163,7 @@ private:
         unsure_ = 0;
         first_ = pixels;
         has_columns_ = false;
+        border_ = rays_in_border(pixels);
         lanes_.begin(rays_, {.col = pixels.col, .row = pixels.row});
         std::uint64_t looks = 0;
         walk_block(grid_, block, [&](const CellRectangle& cells, const LayerRange& layers) {
@@ -178,6 +180,39 @@ private:
     static void for_each_bit(std::uint64_t bits, const Take& take) {
         for (; bits != 0; bits &= bits - 1)
             take(static_cast<std::size_t>(std::countr_zero(bits)));
+    }
+    /// Where along an axis a ray is that stays in one of the planes of the grid's outermost
+    /// samples, as far as places are known: there within the cells beside it. Nothing for others.
+    [[nodiscard]] std::optional<double> in_border(const IndexRays::Ray& ray,
+                                                  std::size_t axis) const {
+        if (!(std::abs(ray.along[axis]) <= flat * steepest_of(ray))) return std::nullopt;
+        const double upper = last_cell_[axis] + 1.0;
+        const double slack = 0x1p-46 * (upper + std::abs(index_rays_.base[axis]));
+        if (std::abs(ray.at[axis]) <= slack) return 0.0;
+        if (std::abs(ray.at[axis] - upper) <= slack) return std::nextafter(upper, 0.0);
+        return std::nullopt;
+    }
+    static constexpr double flat = 0x1p-50;  ///< along an axis, in parts of the steepest slope
+    static double steepest_of(const IndexRays::Ray& ray) {
+        return std::max({std::abs(ray.along[0]), std::abs(ray.along[1]), std::abs(ray.along[2])});
+    }
+    [[nodiscard]] std::uint64_t rays_in_border(const Pixels& pixels) const {
+        const Middle middle = middle_of(pixels);
+        const IndexRays::Ray ray = index_rays_.ray(middle.u, middle.v);
+        std::uint64_t found = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double reach = std::abs(index_rays_.right[axis]) * middle.u_radius +
+                                 std::abs(index_rays_.up[axis]) * middle.v_radius;
+            if (std::abs(ray.along[axis]) > 2 * (reach + flat * steepest_of(ray))) continue;
+            for_each_bit(open_, [&](std::size_t at) {
+                if (in_border(ray_at(at), axis)) found |= bit(at);
+            });
+        }
+        return found;
+    }
+    [[nodiscard]] IndexRays::Ray ray_at(std::size_t at) const {
+        return index_rays_.ray(rays_.u(first_.col + static_cast<int>(at) % block_size),
+                               rays_.v(first_.row + static_cast<int>(at) / block_size));
     }
     void make_columns_of(const RayBlock& block) {
         if (has_columns_) return;
@@ -205,7 +240,8 @@ private:
             if (marks) grid_.mark(layer, reach, axes, mask_);
             if (marks && !mask_.any) continue;
             for_each_bit(at_once ? near_level(axes) : open_, [&](std::size_t at) {
-                if (marks && !at_once && !may_hold(at)) return;
+                const bool in_border = (border_ & bit(at)) != 0;
+                if (marks && !at_once && !in_border && !may_hold(at)) return;
                 walk(at, marks, layer, axes);
             });
         }
@@ -229,9 +265,11 @@ private:
                                .is_spline = support == 4,
                                .error = mask_.error};
         const std::uint64_t unsure = std::exchange(unsure_, 0);
-        const std::uint64_t near = open_ & (unsure | rays_at_level(slab_rays_, asked, open_));
-        const std::uint64_t fresh = near & ~begun_;
-        return (near & begun_) | (fresh != 0 ? walk_at_once(fresh, axes) : 0);
+        const std::uint64_t near =
+            open_ & (unsure | border_ | rays_at_level(slab_rays_, asked, open_));
+        const std::uint64_t singly = near & (begun_ | border_);
+        const std::uint64_t fresh = near & ~singly;
+        return singly | (fresh != 0 ? walk_at_once(fresh, axes) : 0);
     }
     /// Takes rays that have not begun through the marked layer; those that have to go one by one.
     std::uint64_t walk_at_once(std::uint64_t some, const WalkAxes& axes) {
@@ -277,7 +315,13 @@ private:
         if (!lines_.take(tile_, rays_, col, row)) return false;
         const std::uint32_t pixel = pixel_of(at);
         const RayLine& line = lines_.of(pixel);
-        const IndexRays::Ray ray = index_rays_.ray(rays_.u(col), rays_.v(row));
+        IndexRays::Ray ray = ray_at(at);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto place = in_border(ray, axis);
+            if (!place) continue;
+            ray.at[axis] = *place;
+            ray.along[axis] = 0;
+        }
         bundle_[at] = {.pixel = pixel,
                        .ray = ray,
                        .per_layer = 1 / ray.along[axes.k],
@@ -371,6 +415,7 @@ private:
     /// Of the bundle's rays, a bit each: those that have not ended, that are made, and that may be
     /// at the level where the layer that was looked at last ends.
     std::uint64_t open_ = 0, begun_ = 0, unsure_ = 0;
+    std::uint64_t border_ = 0;  ///< those that stay in a plane of the grid's outermost samples
     std::array<OpenRay, block_rays> bundle_;  ///< those that are made
     RayColumns columns_;
     SlabRays slab_rays_;

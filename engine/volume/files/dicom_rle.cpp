@@ -1,7 +1,10 @@
 #include "engine/volume/files/dicom_rle.hpp"
 
+#include "engine/volume/files/sample_file.hpp"
+
 #include <algorithm>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -80,14 +83,20 @@ Expected<std::string> unpacked_rle(std::string_view items, const GridSize& size,
     }
     constexpr std::uint64_t best_ratio = 64;  // two bytes become 128
     const std::uint64_t count = size[0] * size[1];
-    if (count * bytes > best_ratio * items.size()) return damaged();
-    const std::size_t slice = count * bytes;
-    std::string samples(slice * size[2], '\0');
-    for (std::size_t k = 0; k < size[2]; ++k) {
-        if (!unpack_slice((*fragments)[k + 1], count, bytes, samples.data() + k * slice))
-            return damaged();
+    const std::uint64_t slice = count * bytes;
+    for (std::size_t k = 1; k < fragments->size(); ++k) {
+        if (slice > best_ratio * (*fragments)[k].size()) return damaged();
     }
-    return samples;
+    try {
+        std::string samples(slice * size[2], '\0');
+        for (std::size_t k = 0; k < size[2]; ++k) {
+            if (!unpack_slice((*fragments)[k + 1], count, bytes, samples.data() + k * slice))
+                return damaged();
+        }
+        return samples;
+    } catch (const std::bad_alloc&) {
+        return no_memory_for_samples(slice * size[2]);
+    }
 }
 
 }  // namespace zeroset

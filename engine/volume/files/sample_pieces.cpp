@@ -69,8 +69,13 @@ std::string wrong_count(std::uint64_t count, const std::vector<std::uint64_t>& s
         return "its files have " + std::to_string(axes) + " axes each; the volume has " +
                std::to_string(sizes.size());
     }
+    constexpr std::uint64_t most = 65536;
+    if (count > most) {
+        return "its samples lie in " + std::to_string(count) + " files; at most " +
+               std::to_string(most) + " are read";
+    }
     const bool slabs = axes == sizes.size();
-    const bool right = slabs ? count > 0 && sizes.back() % count == 0 : count == *needed;
+    const bool right = count > 0 && (slabs ? sizes.back() % count == 0 : count == *needed);
     if (right) return {};
     return "its samples lie in " + std::to_string(count) + " files; " +
            (slabs ? "they do not divide " + std::to_string(sizes.back()) + " slices evenly"

@@ -119,7 +119,9 @@ public:
         if (piece.next_sibling("Piece"))
             return std::unexpected("its samples lie in several pieces; join them in one");
         auto extent = numbers_in<std::int64_t>(image.attribute("WholeExtent").value());
-        if (!extent || extent->size() != 6) {
+        constexpr std::int64_t most = std::int64_t{1} << 40;
+        const auto is_place = [](std::int64_t place) { return place > -most && place < most; };
+        if (!extent || extent->size() != 6 || !std::ranges::all_of(*extent, is_place)) {
             return std::unexpected(wrong_field("WholeExtent",
                                                image.attribute("WholeExtent").value(),
                                                "six whole numbers are wanted"));

@@ -17,6 +17,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -338,6 +339,37 @@ TEST(RandomPatches, AreTheSameByModelsAndWithout) {
     }
     EXPECT_GT(hits, 4000);
     EXPECT_LE(undecided, hits / 100);
+}
+
+/// A picture is the same however small the scene is.
+TEST(SmallPatches, AreLikeLargeOnes) {
+    const auto picture = [](double scale) {
+        std::ostringstream text;
+        text << scale;
+        const std::string by = text.str() + "*";
+        const std::string ring = "(1+0.4*cos(6.3*y))*";
+        Framebuffer frame(96, 96);
+        const Box clip = Box::cube(2 * scale);
+        render_frame(
+            patch_scene({by + ring + "cos(6.3*x)", by + ring + "sin(6.3*x)", by + "0.4*sin(6.3*y)"},
+                        Way::ByModels, clip),
+            default_camera(clip), settings_at("beams", 20), frame);
+        return frame;
+    };
+    const Framebuffer large = picture(1);
+    for (const double scale : {1e-17, 1e-18, 1e-21}) {
+        const Framebuffer small = picture(scale);
+        int other = 0;
+        for (std::size_t at = 0; at < large.depth.size(); ++at) {
+            if (std::isfinite(small.depth[at]) != std::isfinite(large.depth[at])) ++other;
+            if (!std::isfinite(small.depth[at]) || !std::isfinite(large.depth[at])) continue;
+            if (small.certificate[at] != Certificate::Certified) continue;
+            ASSERT_NEAR(static_cast<double>(small.depth[at]) / scale,
+                        static_cast<double>(large.depth[at]), 1e-3)
+                << scale << " at " << at;
+        }
+        EXPECT_LE(other, 2) << scale;
+    }
 }
 
 /// The colours of a floor below a ball do not depend on how their shadows are searched.

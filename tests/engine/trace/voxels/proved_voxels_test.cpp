@@ -209,6 +209,43 @@ TEST(ProvedVoxels, AreUndecidedWhereTheVolumeIsTheLevel) {
     EXPECT_NEAR(frame.depth[middle], 24.0F, 0.01F) << "it is drawn where the zeros begin";
 }
 
+/// Rays in the planes of the outermost samples meet what is in them.
+TEST(ProvedVoxels, AreThereOnTheBordersOfTheGrid) {
+    const Geometry place{.world_from_index = {{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}},
+                         .origin = {-2, -2, -2}};
+    const auto square = [](double i) { return (i - 4) * (i - 4) / 4; };
+    const auto volume = volume_from({9, 9, 9}, place, [&](double i, double j, double k) {
+        return square(i) + square(j) + square(k);
+    });
+    const Scene scene = scene_of_level(volume, 5);
+    for (const double x : {-2.0, 2.0}) {
+        for (const double turn : {1.0, -1.0}) {
+            Camera camera{{x, 0, 8 * turn}, {x, 0, 0}, {0, 1, 0}, 0.7};
+            camera.projection = Projection::Orthographic;
+            const Framebuffer frame = drawn(scene, camera, 101);
+            int hits = 0;
+            for (int row = 0; row < frame.height; ++row)
+                hits += std::isfinite(frame.depth[frame.index(50, row)]) ? 1 : 0;
+            EXPECT_GT(hits, 25) << x;
+        }
+    }
+}
+
+/// Sums of them are no floats.
+TEST(ProvedVoxels, AgreeOnHugeSamples) {
+    RandomNumbers random(4);
+    const auto volume = volume_from(
+        {9, 9, 9}, {}, [&](double, double, double) { return random.one_in(2) ? 3e38 : -3e38; });
+    Scene scene = scene_of_level(volume, 6e37);
+    Scene other = scene;
+    other.surfaces = {interpret(level_set(volume, 6e37))};
+    const Camera camera{{14, -9, 11}, {4, 4, 4}, {0, 0, 1}, 0.7};
+    Comparison seen;
+    ASSERT_NO_FATAL_FAILURE(
+        compare_frames(drawn(scene, camera), drawn(other, camera), 4e-4F, seen));
+    EXPECT_GT(seen.certified, 300);
+}
+
 TEST(ProvedVoxels, PassLevelsThatNoSampleReaches) {
     const auto volume = wavy_volume<float>(0);
     const Scene scene = scene_of_level(volume, 1000);

@@ -89,7 +89,12 @@ TEST_F(SamplesInSeveralFiles, WhatIsWrongGetsItsLine) {
     EXPECT_EQ(error("s%d 1 2 -1"),
               "its files are counted in steps that never come to the last one");
     EXPECT_EQ(error("s%d 1 9000000000000000000 1"), "its files are counted beyond a million");
-    EXPECT_EQ(error("s%d 1 1000000 1"), "its samples lie in 1000000 files; 2 are needed");
+    EXPECT_EQ(error("s%d 1 1000000 1"), "its samples lie in 1000000 files; at most 65536 are read");
+    EXPECT_EQ(error("s%d 1 3 1"), "its samples lie in 3 files; 2 are needed");
+    EXPECT_EQ(error_of(write("a.mhd",
+                             "NDims = 3\nDimSize = 4 4 0\nElementType = MET_SHORT\n"
+                             "ElementDataFile = LIST\n")),
+              "its samples lie in 0 files; 0 are needed");
     for (const std::string wrong : {"s%d", "s%d 1 two 1", "s%s 1 2 1", "s%d%d 1 2 1", "s% 1 2 1",
                                     "s%99999d 1 2 1", "LIST all\ns1\ns2"}) {
         EXPECT_TRUE(error(wrong).ends_with(

@@ -1,6 +1,7 @@
 #include "tests/support/volume_files.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace zeroset::test {
@@ -101,6 +102,9 @@ TEST_F(VolumeFiles, DamagedVtkImagesGetTheirLine) {
     const auto error = [&](const std::string& bytes) { return error_of(write("a.vti", bytes)); };
     EXPECT_EQ(error("<VTKFile").substr(0, 19), "its XML is damaged:");
     EXPECT_EQ(error("<VTKFile><PolyData/></VTKFile>"), "it holds no ImageData");
+    const std::string least = std::to_string(std::numeric_limits<std::int64_t>::min());
+    EXPECT_EQ(error("<VTKFile><ImageData WholeExtent=\"0 " + least + " 0 1 0 1\"/></VTKFile>"),
+              "its 'WholeExtent' is '0 " + least + " 0 1 0 1'; six whole numbers are wanted");
     const std::string headed = numbers_32({48}) + grid_bytes<std::int16_t>();
     EXPECT_EQ(error(vti("format=\"binary\"", base64(headed.substr(0, 20)), "")),
               "it is too short: 48 bytes of samples are announced, 16 bytes are there");
