@@ -20,6 +20,7 @@
 #include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/voxels/block_walk.hpp"
+#include "engine/trace/voxels/grid_borders.hpp"
 #include "engine/trace/voxels/lane_walk.hpp"
 #include "engine/trace/voxels/layer_walk.hpp"
 #include "engine/trace/voxels/spline_ray.hpp"
@@ -32,7 +33,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace zeroset {
@@ -181,33 +181,17 @@ private:
         for (; bits != 0; bits &= bits - 1)
             take(static_cast<std::size_t>(std::countr_zero(bits)));
     }
-    /// Where along an axis a ray is that stays in one of the planes of the grid's outermost
-    /// samples, as far as places are known: there within the cells beside it. Nothing for others.
-    [[nodiscard]] std::optional<double> in_border(const IndexRays::Ray& ray,
-                                                  std::size_t axis) const {
-        if (!(std::abs(ray.along[axis]) <= flat * steepest_of(ray))) return std::nullopt;
-        const double upper = last_cell_[axis] + 1.0;
-        const double slack = 0x1p-46 * (upper + std::abs(index_rays_.base[axis]));
-        if (std::abs(ray.at[axis]) <= slack) return 0.0;
-        if (std::abs(ray.at[axis] - upper) <= slack) return std::nextafter(upper, 0.0);
-        return std::nullopt;
-    }
-    static constexpr double flat = 0x1p-50;  ///< along an axis, in parts of the steepest slope
-    static double steepest_of(const IndexRays::Ray& ray) {
-        return std::max({std::abs(ray.along[0]), std::abs(ray.along[1]), std::abs(ray.along[2])});
-    }
+    /// The rays of a bundle that stay in a plane of the grid's outermost samples.
     [[nodiscard]] std::uint64_t rays_in_border(const Pixels& pixels) const {
         const Middle middle = middle_of(pixels);
-        const IndexRays::Ray ray = index_rays_.ray(middle.u, middle.v);
+        const GridBorders borders(index_rays_, last_cell_);
         std::uint64_t found = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double reach = std::abs(index_rays_.right[axis]) * middle.u_radius +
-                                 std::abs(index_rays_.up[axis]) * middle.v_radius;
-            if (std::abs(ray.along[axis]) > 2 * (reach + flat * steepest_of(ray))) continue;
-            for_each_bit(open_, [&](std::size_t at) {
-                if (in_border(ray_at(at), axis)) found |= bit(at);
-            });
-        }
+        if (!borders.may_hold(index_rays_.ray(middle.u, middle.v), middle.u_radius,
+                              middle.v_radius))
+            return found;
+        for_each_bit(open_, [&](std::size_t at) {
+            if (borders.hold(ray_at(at))) found |= bit(at);
+        });
         return found;
     }
     [[nodiscard]] IndexRays::Ray ray_at(std::size_t at) const {
@@ -316,12 +300,7 @@ private:
         const std::uint32_t pixel = pixel_of(at);
         const RayLine& line = lines_.of(pixel);
         IndexRays::Ray ray = ray_at(at);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto place = in_border(ray, axis);
-            if (!place) continue;
-            ray.at[axis] = *place;
-            ray.along[axis] = 0;
-        }
+        GridBorders(index_rays_, last_cell_).take_in(ray);
         bundle_[at] = {.pixel = pixel,
                        .ray = ray,
                        .per_layer = 1 / ray.along[axes.k],
