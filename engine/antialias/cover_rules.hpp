@@ -30,7 +30,7 @@ constexpr double most_turn_of(bool kinked) { return kinked ? most_turn_at_kinks 
 /// The error of the f of a cell, in parts of its change across the square, from which on the cell
 /// is halved rather than the square divided.
 inline constexpr double most_cell_error = 0.25;
-/// The same where the pixels around look like the square's own, so that it holds no thread.
+/// As most_cell_error, where the pixels around look like the square's own: it holds no thread.
 inline constexpr double most_calm_cell_error = 0.5;
 /// How far an edge may be off from a line: in pixels, within the clip region and at its walls, and
 /// in parts of the square's side.

@@ -74,7 +74,7 @@ struct NewtonRays {
     Floats spread;  ///< from where all zeros of the piece are within this
 };
 
-/// What is known of them.
+/// What Newton's method tells of these rays.
 struct NewtonEnd {
     FloatMask none;   ///< no zero within `inner`
     FloatMask found;  ///< one, in the unit square, and its depth is known well enough

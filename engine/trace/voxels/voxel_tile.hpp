@@ -23,6 +23,7 @@
 #include "engine/trace/voxels/grid_borders.hpp"
 #include "engine/trace/voxels/lane_walk.hpp"
 #include "engine/trace/voxels/layer_walk.hpp"
+#include "engine/trace/voxels/open_ray.hpp"
 #include "engine/trace/voxels/spline_ray.hpp"
 #include "engine/trace/voxels/voxel_hits.hpp"
 
@@ -36,15 +37,6 @@
 #include <utility>
 
 namespace zeroset {
-
-/// A ray of a bundle that came near the surface and has not ended.
-struct OpenRay {
-    std::uint32_t pixel = 0;
-    IndexRays::Ray ray{};
-    double per_layer = 0;  ///< depth from a layer to the next one up
-    double from = 0, to = 0;
-    FirstRoot root = {};
-};
 
 /// The rays of a tile in a grid of numbers.
 template <class Sample, std::size_t support>
@@ -322,15 +314,9 @@ private:
         return mask_.may_hold_between(std::min(i, beyond_i), std::max(i, beyond_i),
                                       std::min(j, beyond_j), std::max(j, beyond_j));
     }
-    /// The stretch of the ray in a layer, as far as it is looked for roots.
-    static Stretch stretch_in(const OpenRay& ray, std::int32_t layer, std::size_t axis) {
-        const auto [from, to] = std::minmax({(layer - ray.ray.at[axis]) * ray.per_layer,
-                                             (layer + 1 - ray.ray.at[axis]) * ray.per_layer});
-        return {.from = std::max(from, ray.from), .to = std::min(to, ray.to)};
-    }
     /// Takes the ray through the cells of a layer; whether it has ended.
     bool walk_layer(OpenRay& ray, bool marks, std::int32_t layer, const WalkAxes& axes) {
-        const Stretch whole = stretch_in(ray, layer, axes.k);
+        const Stretch whole = ray.stretch_in(layer, axes.k);
         if (!(whole.from <= whole.to)) return whole.from >= ray.to && end(ray);
         return walk_cells(ray.ray, axes, layer, whole,
                           [&](const std::array<std::int32_t, 3>& cell, const Stretch& stretch) {

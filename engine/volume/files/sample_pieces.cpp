@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -82,21 +83,19 @@ std::string wrong_count(std::uint64_t count, const std::vector<std::uint64_t>& s
                   : std::to_string(*needed) + " are needed");
 }
 
-struct Names {
-    std::vector<std::string> names;
-    std::string problem;
-};
+using Names = Expected<std::vector<std::string>>;
 
 Names listed(std::string_view lines, const std::vector<std::uint64_t>& sizes, std::uint64_t axes) {
-    Names result;
+    std::vector<std::string> names;
     while (!lines.empty()) {
         const std::size_t end = std::min(lines.find('\n'), lines.size());
         const std::string_view name = without_spaces(lines.substr(0, end));
-        if (!name.empty()) result.names.emplace_back(name);
+        if (!name.empty()) names.emplace_back(name);
         lines.remove_prefix(std::min(end + 1, lines.size()));
     }
-    result.problem = wrong_count(result.names.size(), sizes, axes);
-    return result;
+    if (auto problem = wrong_count(names.size(), sizes, axes); !problem.empty())
+        return std::unexpected(std::move(problem));
+    return names;
 }
 
 Names counted(const CountedNames& pattern, const std::vector<std::int64_t>& numbers,
@@ -104,19 +103,19 @@ Names counted(const CountedNames& pattern, const std::vector<std::int64_t>& numb
     constexpr std::int64_t most = 1'000'000;
     const auto small = [](std::int64_t number) { return number >= -most && number <= most; };
     if (!std::ranges::all_of(numbers, small))
-        return {.names = {}, .problem = "its files are counted beyond a million"};
+        return std::unexpected("its files are counted beyond a million");
     const std::int64_t step = numbers[2];
     const std::int64_t way = numbers[1] - numbers[0];
     if (step == 0 || (way != 0 && (way < 0) != (step < 0)))
-        return {.names = {},
-                .problem = "its files are counted in steps that never come to the last one"};
+        return std::unexpected("its files are counted in steps that never come to the last one");
     const std::int64_t count = way / step + 1;
-    Names result{.names = {},
-                 .problem = wrong_count(static_cast<std::uint64_t>(count), sizes, axes)};
-    if (!result.problem.empty()) return result;
+    if (auto problem = wrong_count(static_cast<std::uint64_t>(count), sizes, axes);
+        !problem.empty())
+        return std::unexpected(std::move(problem));
+    std::vector<std::string> names;
     for (std::int64_t n = 0; n < count; ++n)
-        result.names.push_back(pattern.name(numbers[0] + n * step));
-    return result;
+        names.push_back(pattern.name(numbers[0] + n * step));
+    return names;
 }
 
 /// Whether the file can hold so many bytes of samples.
@@ -133,7 +132,7 @@ std::string lacking(const SampleBlock& piece, std::uint64_t bytes) {
 }
 
 /// The files' names in their order, as many as grids of these sizes need.
-Expected<std::vector<std::string>> names_of(const SeveralFiles& files) {
+Names names_of(const SeveralFiles& files) {
     const auto words = words_of(files.field);
     const bool is_list = words.front() == list_word;
     const auto pattern = is_list ? std::nullopt : counted_names(words.front());
@@ -149,10 +148,8 @@ Expected<std::vector<std::string>> names_of(const SeveralFiles& files) {
     const auto axes = words.size() > wanted
                           ? static_cast<std::uint64_t>(std::max<std::int64_t>(numbers->back(), 0))
                           : files.sizes.size() - 1;
-    Names found = is_list ? listed(files.lines, files.sizes, axes)
-                          : counted(*pattern, *numbers, files.sizes, axes);
-    if (!found.problem.empty()) return std::unexpected(found.problem);
-    return std::move(found.names);
+    return is_list ? listed(files.lines, files.sizes, axes)
+                   : counted(*pattern, *numbers, files.sizes, axes);
 }
 
 std::unexpected<std::string> named(const SampleBlock& piece, const std::string& problem) {

@@ -1,9 +1,7 @@
-#include "engine/interpret/interpret.hpp"
-#include "engine/kernel/patch_code.hpp"
 #include "engine/render/render.hpp"
-#include "engine/taylor/patch_models.hpp"
 #include "tests/support/closed_forms.hpp"
 #include "tests/support/only_target.hpp"
+#include "tests/support/patch_scenes.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +14,6 @@
 #include <functional>
 #include <numbers>
 #include <optional>
-#include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -27,31 +23,6 @@ namespace zeroset::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-enum class Way { ByModels, WithoutModels };
-
-/// A surface by the texts of its coordinates, where (x, y) runs over the unit square.
-Scene patch_scene(const std::array<std::string, 3>& texts, Way way, const Box& clip,
-                  const Region& region = {},
-                  const std::optional<std::array<double, 6>>& own_box = std::nullopt) {
-    std::array<Kernel, 3> point;
-    std::array<Expr, 3> graphs;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        const auto expr = parse(texts.at(i));
-        if (!expr) {
-            ADD_FAILURE() << texts.at(i) << ": " << expr.error().reason;
-            return {};
-        }
-        point.at(i) = interpret(*expr);
-        point.at(i).has_double = true;
-        graphs.at(i) = *expr;
-    }
-    const auto modeler = way == Way::ByModels ? patch_modeler(graphs) : nullptr;
-    Scene scene{{patch_kernel(std::move(point), own_box, modeler)}, clip, {}};
-    scene.region = region;
-    scene.uniforms.set(0, 0.0);
-    return scene;
-}
 
 /// Where a ray meets the surface: all distances.
 using Roots = std::function<std::vector<double>(const Ray& ray)>;
@@ -289,115 +260,6 @@ TEST_P(PatchTracer, FindsThemWithEachInstructionSet) {
         const OnlyTarget only(target);
         expect_first_hits(GetParam(), Way::ByModels);
     }
-}
-
-/// A coordinate of a surface that nobody chose.
-std::string random_coordinate(std::mt19937& numbers) {
-    const auto number = [&](double most) {
-        return std::to_string(std::uniform_real_distribution(-most, most)(numbers));
-    };
-    const auto wave = [&](const std::string& variable) {
-        const bool is_sine = numbers() % 2 == 0;
-        return std::string(is_sine ? "sin(" : "cos(") + number(5.0) + "*" + variable + "+" +
-               number(3.0) + ")";
-    };
-    return "(" + number(0.9) + ")*" + wave("x") + "*" + wave("y") + "+(" + number(0.9) + ")*x*y+(" +
-           number(0.8) + ")*" + wave(numbers() % 2 == 0 ? "x" : "y") + "+(" + number(0.5) +
-           ")*exp(x-y^2)";
-}
-
-/// What is proved by models is what is proved without them.
-TEST(RandomPatches, AreTheSameByModelsAndWithout) {
-    std::mt19937 numbers(20261126);
-    const Box clip = Box::cube(1.2);
-    int hits = 0;
-    int undecided = 0;
-    for (int i = 0; i < 24; ++i) {
-        const std::array<std::string, 3> texts{
-            random_coordinate(numbers), random_coordinate(numbers), random_coordinate(numbers)};
-        SCOPED_TRACE(texts[0] + ", " + texts[1] + ", " + texts[2]);
-        const auto picture = [&](Way way) {
-            Framebuffer frame(96, 80);
-            render_frame(patch_scene(texts, way, clip), default_camera(clip),
-                         settings_at("beams", 20), frame);
-            return frame;
-        };
-        const Framebuffer by_models = picture(Way::ByModels);
-        const Framebuffer without = picture(Way::WithoutModels);
-        for (std::size_t at = 0; at < without.depth.size(); ++at) {
-            if (by_models.certificate[at] == Certificate::Undecided ||
-                without.certificate[at] == Certificate::Undecided) {
-                ++undecided;
-                continue;
-            }
-            const bool is_hit = std::isfinite(without.depth[at]);
-            EXPECT_EQ(std::isfinite(by_models.depth[at]), is_hit) << at;
-            if (!is_hit) continue;
-            EXPECT_NEAR(by_models.depth[at], without.depth[at], 2e-5F * without.depth[at]) << at;
-            ++hits;
-        }
-    }
-    EXPECT_GT(hits, 4000);
-    EXPECT_LE(undecided, hits / 100);
-}
-
-/// A picture is the same however small the scene is.
-TEST(SmallPatches, AreLikeLargeOnes) {
-    const auto picture = [](double scale) {
-        std::ostringstream text;
-        text << scale;
-        const std::string by = text.str() + "*";
-        const std::string ring = "(1+0.4*cos(6.3*y))*";
-        Framebuffer frame(96, 96);
-        const Box clip = Box::cube(2 * scale);
-        render_frame(
-            patch_scene({by + ring + "cos(6.3*x)", by + ring + "sin(6.3*x)", by + "0.4*sin(6.3*y)"},
-                        Way::ByModels, clip),
-            default_camera(clip), settings_at("beams", 20), frame);
-        return frame;
-    };
-    const Framebuffer large = picture(1);
-    for (const double scale : {1e-17, 1e-18, 1e-21}) {
-        const Framebuffer small = picture(scale);
-        int other = 0;
-        for (std::size_t at = 0; at < large.depth.size(); ++at) {
-            if (std::isfinite(small.depth[at]) != std::isfinite(large.depth[at])) ++other;
-            if (!std::isfinite(small.depth[at]) || !std::isfinite(large.depth[at])) continue;
-            if (small.certificate[at] != Certificate::Certified) continue;
-            ASSERT_NEAR(static_cast<double>(small.depth[at]) / scale,
-                        static_cast<double>(large.depth[at]), 1e-3)
-                << scale << " at " << at;
-        }
-        EXPECT_LE(other, 2) << scale;
-    }
-}
-
-/// The colours of a floor below a ball do not depend on how their shadows are searched.
-TEST(PatchShadows, AreThoseWithoutModels) {
-    const std::array<std::string, 3> floor{"2.4*x-1.2", "2.4*y-1.2", "-0.8"};
-    const std::array<std::string, 3> ball{"0.6*cos(pi*(x-1/2))*cos(2*pi*y)",
-                                          "0.6*cos(pi*(x-1/2))*sin(2*pi*y)", "0.6*sin(pi*(x-1/2))"};
-    const Box clip = Box::cube(1.2);
-    const auto picture = [&](Way way, bool shadows) {
-        TraceSettings settings = settings_at("beams", 22);
-        settings.shadows = shadows;
-        Framebuffer frame(96, 82);
-        Scene scene = patch_scene(floor, way, clip);
-        scene.surfaces.push_back(patch_scene(ball, way, clip).surfaces.front());
-        render_frame(scene, default_camera(clip), settings, frame);
-        return frame.color;
-    };
-    const auto by_models = picture(Way::ByModels, true);
-    const auto without_models = picture(Way::WithoutModels, true);
-    const auto unshadowed = picture(Way::ByModels, false);
-    int differ = 0;
-    int dark = 0;
-    for (std::size_t i = 0; i < unshadowed.size(); ++i) {
-        differ += by_models[i] == without_models[i] ? 0 : 1;
-        dark += by_models[i] == unshadowed[i] ? 0 : 1;
-    }
-    EXPECT_LE(differ, 6);
-    EXPECT_GT(dark, 50);
 }
 
 std::string name_of_case(const testing::TestParamInfo<PatchCase>& info) {

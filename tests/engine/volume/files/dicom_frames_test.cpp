@@ -1,4 +1,5 @@
 #include "engine/volume/files/volume_file.hpp"
+#include "tests/support/dicom_elements.hpp"
 #include "tests/support/sample_field.hpp"
 #include "tests/support/test_folder.hpp"
 
@@ -16,31 +17,6 @@
 
 namespace zeroset::test {
 namespace {
-
-template <class Number>
-std::string bytes_of(Number number) {
-    std::string bytes(sizeof number, '\0');
-    std::memcpy(bytes.data(), &number, sizeof number);
-    return bytes;
-}
-std::string tag(unsigned group, unsigned number) {
-    return bytes_of(static_cast<std::uint16_t>(group)) +
-           bytes_of(static_cast<std::uint16_t>(number));
-}
-std::string length_of(std::size_t length) { return bytes_of(static_cast<std::uint32_t>(length)); }
-
-/// An element in explicit little endian.
-std::string element(unsigned group, unsigned number, const std::string& type, std::string value) {
-    if (value.size() % 2 != 0) value += type == "UI" ? '\0' : ' ';
-    const bool is_long = type == "OB" || type == "OW" || type == "SQ";
-    return tag(group, number) + type +
-           (is_long ? std::string(2, '\0') + length_of(value.size())
-                    : bytes_of(static_cast<std::uint16_t>(value.size()))) +
-           value;
-}
-std::string short_element(unsigned group, unsigned number, int value) {
-    return element(group, number, "US", bytes_of(static_cast<std::uint16_t>(value)));
-}
 
 enum class Lengths : std::uint8_t { Told, Open };
 

@@ -1,4 +1,5 @@
 #include "engine/volume/files/volume_file.hpp"
+#include "tests/support/dicom_elements.hpp"
 #include "tests/support/sample_field.hpp"
 #include "tests/support/test_folder.hpp"
 
@@ -14,29 +15,6 @@
 
 namespace zeroset::test {
 namespace {
-
-template <class Number>
-std::string bytes_of(Number number) {
-    std::string bytes(sizeof number, '\0');
-    std::memcpy(bytes.data(), &number, sizeof number);
-    return bytes;
-}
-
-/// An element of a file in explicit little endian.
-std::string element(int group, int tag, const std::string& type, std::string value) {
-    if (value.size() % 2 != 0) value += type == "UI" || type == "OW" ? '\0' : ' ';
-    std::string bytes = bytes_of(static_cast<std::uint16_t>(group)) +
-                        bytes_of(static_cast<std::uint16_t>(tag)) + type;
-    if (type == "OB" || type == "OW") {
-        bytes += std::string(2, '\0') + bytes_of(static_cast<std::uint32_t>(value.size()));
-    } else {
-        bytes += bytes_of(static_cast<std::uint16_t>(value.size()));
-    }
-    return bytes + value;
-}
-std::string short_element(int group, int tag, int value) {
-    return element(group, tag, "US", bytes_of(static_cast<std::uint16_t>(value)));
-}
 
 /// A slice of 4 x 3 samples, i + 10 j + 100 k, as a file of its own.
 struct Slice {
