@@ -113,6 +113,7 @@ Names counted(const CountedNames& pattern, const std::vector<std::int64_t>& numb
         !problem.empty())
         return std::unexpected(std::move(problem));
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(count));
     for (std::int64_t n = 0; n < count; ++n)
         names.push_back(pattern.name(numbers[0] + n * step));
     return names;
