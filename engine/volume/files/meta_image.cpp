@@ -126,10 +126,10 @@ Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
     return block;
 }
 
-Expected<Samples> samples_of(const Header& header, const std::filesystem::path& file,
-                             SampleBlock block) {
+Expected<FoundSamples> samples_of(const Header& header, const std::filesystem::path& file,
+                                  SampleBlock block) {
     const std::string data = header.field({"elementdatafile"});
-    if (lower_case(data) == "local") return read_samples(block);
+    if (lower_case(data) == "local") return read_samples_of(file, block);
     const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
     if (names_several_files(data)) {
         const SeveralFiles files{.field = data,
@@ -155,9 +155,11 @@ Expected<VolumeFile> read_meta_image(const std::filesystem::path& file) {
     if (!block) return std::unexpected(block.error());
     const auto geometry = geometry_of(*header);
     if (!geometry) return std::unexpected(geometry.error());
-    const auto samples = samples_of(*header, file, *block);
-    if (!samples) return std::unexpected(samples.error());
-    return VolumeFile{.samples = *samples, .geometry = *geometry};
+    auto found = samples_of(*header, file, *block);
+    if (!found) return std::unexpected(found.error());
+    return VolumeFile{.samples = std::move(found->samples),
+                      .geometry = *geometry,
+                      .sample_files = std::move(found->files)};
 }
 
 }  // namespace zeroset

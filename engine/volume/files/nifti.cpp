@@ -233,9 +233,11 @@ Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
     if (!header) return std::unexpected(header.error());
     const auto block = block_of(*header, file);
     if (!block) return std::unexpected(block.error());
-    const auto samples = read_samples_of(file, *block);
-    if (!samples) return std::unexpected(samples.error());
-    VolumeFile volume{.samples = *samples, .geometry = geometry_of(*header)};
+    auto found = read_samples_of(file, *block);
+    if (!found) return std::unexpected(found.error());
+    VolumeFile volume{.samples = std::move(found->samples),
+                      .geometry = geometry_of(*header),
+                      .sample_files = std::move(found->files)};
     const double slope = header->real(header->at().slope);
     const double shift = header->real(header->at().inter);
     const bool scales = slope != 0 && std::isfinite(slope) && std::isfinite(shift);

@@ -240,8 +240,8 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
     return block;
 }
 
-Expected<Samples> samples_of(const Header& header, const std::filesystem::path& file,
-                             SampleBlock block, const std::vector<std::uint64_t>& sizes) {
+Expected<FoundSamples> samples_of(const Header& header, const std::filesystem::path& file,
+                                  SampleBlock block, const std::vector<std::uint64_t>& sizes) {
     const std::string data = header.field("data file", "datafile");
     const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
     if (names_several_files(data)) {
@@ -277,9 +277,11 @@ Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
     if (!block) return std::unexpected(block.error());
     for (std::size_t i = 0; i < 3; ++i)
         block->size[i] = (*sizes)[(*axes)[i]];
-    const auto samples = samples_of(*header, file, *block, *sizes);
-    if (!samples) return std::unexpected(samples.error());
-    return VolumeFile{.samples = *samples, .geometry = *geometry};
+    auto found = samples_of(*header, file, *block, *sizes);
+    if (!found) return std::unexpected(found.error());
+    return VolumeFile{.samples = std::move(found->samples),
+                      .geometry = *geometry,
+                      .sample_files = std::move(found->files)};
 }
 
 }  // namespace zeroset

@@ -189,19 +189,26 @@ bool names_several_files(std::string_view field) {
     return field.starts_with(list_word) || field.contains('%');
 }
 
-Expected<Samples> read_samples_of(const std::filesystem::path& header, const SampleBlock& block) {
+Expected<FoundSamples> read_samples_of(const std::filesystem::path& header,
+                                       const SampleBlock& block) {
+    const bool is_header = block.file == header;
+    FoundSamples found;
+    if (!is_header) found.files.push_back(FileStamp::now(block.file));
     auto samples = read_samples(block);
-    if (!samples && block.file != header) return named(block, samples.error());
-    return samples;
+    if (!samples && is_header) return std::unexpected(samples.error());
+    if (!samples) return named(block, samples.error());
+    found.samples = *std::move(samples);
+    return found;
 }
 
-Expected<Samples> read_several(
+Expected<FoundSamples> read_several(
     const SeveralFiles& files, const SampleBlock& block,
     const std::function<Expected<SampleBlock>(const SampleBlock&)>& started) {
     const auto names = names_of(files);
     if (!names) return std::unexpected(names.error());
     const GridSize& size = block.size;
     std::vector<SampleBlock> pieces;
+    FoundSamples all;
     for (const std::string& name : *names) {
         SampleBlock piece = block;
         piece.file = files.folder / name;
@@ -210,8 +217,12 @@ Expected<Samples> read_several(
         const auto found = started(piece);
         if (!found) return named(piece, found.error());
         pieces.push_back(*found);
+        all.files.push_back(FileStamp::now(piece.file));
     }
-    return joined_samples(pieces, size);
+    auto samples = joined_samples(pieces, size);
+    if (!samples) return std::unexpected(samples.error());
+    all.samples = *std::move(samples);
+    return all;
 }
 
 }  // namespace zeroset

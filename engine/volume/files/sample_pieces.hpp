@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/volume/files/file_stamp.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 
@@ -16,8 +17,15 @@ namespace zeroset {
 /// Whether a header's field names several files: "LIST", or a name with a number to count.
 bool names_several_files(std::string_view field);
 
+/// Samples, and the files beside the header's that hold them.
+struct FoundSamples {
+    Samples samples;
+    std::vector<FileStamp> files{};
+};
+
 /// As read_samples; an error names the block's file where that is not the one of the header.
-Expected<Samples> read_samples_of(const std::filesystem::path& header, const SampleBlock& block);
+Expected<FoundSamples> read_samples_of(const std::filesystem::path& header,
+                                       const SampleBlock& block);
 
 /// A grid in several files.
 struct SeveralFiles {
@@ -33,7 +41,7 @@ struct SeveralFiles {
 /// Reads files that follow each other as the grid of `block`. `started` tells where the samples
 /// begin in the file of the block that it gets. Room is made once all files are there and long
 /// enough.
-Expected<Samples> read_several(
+Expected<FoundSamples> read_several(
     const SeveralFiles& files, const SampleBlock& block,
     const std::function<Expected<SampleBlock>(const SampleBlock&)>& started);
 

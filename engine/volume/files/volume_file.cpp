@@ -55,10 +55,9 @@ Read read_raw(const std::filesystem::path& file, const RawLayout& layout) {
 
 /// A file as it was when it was read.
 struct KnownFile {
-    std::string file;
+    FileStamp stamp;
     RawLayout layout;
-    std::filesystem::file_time_type time;
-    std::uint64_t size = 0;
+    std::vector<FileStamp> sample_files{};
     std::weak_ptr<const VolumeData> data;
 
     /// Where a volume is made of several files: as all in the folder were.
@@ -67,8 +66,8 @@ struct KnownFile {
         const std::filesystem::path own = folder.empty() ? std::filesystem::path(".") : folder;
         for (const auto& entry : std::filesystem::directory_iterator(own, error)) {
             if (!entry.is_regular_file(error)) continue;
-            size += entry.file_size(error);
-            time = std::max(time, entry.last_write_time(error));
+            stamp.size += entry.file_size(error);
+            stamp.time = std::max(stamp.time, entry.last_write_time(error));
         }
     }
 };
@@ -79,8 +78,8 @@ public:
         const std::scoped_lock lock(mutex_);
         std::erase_if(files_, [](const KnownFile& file) { return file.data.expired(); });
         const auto same = std::ranges::find_if(files_, [&](const KnownFile& known) {
-            return known.file == wanted.file && known.layout == wanted.layout &&
-                   known.time == wanted.time && known.size == wanted.size;
+            return known.stamp == wanted.stamp && known.layout == wanted.layout &&
+                   std::ranges::all_of(known.sample_files, &FileStamp::is_still_so);
         });
         return same == files_.end() ? nullptr : same->data.lock();
     }
@@ -140,17 +139,16 @@ std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
     if (!std::filesystem::exists(file, error)) return std::unexpected("there is no such file");
     const bool is_file = std::filesystem::is_regular_file(file, error);
     if (!is_file && !is_dicom_folder(file)) return std::unexpected("it is no file");
-    KnownFile key{.file = std::filesystem::weakly_canonical(file, error).string(),
+    KnownFile key{.stamp = FileStamp::now(std::filesystem::weakly_canonical(file, error)),
                   .layout = layout,
-                  .time = std::filesystem::last_write_time(file, error),
-                  .size = is_file ? std::filesystem::file_size(file, error) : 0,
                   .data = {}};
     if (!is_file || is_dicom_file(file)) key.add_folder(is_file ? file.parent_path() : file);
     if (auto data = known.find(key)) return data;
-    const auto read = read_volume_file(file, layout);
+    auto read = read_volume_file(file, layout);
     if (!read) return std::unexpected(read.error());
     auto data = VolumeData::make(read->samples, read->geometry);
     if (!data) return std::unexpected(data.error());
+    key.sample_files = std::move(read->sample_files);
     key.data = *data;
     known.add(std::move(key));
     return *data;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/volume/files/file_stamp.hpp"
 #include "engine/volume/geometry.hpp"
 #include "engine/volume/samples.hpp"
 #include "engine/volume/volume.hpp"
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 // Files of volumes. World axes are those of RAS where a file says what its axes are in a body: x to
 // the right, y to the front, z upward, in millimetres; else they are the file's own.
@@ -33,14 +35,16 @@ struct RawLayout {
 struct VolumeFile {
     Samples samples;
     Geometry geometry;
+    /// The files that hold the samples, where these are not the file that was asked for.
+    std::vector<FileStamp> sample_files{};
 };
 
 /// Reads a file by its name's ending; an error is one line without the file's name.
 std::expected<VolumeFile, std::string> read_volume_file(const std::filesystem::path& file,
                                                         const RawLayout& layout);
 
-/// Reads a file and builds its pyramid. While the volume of an unchanged file lives it is given
-/// again. Thread-safe.
+/// Reads a file and builds its pyramid. While the volume of an unchanged file, with unchanged
+/// files of samples, lives it is given again. Thread-safe.
 std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
     const std::filesystem::path& file, const RawLayout& layout);
 

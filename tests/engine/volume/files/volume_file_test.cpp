@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace zeroset::test {
 namespace {
@@ -49,6 +51,32 @@ TEST_F(VolumeFiles, AnUnchangedFileIsReadOnce) {
     std::filesystem::last_write_time(
         file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
     EXPECT_NE(*open_volume(file, {}), *first);
+}
+
+TEST_F(VolumeFiles, AHeaderIsReadAgainOnceOneOfItsFilesOfSamplesHasChanged) {
+    const auto one_slice = grid_bytes<std::uint8_t>().substr(0, 12);
+    write("s0.raw", one_slice);
+    const auto changed = write("s1.raw", one_slice);
+    const std::string nrrd = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nencoding: raw\n";
+    const std::string meta =
+        "ObjectType = Image\nNDims = 3\nDimSize = 4 3 2\n"
+        "ElementType = MET_UCHAR\nElementDataFile = ";
+    const std::vector files{write("a.nhdr", nrrd + "data file: LIST\ns0.raw\ns1.raw\n"),
+                            write("b.mhd", meta + "s%d.raw 0 1 1\n"),
+                            write("c.mhd", meta + "all.raw\n")};
+    write("all.raw", one_slice + one_slice);
+    for (const auto& file : files) {
+        const auto first = open_volume(file, {});
+        ASSERT_TRUE(first.has_value()) << first.error();
+        EXPECT_EQ(*open_volume(file, {}), *first);
+        const std::string name = file == files.back() ? "all.raw" : "s1.raw";
+        write(name, name == "all.raw" ? std::string(24, 'a') : std::string(12, 'a'));
+        std::filesystem::last_write_time(
+            changed.parent_path() / name,
+            std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
+        EXPECT_NE(*open_volume(file, {}), *first);
+        write("s1.raw", one_slice);
+    }
 }
 
 }  // namespace
