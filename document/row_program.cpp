@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -80,7 +83,20 @@ RowProgram row_program(std::string text, Program program, const Document& docume
     return rows;
 }
 
+/// Of all surfaces, one after the other.
+std::vector<std::shared_ptr<const Field>> fields_in(const RowProgram& rows) {
+    std::vector<std::shared_ptr<const Field>> fields;
+    if (rows.program == nullptr) return fields;
+    for (const Expr& surface : rows.program->surfaces)
+        std::ranges::copy(fields_of(surface), std::back_inserter(fields));
+    return fields;
+}
+
 }  // namespace
+
+bool same_functions(const RowProgram& a, const RowProgram& b) {
+    return a.text == b.text && fields_in(a) == fields_in(b);
+}
 
 std::expected<RowProgram, ParseError> read_rows(const Document& document) {
     const JoinedRows joined = joined_rows(document);

@@ -16,13 +16,13 @@ public:
                              .formula = last_,
                              .choice = choice};
         const RowProgram& rows = result.reading;
-        if (last_ == nullptr || last_->text != rows.text || region_ != region) {
+        if (last_ == nullptr || !same_functions(*last_, rows) || region_ != region) {
             auto formula = prepare_formula(rows, region, Preparation::Quickest);
             if (!formula) {
                 result.formula = std::unexpected(formula.error());
                 return result;
             }
-            if (last_ == nullptr || last_->text != rows.text) colors_ = nullptr;
+            if (last_ == nullptr || !same_functions(*last_, rows)) colors_ = nullptr;
             last_ = std::make_shared<const Formula>(std::move(*formula));
             region_ = region;
         } else if (last_->surface_rows != rows.surface_rows) {

@@ -84,7 +84,7 @@ Camera camera_of(const Document& document, glm::ivec2 size_px) {
 }
 
 bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next) {
-    if (last.formula->text != next.formula->text) return false;
+    if (!same_functions(*last.formula, *next.formula)) return false;
     PictureRequest by_new_code = last;
     by_new_code.formula = next.formula;
     by_new_code.colors = next.colors;

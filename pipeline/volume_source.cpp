@@ -8,6 +8,7 @@
 #include "engine/volume/files/volume_file.hpp"
 #include "engine/volume/made_volumes.hpp"
 #include "engine/volume/spline.hpp"
+#include "pipeline/read_files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ struct AllowedFiles {
     std::mutex mutex;
     std::set<fs::path> files;
     std::set<fs::path> refused;  ///< since they were last taken
-    std::uint64_t count = 0;     ///< of all that were ever allowed
+    std::uint64_t version = 0;   ///< files_version()
 };
 
 AllowedFiles& allowed() {
@@ -204,6 +205,7 @@ private:
         }
         const auto file = allowed_path(call);
         if (!file) return std::unexpected(file.error());
+        const FileStamp stamp = FileStamp::now(*file);
         const auto read = read_blobs(*file, radius);
         if (!read) {
             return std::unexpected(FieldError{.reason = quoted(call.file) + ": " + read.error(),
@@ -213,14 +215,19 @@ private:
         const BlobKind kind = call.word == "metaballs" ? BlobKind::Metaball
                               : call.word == "blinn"   ? BlobKind::Blinn
                                                        : BlobKind::Wyvill;
-        return blobs_field(kind, *read, std::string(call.text));
+        auto field = blobs_field(kind, *read, std::string(call.text));
+        note_read_files(field, {stamp});
+        return field;
     }
     [[nodiscard]] Data read(const FieldCall& call, const Wanted& wanted) const {
         const auto allowed = allowed_path(call);
         if (!allowed) return std::unexpected(allowed.error());
         const fs::path& file = *allowed;
         auto data = open_volume(file, wanted.layout);
-        if (data) return std::move(*data);
+        if (data) {
+            note_read_files(*data, files_of(**data));
+            return std::move(*data);
+        }
         std::string hint;
         if (!is_volume_file(file) && !wanted.layout.size) {
             hint = filled(tr("type {0}, or name a file that ends in {1}"),
@@ -288,12 +295,19 @@ void use_volume_folder(const VolumeFolder& folder) { set_field_source(volume_sou
 void allow_volume(const std::filesystem::path& file) {
     const std::scoped_lock lock(allowed().mutex);
     allowed().files.insert(real_path(file));
-    ++allowed().count;
+    ++allowed().version;
 }
 
-std::uint64_t volumes_allowed() {
+std::uint64_t files_version() {
     const std::scoped_lock lock(allowed().mutex);
-    return allowed().count;
+    return allowed().version;
+}
+
+bool look_for_changed_files() {
+    if (!read_files_have_changed()) return false;
+    const std::scoped_lock lock(allowed().mutex);
+    ++allowed().version;
+    return true;
 }
 
 std::vector<std::filesystem::path> take_refused_volumes() {

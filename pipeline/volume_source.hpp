@@ -26,8 +26,13 @@ void use_volume_folder(const VolumeFolder& folder);
 /// Allows a file that someone has chosen, wherever it lies.
 void allow_volume(const std::filesystem::path& file);
 
-/// Grows with each file that is allowed: texts that were refused may be readable then.
-std::uint64_t volumes_allowed();
+/// Grows whenever texts that name files may read otherwise than before: as a file is allowed, and
+/// with look_for_changed_files().
+std::uint64_t files_version();
+
+/// Whether a file that a living formula was read from has changed, and is not being written any
+/// more: files_version() has grown then. To be called from time to time. Thread-safe.
+bool look_for_changed_files();
 
 /// The files that texts have named and were refused for where they lie, since the last call.
 std::vector<std::filesystem::path> take_refused_volumes();

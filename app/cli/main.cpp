@@ -12,6 +12,7 @@
 #include "document/import/import.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
+#include "engine/volume/files/mapped_file.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +24,12 @@
 
 namespace zeroset {
 namespace {
+
+/// A subcommand draws no pages that are lost.
+bool end_if_lost(const void* address) noexcept {
+    if (fill_lost_pages(address)) end_on_lost_page();
+    return false;
+}
 
 CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
     CLI::App* const shot_app = app.add_subcommand("ui-shot", "draw the window into a file");
@@ -294,6 +301,7 @@ int run(int argc, char** argv) {
                                  app.get_subcommands().front()->get_name()});
     }
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
+    on_lost_pages(app.get_subcommands().empty() ? fill_lost_pages : end_if_lost);
     for (const auto& [subcommand, run_subcommand] : subcommands) {
         if (*subcommand) return run_subcommand();
     }

@@ -131,7 +131,9 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       comparison_([this] { window_.wake(); }),
       exports_([this] { window_.wake(); }) {
     if (options.collection) cards_.browse(*options.collection, state_);
-    if (options.on_desktop) portal_.emplace([this] { window_.wake(); }, window_.portal_name());
+    if (!options.on_desktop) return;
+    portal_.emplace([this] { window_.wake(); }, window_.portal_name());
+    watch_.emplace([this] { window_.wake(); });
 }
 
 Preferences Desktop::preferences() const {

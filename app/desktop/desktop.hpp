@@ -2,6 +2,7 @@
 
 #include "app/desktop/desktop_portal.hpp"
 #include "app/desktop/extent_search.hpp"
+#include "app/desktop/file_watch.hpp"
 #include "app/desktop/histograms.hpp"
 #include "app/desktop/latency_log.hpp"
 #include "app/desktop/marker_snap.hpp"
@@ -151,6 +152,7 @@ private:
     TracerComparison comparison_;
     Histograms histograms_;
     ExportDesk exports_;
+    std::optional<FileWatch> watch_;  ///< only for a window on a desktop
 };
 
 /// Opens the window and runs until it is closed. Returns one sentence as error if there is no

@@ -31,12 +31,12 @@ void PictureFeed::read(const Document& document) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
     // Rows are read again in another language: their errors and notes are written in it; and when
-    // more files may be read.
-    const std::uint64_t volumes = volumes_allowed();
-    const bool told_otherwise = given_.language != language() || given_.volumes != volumes;
+    // files may be read otherwise.
+    const std::uint64_t files = files_version();
+    const bool told_otherwise = given_.language != language() || given_.files != files;
     if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
     if (told_otherwise) answered_ = {};
-    given_ = {.rows = sheet, .choice = choice, .language = language(), .volumes = volumes};
+    given_ = {.rows = sheet, .choice = choice, .language = language(), .files = files};
     formulas_.submit(std::move(sheet), document.clip, choice);
 }
 
@@ -46,7 +46,7 @@ std::optional<FormulaResult> PictureFeed::take_reading() {
     answered_ = {.rows = result->sheet,
                  .choice = result->choice,
                  .language = given_.language,
-                 .volumes = given_.volumes};
+                 .files = given_.files};
     if (result->formula) adopt(*result);
     return result;
 }
@@ -54,7 +54,7 @@ std::optional<FormulaResult> PictureFeed::take_reading() {
 void PictureFeed::adopt(const FormulaResult& result) {
     const std::shared_ptr<const Formula>& formula = *result.formula;
     // For the same text, the formula that is drawn may have more code already.
-    const bool same = formula_ != nullptr && formula_->text == formula->text &&
+    const bool same = formula_ != nullptr && same_functions(*formula_, *formula) &&
                       formula_->surface_rows == formula->surface_rows &&
                       (formula_->code == formula->code || formula->code != CodeState::Machine);
     if (!same) formula_ = formula;

@@ -78,7 +78,7 @@ private:
         std::optional<Sheet> rows;
         ColorChoice choice;
         Language language = Language::English;  ///< of what is told of them
-        std::uint64_t volumes = 0;              ///< volumes_allowed() then
+        std::uint64_t files = 0;                ///< files_version() then
     };
     /// The picture on the screen.
     struct OnScreen {

@@ -3,11 +3,13 @@
 #include "engine/export/file.hpp"
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 #include <thread>
 
 namespace zeroset {
@@ -44,6 +46,34 @@ void end_on_signals(void (*last_words)()) {
         last_words();
         std::_Exit(EXIT_FAILURE);
     }).detach();
+}
+
+namespace {
+
+bool (*lost_page_handler)(const void* address) = nullptr;
+
+void handle_lost_page(int signal, siginfo_t* info, void* /*context*/) {
+    if (lost_page_handler(info->si_addr)) return;
+    ::signal(signal, SIG_DFL);  // the page is read again, and the process ends as if without this
+}
+
+}  // namespace
+
+void on_lost_pages(bool (*handle)(const void* address)) {
+    lost_page_handler = handle;
+    struct sigaction action{};
+    action.sa_sigaction = handle_lost_page;
+    action.sa_flags = SA_SIGINFO;
+    ::sigaction(SIGBUS, &action, nullptr);
+}
+
+void end_on_lost_page() {
+    constexpr std::string_view text =
+        "error: a file of samples has become shorter while it was read; try again once it is "
+        "written\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+    abandon_files();
+    std::_Exit(EXIT_FAILURE);
 }
 
 }  // namespace zeroset

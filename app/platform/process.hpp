@@ -16,4 +16,13 @@ void end_process_after(std::chrono::milliseconds time, int exit_code);
 /// be called before any other thread is created.
 void end_on_signals(void (*last_words)());
 
+/// Lets `handle` decide where a mapped file has lost the page of an address, as another program
+/// made the file shorter (SIGBUS): once it returns true the page is read again, else the process
+/// ends by the signal. It runs in the handler of the signal.
+void on_lost_pages(bool (*handle)(const void* address));
+
+/// For on_lost_pages of a subcommand: says that a file has become shorter and ends the process with
+/// exit code 1; files are complete or untouched.
+[[noreturn]] void end_on_lost_page();
+
 }  // namespace zeroset

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -236,6 +237,41 @@ TEST_F(VolumeTexts, AFileBecomesADocument) {
     EXPECT_EQ(level.hi, range.hi);
     EXPECT_NEAR(document->clip.lo.x, sample_field()->data().bounds()[0], 1e-12);
     EXPECT_FALSE(document_of_volume(folder_ / "none.nrrd").has_value());
+}
+
+TEST_F(VolumeTexts, AChangeOfAFileIsToldOnceNoOneWritesAnyMore) {
+    const std::string text = "s = volume(\"sample.nrrd\"); s(x, y, z) = 0";
+    auto program = read_program(text);
+    ASSERT_TRUE(program.has_value()) << program.error().reason;
+    look_for_changed_files();
+    EXPECT_FALSE(look_for_changed_files());
+    const std::uint64_t before = files_version();
+    std::filesystem::resize_file(folder_ / "sample.nrrd", bytes_.size() / 2);
+    EXPECT_FALSE(look_for_changed_files()) << "it may still be written";
+    EXPECT_EQ(files_version(), before);
+    EXPECT_TRUE(look_for_changed_files());
+    EXPECT_EQ(files_version(), before + 1);
+    EXPECT_FALSE(look_for_changed_files());
+    EXPECT_TRUE(error_of(text).contains("it is too short")) << error_of(text);
+
+    write("sample.nrrd");
+    EXPECT_FALSE(look_for_changed_files());
+    EXPECT_TRUE(look_for_changed_files());
+    program = std::unexpected(ParseError{});
+    use_volume_folder({.folder = folder_.path()});  // what keeps the latest volumes is new
+    std::filesystem::remove(folder_ / "sample.nrrd");
+    look_for_changed_files();
+    EXPECT_FALSE(look_for_changed_files()) << "no one looks at it any more";
+}
+
+TEST_F(VolumeTexts, AChangeOfAFileOfBallsIsToldToo) {
+    std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n";
+    const auto program = read_program("blobs(\"balls.xyz\") = 1");
+    ASSERT_TRUE(program.has_value()) << program.error().reason;
+    look_for_changed_files();
+    std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n1 0 0 1\n";
+    look_for_changed_files();
+    EXPECT_TRUE(look_for_changed_files());
 }
 
 TEST_F(VolumeTexts, ASampledFormulaIsTheFormulaAtTheSamples) {

@@ -2,16 +2,13 @@
 
 #include "engine/base/parallel.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/volume/files/mapped_file.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -42,44 +39,6 @@ namespace {
 using Read = std::expected<Samples, std::string>;
 
 std::string of_bytes(std::uint64_t bytes) { return std::to_string(bytes) + " bytes"; }
-
-std::unexpected<std::string> cannot_open() {
-    return std::unexpected("it cannot be read: " + std::generic_category().message(errno));
-}
-
-/// A file's bytes, mapped while this lives.
-class MappedFile {
-public:
-    static std::expected<std::shared_ptr<const MappedFile>, std::string> open(
-        const std::filesystem::path& path) {
-        std::error_code error;
-        const std::uint64_t size = std::filesystem::file_size(path, error);
-        if (error) return std::unexpected("it cannot be read: " + error.message());
-        const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        if (file < 0) return cannot_open();
-        void* const data =
-            size == 0 ? nullptr : ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-        const int reason = errno;
-        ::close(file);
-        if (data == MAP_FAILED) {
-            errno = reason;
-            return cannot_open();
-        }
-        return std::make_shared<const MappedFile>(static_cast<const std::byte*>(data), size);
-    }
-    MappedFile(const std::byte* data, std::uint64_t size) : bytes_(data, size) {}
-    MappedFile(const MappedFile&) = delete;
-    MappedFile& operator=(const MappedFile&) = delete;
-    ~MappedFile() {
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): munmap takes no const
-        if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
-    }
-
-    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
-
-private:
-    std::span<const std::byte> bytes_;
-};
 
 /// Turns the bytes of each sample around.
 void swap_bytes(std::byte* data, std::uint64_t bytes, std::size_t width) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/volume/files/file_stamp.hpp"
+#include "engine/base/file_stamp.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 

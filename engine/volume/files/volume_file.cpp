@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <span>
@@ -53,35 +54,31 @@ Read read_raw(const std::filesystem::path& file, const RawLayout& layout) {
     return volume;
 }
 
-/// A file as it was when it was read.
+/// What was read, and its files as they were then.
 struct KnownFile {
-    FileStamp stamp;
+    std::filesystem::path file;  ///< that was asked for
     RawLayout layout;
-    std::vector<FileStamp> sample_files{};
+    std::vector<FileStamp> stamps;
     std::weak_ptr<const VolumeData> data;
-
-    /// Where a volume is made of several files: as all in the folder were.
-    void add_folder(const std::filesystem::path& folder) {
-        std::error_code error;
-        const std::filesystem::path own = folder.empty() ? std::filesystem::path(".") : folder;
-        for (const auto& entry : std::filesystem::directory_iterator(own, error)) {
-            if (!entry.is_regular_file(error)) continue;
-            stamp.size += entry.file_size(error);
-            stamp.time = std::max(stamp.time, entry.last_write_time(error));
-        }
-    }
 };
 
 class KnownFiles {
 public:
-    std::shared_ptr<const VolumeData> find(const KnownFile& wanted) {
+    std::shared_ptr<const VolumeData> find(const std::filesystem::path& file,
+                                           const RawLayout& layout) {
         const std::scoped_lock lock(mutex_);
-        std::erase_if(files_, [](const KnownFile& file) { return file.data.expired(); });
+        std::erase_if(files_, [](const KnownFile& known) { return known.data.expired(); });
         const auto same = std::ranges::find_if(files_, [&](const KnownFile& known) {
-            return known.stamp == wanted.stamp && known.layout == wanted.layout &&
-                   std::ranges::all_of(known.sample_files, &FileStamp::is_still_so);
+            return known.file == file && known.layout == layout &&
+                   std::ranges::all_of(known.stamps, &FileStamp::is_still_so);
         });
         return same == files_.end() ? nullptr : same->data.lock();
+    }
+    std::vector<FileStamp> stamps_of(const VolumeData& data) {
+        const std::scoped_lock lock(mutex_);
+        const auto same = std::ranges::find_if(
+            files_, [&](const KnownFile& known) { return known.data.lock().get() == &data; });
+        return same == files_.end() ? std::vector<FileStamp>{} : same->stamps;
     }
     void add(KnownFile file) {
         const std::scoped_lock lock(mutex_);
@@ -92,6 +89,11 @@ private:
     std::mutex mutex_;
     std::vector<KnownFile> files_;
 };
+
+KnownFiles& known_files() {
+    static KnownFiles known;
+    return known;
+}
 
 /// Whether a folder has a file of DICOM.
 bool is_dicom_folder(const std::filesystem::path& folder) {
@@ -134,24 +136,28 @@ Read read_volume_file(const std::filesystem::path& file, const RawLayout& layout
 
 std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
     const std::filesystem::path& file, const RawLayout& layout) {
-    static KnownFiles known;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return std::unexpected("there is no such file");
     const bool is_file = std::filesystem::is_regular_file(file, error);
     if (!is_file && !is_dicom_folder(file)) return std::unexpected("it is no file");
-    KnownFile key{.stamp = FileStamp::now(std::filesystem::weakly_canonical(file, error)),
+    KnownFile key{.file = std::filesystem::weakly_canonical(file, error),
                   .layout = layout,
+                  .stamps = {},
                   .data = {}};
-    if (!is_file || is_dicom_file(file)) key.add_folder(is_file ? file.parent_path() : file);
-    if (auto data = known.find(key)) return data;
-    auto read = read_volume_file(file, layout);
+    if (auto data = known_files().find(key.file, layout)) return data;
+    // A file of DICOM stands for its series, which is all over its folder.
+    key.stamps.push_back(
+        FileStamp::now(is_file && is_dicom_file(file) ? key.file.parent_path() : key.file));
+    const auto read = read_volume_file(file, layout);
     if (!read) return std::unexpected(read.error());
+    std::ranges::copy(read->sample_files, std::back_inserter(key.stamps));
     auto data = VolumeData::make(read->samples, read->geometry);
     if (!data) return std::unexpected(data.error());
-    key.sample_files = std::move(read->sample_files);
     key.data = *data;
-    known.add(std::move(key));
+    known_files().add(std::move(key));
     return *data;
 }
+
+std::vector<FileStamp> files_of(const VolumeData& data) { return known_files().stamps_of(data); }
 
 }  // namespace zeroset

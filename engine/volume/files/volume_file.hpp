@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/volume/files/file_stamp.hpp"
+#include "engine/base/file_stamp.hpp"
 #include "engine/volume/geometry.hpp"
 #include "engine/volume/samples.hpp"
 #include "engine/volume/volume.hpp"
@@ -47,6 +47,9 @@ std::expected<VolumeFile, std::string> read_volume_file(const std::filesystem::p
 /// files of samples, lives it is given again. Thread-safe.
 std::expected<std::shared_ptr<const VolumeData>, std::string> open_volume(
     const std::filesystem::path& file, const RawLayout& layout);
+
+/// The files that a volume of open_volume was read from, as they were then. Thread-safe.
+std::vector<FileStamp> files_of(const VolumeData& data);
 
 /// The endings of the files that are read, with their points, in lower case.
 std::string known_endings();

@@ -1,11 +1,14 @@
 #include "app/desktop/picture_feed.hpp"
 
 #include "engine/view/camera.hpp"
+#include "pipeline/volume_source.hpp"
+#include "tests/support/test_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <condition_variable>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -122,6 +125,23 @@ TEST_F(PictureFeedTest, DoesNothingTwice) {
     EXPECT_FALSE(feed_->submit(*wanted()));
     EXPECT_EQ(feed_->newest(), before);
     EXPECT_FALSE(feed_->tracing());
+}
+
+TEST_F(PictureFeedTest, ReadsAFileAgainOnceItHasChanged) {
+    const TestFolder folder;
+    use_volume_folder({.folder = folder.path()});
+    const auto hits_of = [&](const std::string& balls) {
+        std::ofstream(folder / "balls.xyz") << balls;
+        look_for_changed_files();
+        look_for_changed_files();
+        show("blobs(\"balls.xyz\") = 1");
+        return picture_->counts.certified;
+    };
+    const auto small = hits_of("0 0 0 0.5\n");
+    const auto large = hits_of("0 0 0 1.5\n");
+    EXPECT_GT(small, 0U);
+    EXPECT_GT(large, 2 * small);
+    use_volume_folder({});
 }
 
 TEST_F(PictureFeedTest, DrawsAnotherViewOfTheSameText) {

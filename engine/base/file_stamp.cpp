@@ -1,0 +1,26 @@
+#include "engine/base/file_stamp.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+namespace zeroset {
+
+FileStamp FileStamp::now(const std::filesystem::path& file) {
+    std::error_code error;
+    FileStamp stamp{.file = file, .time = std::filesystem::last_write_time(file, error)};
+    if (!std::filesystem::is_directory(file, error)) {
+        const std::uint64_t size = std::filesystem::file_size(file, error);
+        if (!error) stamp.size = size;
+        return stamp;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(file, error)) {
+        if (!entry.is_regular_file(error)) continue;
+        const std::uint64_t size = entry.file_size(error);
+        if (error) continue;
+        stamp.size += size;
+        stamp.time = std::max(stamp.time, entry.last_write_time(error));
+    }
+    return stamp;
+}
+
+}  // namespace zeroset
