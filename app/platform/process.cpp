@@ -50,17 +50,22 @@ void end_on_signals(void (*last_words)()) {
 
 namespace {
 
-bool (*lost_page_handler)(const void* address) = nullptr;
+using LostPageHandler = bool (*)(const void* address);
+
+LostPageHandler& lost_page_handler() {
+    static constinit LostPageHandler handler = nullptr;
+    return handler;
+}
 
 void handle_lost_page(int signal, siginfo_t* info, void* /*context*/) {
-    if (lost_page_handler(info->si_addr)) return;
+    if (lost_page_handler()(info->si_addr)) return;
     ::signal(signal, SIG_DFL);  // the page is read again, and the process ends as if without this
 }
 
 }  // namespace
 
 void on_lost_pages(bool (*handle)(const void* address)) {
-    lost_page_handler = handle;
+    lost_page_handler() = handle;
     struct sigaction action{};
     action.sa_sigaction = handle_lost_page;
     action.sa_flags = SA_SIGINFO;

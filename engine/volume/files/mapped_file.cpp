@@ -24,25 +24,28 @@ struct Place {
 constexpr std::size_t most_places = 4096;
 constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
 
-std::array<Place, most_places> places;
+std::array<Place, most_places>& places() {
+    static constinit std::array<Place, most_places> all;
+    return all;
+}
 
 /// Of more files than there are places the last ones are not known to fill_lost_pages.
 std::size_t take_slot(std::span<const std::byte> bytes) {
-    const auto free = std::ranges::find_if(places, [](Place& place) {
+    const auto free = std::ranges::find_if(places(), [](Place& place) {
         bool is_taken = false;
         return place.taken.compare_exchange_strong(is_taken, true);
     });
-    if (free == places.end()) return no_slot;
+    if (free == places().end()) return no_slot;
     const auto begin = reinterpret_cast<std::uintptr_t>(bytes.data());
     free->begin = begin;
     free->end = begin + bytes.size();
-    return static_cast<std::size_t>(free - places.begin());
+    return static_cast<std::size_t>(free - places().begin());
 }
 
 void give_slot_back(std::size_t slot) {
     if (slot == no_slot) return;
-    places.at(slot).end = 0;
-    places.at(slot).taken = false;
+    places().at(slot).end = 0;
+    places().at(slot).taken = false;
 }
 
 std::unexpected<std::string> cannot_open(int reason) {
@@ -76,7 +79,7 @@ MappedFile::~MappedFile() {
 
 bool fill_lost_pages(const void* address) noexcept {
     const auto at = reinterpret_cast<std::uintptr_t>(address);
-    for (const Place& place : places) {
+    for (const Place& place : places()) {
         const std::uintptr_t end = place.end;
         if (at < place.begin || at >= end) continue;
         const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));

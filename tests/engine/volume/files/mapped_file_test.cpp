@@ -26,8 +26,8 @@ TEST(MappedFiles, PagesThatAreLostAreFilledWithZeros) {
         const auto bytes = (*mapped)->bytes();
         ASSERT_EQ(bytes.size(), 3 * page);
         inside = &bytes[page + 5];
-        EXPECT_FALSE(fill_lost_pages(&bytes[0] - 1));
-        EXPECT_FALSE(fill_lost_pages(&bytes[0] + bytes.size()));
+        EXPECT_FALSE(fill_lost_pages(bytes.data() - 1));
+        EXPECT_FALSE(fill_lost_pages(bytes.data() + bytes.size()));
         EXPECT_FALSE(fill_lost_pages(nullptr));
         std::filesystem::resize_file(file, page);
         ASSERT_TRUE(fill_lost_pages(inside));
