@@ -236,6 +236,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
                         Counters& counters, ShadowWay way, const TileBits& left_out) {
     ShadowBits found;
     if (layers.empty()) return found;
+    if (way == ShadowWay::Beams && tile.places != nullptr) way = ShadowWay::Apart;
     thread_local LightPlaces places;
     thread_local std::vector<TileBits> turned;  // to the light, of each layer
     places.error = 0.0;

@@ -136,8 +136,10 @@ class ShadowProofs : public testing::TestWithParam<Case> {};
 
 TEST_P(ShadowProofs, HoldAndFailOnlyBesideTheEdge) {
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
-        for (const double d_stop : {14.0, 24.0})
+        for (const double d_stop : {14.0, 24.0}) {
             check_picture(GetParam(), projection, d_stop, ShadowWay::Beams);
+            check_picture(GetParam(), projection, d_stop, ShadowWay::Rays);
+        }
     }
 }
 
