@@ -6,6 +6,7 @@
 #include "engine/light/patch_shadows.hpp"
 #include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
+#include "engine/trace/blobs/blob_surface.hpp"
 #include "engine/trace/frame_union.hpp"
 #include "engine/trace/tile_rays.hpp"
 
@@ -261,6 +262,10 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
     }
     if (tile.places == nullptr) counters.unproved_shadows += count(found.unproved);
     return found;
+}
+
+bool gains_by_squares(const TraceFrame& surface) {
+    return surface.kernel.specializer != nullptr || blob_surface(surface).has_value();
 }
 
 void darken(const TileBits& dark, std::span<LitLayer> layers) {

@@ -28,6 +28,10 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
                         Counters& counters, ShadowWay way = ShadowWay::Beams,
                         const TileBits& left_out = {});
 
+/// Whether the hits of small squares of a tile share what is found of the surface before them even
+/// where each has a ray of its own: code of theirs, or balls.
+bool gains_by_squares(const TraceFrame& surface);
+
 /// Takes the key light from the hits that do not have it.
 void darken(const TileBits& dark, std::span<LitLayer> layers);
 
