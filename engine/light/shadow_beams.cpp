@@ -16,10 +16,8 @@ namespace {
 constexpr std::size_t cells_at_once = 64;
 /// The side of the squares that a tile is divided into at first, in pixels.
 constexpr int first_side = 8;
-/// The length of a beam's first cell, in its widths, and how much longer a cell is than the one
-/// before it.
-constexpr double first_widths = 2.0;
-constexpr double growth = 4.0;
+/// How much longer a cell is than the one before it.
+constexpr double growth = 3.0;
 /// Squares with no more hits than these are rays at once: a cell of a beam takes the time of many.
 constexpr unsigned few_hits = 4;
 /// Beams of one group are of widths that differ by a factor of 2 at most; the narrowest and the
@@ -199,8 +197,7 @@ void BeamSearch<Real>::add(const Square& square, const Beam* whole) {
               .to = behind ? whole->to : hits.h_far,
               .step = 0.0};
     if (!(beam.entry.first < beam.to)) return;
-    beam.step =
-        std::max(behind ? whole->step : first_widths * beam.fair_length(), beam.fair_length());
+    beam.step = std::max(behind ? whole->step : 0.0, beam.fair_length());
     const double narrower = std::log2(widest_ / beam.width());
     const int group = std::clamp(static_cast<int>(narrower), 0, width_groups - 1);
     groups_[static_cast<std::size_t>(group)].push_back(beam);
