@@ -213,15 +213,16 @@ void BeamSearch<Real>::add_ray(std::size_t pixel, const Beam* whole) {
     // Where the beam goes on, depths are over its plane.
     const double to = behind ? whole->hits.by_u * u + whole->hits.by_v * v + whole->to : s;
     constexpr Plane none{.middle = 0.0, .by_u = 0.0, .by_v = 0.0};
-    LightRay ray{.pixel = pixel,
-                 .u = u * per_distance_,
-                 .v = v * per_distance_,
-                 .s = s,
-                 .from = search_.walls.entry(u, v, places.error, places.error, none).first,
-                 .to = to + (behind ? margin_ : places.error),
-                 .left = behind,
-                 .sign = behind ? whole->sign : Sign::Unknown,
-                 .is_root = (search_.roots[pixel / tile_size] >> pixel % tile_size & 1U) != 0};
+    const LightRay ray{
+        .pixel = pixel,
+        .u = u * per_distance_,
+        .v = v * per_distance_,
+        .s = s,
+        .from = search_.walls.entry(u, v, places.error, places.error, none).first,
+        .to = to + (behind ? margin_ : places.error),
+        .left = behind,
+        .sign = behind ? whole->sign : Sign::Unknown,
+        .is_root = (search_.roots[pixel / tile_size] >> pixel % tile_size & 1U) != 0};
     if (ray.from < ray.to) rest_.push_back(ray);
 }
 
