@@ -2,6 +2,8 @@
 
 #include "engine/image/background.hpp"
 #include "engine/image/gamma.hpp"
+#include "engine/light/shade.hpp"
+#include "engine/light/shadow.hpp"
 #include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
@@ -37,6 +39,12 @@ std::uint64_t nearness(const CoverSample& sample) {
     const std::uint64_t square = row * 8 + (row % 2 == 0 ? col : 7 - col);
     return (square << 8U | sample.surface) << 32U |
            std::bit_cast<std::uint32_t>(std::max(sample.distance, 0.0F));
+}
+
+/// Whether samples are lit sooner where those that are near each other follow each other.
+bool gains_by_nearness(const FrameLight& light, std::span<const TraceFrame> surfaces) {
+    if (!light.settings().shadows) return false;
+    return !light.takes_known_shadows() || std::ranges::any_of(surfaces, gains_by_squares);
 }
 
 }  // namespace
@@ -89,12 +97,13 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     places_.clear();
     for (std::size_t k = 0; k < samples.size(); ++k)
         places_.push_back({.nearness = nearness(samples[k]), .sample = k});
-    if (frame_light.settings().shadows) std::ranges::sort(places_, {}, &Place::nearness);
+    if (gains_by_nearness(frame_light, surfaces)) std::ranges::sort(places_, {}, &Place::nearness);
     const TileRays rays(surfaces.front(), tile);
     std::vector<const LitLayer*> layer_of(surfaces.size(), nullptr);
     for (const LitLayer& layer : layers) {
         if (frame_light.takes_known_shadows()) layer_of[layer.surface] = &layer;
     }
+    const UnitVector to_light = key_light(surfaces.front().view);
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
     Tile of_samples{.col = tile.col,
                     .row = tile.row,
@@ -113,7 +122,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
             put(sample, slot_of(k));
             const LitLayer* const layer = layer_of[sample.surface];
             if (layer != nullptr)
-                take_shadow(shadow_around(*layer, tile, rays, sample), slot_of(k));
+                take_shadow(shadow_around(*layer, tile, rays, to_light, sample), slot_of(k));
         }
         of_samples.rows = static_cast<int>((count + 511) / 512 * 8);
         const auto hits = std::span(hits_).first(surfaces.size());

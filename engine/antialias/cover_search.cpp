@@ -87,7 +87,13 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
 auto CoverSearch::choose_at(std::size_t square, std::size_t surface) -> Step {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface];
-    if (!at.is_ray() && at.level < at.least_level) return Step::Divide;
+    if (!at.is_ray() && at.level < at.least_level) {
+        const bool is_sheet =
+            front.state == State::Rooted && front.monotone && !front.is_uneven() && !at.rest;
+        if (!is_sheet) return Step::Divide;
+        work_[surface].drafts.add_parts(at, front);
+        return Step::Close;
+    }
     if (front.state == State::Edged) return at.rest ? Step::Divide : Step::Edge;
     if (front.is_uneven()) {
         if (at.rest) return Step::Divide;

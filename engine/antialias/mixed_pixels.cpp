@@ -1,6 +1,7 @@
 #include "engine/antialias/mixed_pixels.hpp"
 
 #include "engine/antialias/calm_pixels.hpp"
+#include "engine/antialias/seen_sheet.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -64,9 +65,19 @@ bool look_different(const LitLayer& layer, std::size_t a, std::size_t b, float l
     return false;
 }
 
-/// Whether two hits may be on one sheet, as their normals are.
-bool are_of_one_sheet(const TileHits& hits, std::size_t a, std::size_t b) {
+/// The sheet of a pixel's hit.
+SeenSheet sheet_at(const TileRays& rays, const TileHits& hits, std::size_t at) {
+    return {rays, static_cast<double>(at % tile_size), static_cast<double>(at / tile_size),
+            static_cast<double>(hits.depth[at]), hits.gradient_at(at)};
+}
+
+/// Whether two hits side by side may be on one sheet, as their distances and normals are.
+bool are_of_one_sheet(const TileRays& rays, const TileHits& hits, std::size_t a, std::size_t b) {
     constexpr double least_cosine = 0.5;
+    const auto apart = static_cast<double>(std::abs(hits.depth[a] - hits.depth[b]));
+    if (!sheet_at(rays, hits, a).may_be_apart(apart) &&
+        !sheet_at(rays, hits, b).may_be_apart(apart))
+        return false;
     const glm::dvec3 first = hits.gradient_at(a);
     const glm::dvec3 second = hits.gradient_at(b);
     const double product = glm::dot(first, second);
@@ -76,7 +87,8 @@ bool are_of_one_sheet(const TileHits& hits, std::size_t a, std::size_t b) {
 }
 
 /// Adds the hits beside which a shadow that is seen begins or ends on the same sheet.
-void add_shadow_edges(const LitLayer& layer, const Tile& tile, TileBits& edges) {
+void add_shadow_edges(const LitLayer& layer, const Tile& tile, const TileRays& rays,
+                      TileBits& edges) {
     constexpr float least = 0.02F;
     const TileBits lit = lit_hits(layer, tile);
     const TileBits& hits = layer.hit_rows;
@@ -86,7 +98,7 @@ void add_shadow_edges(const LitLayer& layer, const Tile& tile, TileBits& edges) 
             const auto col = static_cast<std::size_t>(std::countr_zero(differ));
             const std::size_t a = row * tile_size + col;
             const std::size_t b = a + by_row * tile_size + by_col;
-            if (!look_different(layer, a, b, least) || !are_of_one_sheet(*layer.hits, a, b))
+            if (!look_different(layer, a, b, least) || !are_of_one_sheet(rays, *layer.hits, a, b))
                 continue;
             edges[row] |= std::uint64_t{1} << col;
             edges[row + by_row] |= std::uint64_t{1} << (col + by_col);
@@ -144,14 +156,14 @@ void find_mixed(const Tile& tile, std::span<const LitLayer> layers, std::span<co
         mixed.is_calm = (calm[mixed.pixel / tile_size] >> mixed.pixel % tile_size & 1U) != 0;
 }
 
-void add_light_edges(const Tile& tile, std::span<const LitLayer> layers,
+void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const LitLayer> layers,
                      std::span<const TileHits> hits, bool contrasts,
                      std::vector<MixedPixel>& mixed) {
     constexpr std::uint8_t level = 2;
     const std::size_t before = mixed.size();
     TileBits edges{};
     for (const LitLayer& layer : layers) {
-        if (layer.any_dark) add_shadow_edges(layer, tile, edges);
+        if (layer.any_dark) add_shadow_edges(layer, tile, rays, edges);
         if (contrasts) add_contrasts(layer, tile, edges);
     }
     for (std::size_t i = 0; i < before; ++i) {

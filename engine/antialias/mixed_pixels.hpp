@@ -3,6 +3,7 @@
 #include "engine/antialias/cover_sample.hpp"
 #include "engine/light/lit_tile.hpp"
 #include "engine/trace/tile.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <span>
 #include <vector>
@@ -18,7 +19,7 @@ void find_mixed(const Tile& tile, std::span<const LitLayer> layers, std::span<co
 /// Adds pixels beside which the shadow on the same surface begins or ends to `mixed`, those of one
 /// tile; `contrasts`: and those beside which it looks different, as where mirrors show an edge.
 /// They are divided until samples tell how much of them the light reaches.
-void add_light_edges(const Tile& tile, std::span<const LitLayer> layers,
+void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const LitLayer> layers,
                      std::span<const TileHits> hits, bool contrasts,
                      std::vector<MixedPixel>& mixed);
 

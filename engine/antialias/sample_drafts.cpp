@@ -66,6 +66,16 @@ void SampleDrafts::add(const MixedPixel& pixel) {
     }
 }
 
+void SampleDrafts::add_parts(const CoverSquare& square, const Front& sheet) {
+    const int across = 1 << (square.least_level - square.level);
+    const double side = 2.0 / across;
+    const auto middle_of = [&](int part) { return (part + 0.5) * side - 1.0; };
+    for (int row = 0; row < across; ++row) {
+        for (int col = 0; col < across; ++col)
+            add(square.ray({.x = middle_of(col), .y = middle_of(row)}, 0.25 * side * side), sheet);
+    }
+}
+
 void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,
                          std::vector<CoverSample>& out, Counters& counters) {
     find_roots(frame, rays, roots_, unknown_, counters);

@@ -27,8 +27,10 @@ public:
              double to, Certificate certificate);
     /// A sample for what is wanted of a square, which has roots between the ends of the front.
     void add(const CoverSquare& square, const Front& front);
-    /// 4^least_level samples of a pixel that a sheet covers.
+    /// Samples of a pixel that a sheet covers.
     void add(const MixedPixel& pixel);
+    /// Samples for the parts of its least level of a square that a sheet covers.
+    void add_parts(const CoverSquare& square, const Front& sheet);
     /// A sample whose root is known.
     void add(const CoverSquare& square, double share, const RayRoot& root);
     /// Finds the roots and adds the samples to `out`.

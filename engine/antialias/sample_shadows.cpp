@@ -1,61 +1,67 @@
 #include "engine/antialias/sample_shadows.hpp"
 
+#include "engine/antialias/seen_sheet.hpp"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace zeroset {
 namespace {
 
 /// So many hits tell.
 constexpr int least_hits = 4;
-/// Hits whose normals have at least this cosine may be on the same sheet, if they are as far away
-/// as it may be so many pixels beside the sample.
+/// Hits whose normals have at least this cosine may be on the same sheet, if they are not too far
+/// from each other.
 constexpr double least_cosine = 0.9;
-constexpr double most_pixels = 4.0;
-/// The least cosine between ray and normal: sheets seen more from aside are taken as seen so.
-constexpr double least_slant = 0.02;
 
-/// How far from a sample along rays its sheet may be in the pixels around it.
-double spread_of(const TileRays& rays, const CoverSample& sample, const glm::dvec3& normal) {
-    const ViewFrame& view = rays.axes();
-    const double u = rays.u(static_cast<double>(sample.col));
-    const double v = rays.v(static_cast<double>(sample.row));
-    const glm::dvec3 direction = view.forward + u * view.right + v * view.up;
-    const double slant = std::abs(glm::dot(direction, normal)) / glm::length(direction);
-    // With parallel rays `distance` is so large that its sum with a depth is the same everywhere.
-    const double away = view.parallel() ? rays.distance() : static_cast<double>(sample.distance);
-    return most_pixels * rays.pixel() * away / std::max(slant, least_slant);
+/// A bit for each pixel of a row that may be one of those around a column.
+std::uint64_t bits_around(int col) { return col > 0 ? std::uint64_t{7} << (col - 1) : 3; }
+
+/// Whether a hit of the layer is on a sample's sheet.
+bool is_on(const SeenSheet& sheet, float distance, const LitLayer& layer, std::size_t at) {
+    const float apart = std::abs(layer.hits->depth[at] - distance);
+    if (!sheet.may_be_apart(static_cast<double>(apart))) return false;
+    const glm::dvec3 other = layer.hits->gradient_at(at);
+    const double product = glm::dot(other, sheet.gradient);
+    return product >= 0.0 && product * product >= least_cosine * least_cosine *
+                                                      glm::dot(other, other) *
+                                                      glm::dot(sheet.gradient, sheet.gradient);
 }
 
 }  // namespace
 
 SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRays& rays,
-                           const CoverSample& sample) {
-    const glm::dvec3 gradient(sample.gradient[0], sample.gradient[1], sample.gradient[2]);
-    const double size = glm::length(gradient);
-    if (!(size > 0.0)) return SampleShadow::Unknown;
-    const glm::dvec3 normal = gradient / size;
-    const double spread = spread_of(rays, sample, normal);
+                           const UnitVector& to_light, const CoverSample& sample) {
     const int row = sample.pixel / tile_size;
-    const int col = sample.pixel % tile_size;
+    const int first = std::max(row - 1, 0);
+    const int last = std::min(row + 1, tile.rows - 1);
+    const std::uint64_t around = bits_around(sample.pixel % tile_size);
+    int hits = 0;
+    for (int r = first; r <= last; ++r)
+        hits += std::popcount(layer.hit_rows[static_cast<std::size_t>(r)] & around);
+    if (hits < least_hits) return SampleShadow::Unknown;
+
+    const SeenSheet sheet(rays, static_cast<double>(sample.col), static_cast<double>(sample.row),
+                          static_cast<double>(sample.distance),
+                          {sample.gradient[0], sample.gradient[1], sample.gradient[2]});
+    if (!sheet.shows_side_to(to_light)) return SampleShadow::Unknown;
     int lit = 0;
     int dark = 0;
-    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, tile.rows - 1); ++r) {
-        for (int c = std::max(col - 1, 0); c <= std::min(col + 1, tile.cols - 1); ++c) {
-            if ((layer.hit_rows[static_cast<std::size_t>(r)] >> c & 1U) == 0) continue;
-            const auto at = static_cast<std::size_t>(r * tile_size + c);
-            const float apart = layer.hits->depth[at] - sample.distance;
-            const glm::dvec3 other = layer.hits->gradient_at(at);
-            const bool is_near = static_cast<double>(std::abs(apart)) <= spread;
-            if (!is_near || !(glm::dot(other, normal) >= least_cosine * glm::length(other)))
-                continue;
+    for (int r = first; r <= last; ++r) {
+        std::uint64_t bits = layer.hit_rows[static_cast<std::size_t>(r)] & around;
+        for (; bits != 0; bits &= bits - 1) {
+            const auto at = static_cast<std::size_t>(r * tile_size + std::countr_zero(bits));
+            if (!is_on(sheet, sample.distance, layer, at)) continue;
             ++(layer.key_light[at] > 0.0F ? lit : dark);
+            if (lit > 0 && dark > 0) return SampleShadow::Unknown;
         }
     }
-    if (lit + dark < least_hits || (lit > 0 && dark > 0)) return SampleShadow::Unknown;
+    if (lit + dark < least_hits) return SampleShadow::Unknown;
     return lit > 0 ? SampleShadow::Lit : SampleShadow::Dark;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/antialias/cover_sample.hpp"
 #include "engine/light/lit_tile.hpp"
 #include "engine/trace/tile_rays.hpp"
+#include "engine/view/unit_vector.hpp"
 
 #include <cstdint>
 
@@ -12,8 +13,9 @@ namespace zeroset {
 enum class SampleShadow : std::uint8_t { Unknown, Lit, Dark };
 
 /// The shadow that a sample has by the pixels around its own: those on its sheet, if there are
-/// several and they agree. `layer`: the hits of the sample's surface in the tile.
+/// several and they agree. Unknown, too, where the light is on the sheet's other side. `layer`: the
+/// hits of the sample's surface in the tile.
 SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRays& rays,
-                           const CoverSample& sample);
+                           const UnitVector& to_light, const CoverSample& sample);
 
 }  // namespace zeroset

@@ -93,7 +93,8 @@ bool is_dark(const ShadowSearch& search, Room& room, std::size_t pixel) {
 }  // namespace
 
 bool find_blob_shadows(const ShadowSearch& search, ShadowBits& found, Counters& counters) {
-    if (search.way != ShadowWay::Beams || !blob_surface(search.light)) return false;
+    const bool takes = search.way == ShadowWay::Beams || search.way == ShadowWay::Apart;
+    if (!takes || !blob_surface(search.light)) return false;
     thread_local Room room;
     room.blocks.assign(blocks_across * blocks_across, {});
     room.entries.resize(LightPlaces::pixels);

@@ -6,6 +6,7 @@
 #include "engine/light/patch_shadows.hpp"
 #include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
+#include "engine/trace/blobs/blob_surface.hpp"
 #include "engine/trace/frame_union.hpp"
 #include "engine/trace/tile_rays.hpp"
 
@@ -236,6 +237,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
                         Counters& counters, ShadowWay way, const TileBits& left_out) {
     ShadowBits found;
     if (layers.empty()) return found;
+    if (way == ShadowWay::Beams && tile.places != nullptr) way = ShadowWay::Apart;
     thread_local LightPlaces places;
     thread_local std::vector<TileBits> turned;  // to the light, of each layer
     places.error = 0.0;
@@ -260,6 +262,10 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
     }
     if (tile.places == nullptr) counters.unproved_shadows += count(found.unproved);
     return found;
+}
+
+bool gains_by_squares(const TraceFrame& surface) {
+    return surface.kernel.specializer != nullptr || blob_surface(surface).has_value();
 }
 
 void darken(const TileBits& dark, std::span<LitLayer> layers) {

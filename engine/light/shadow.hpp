@@ -15,6 +15,7 @@ enum class ShadowWay : std::uint8_t {
     Boxes,  ///< by beams of 8 x 8 hits, which only tell that all are lit; else single rays
             ///< [Florez08]
     Rays,   ///< by single rays
+    Apart,  ///< the same, where a tile has places of its own: these are too far apart for beams
 };
 
 /// Finds which hits of a tile's layers a light does not reach, by beams from squares of them to the
@@ -26,6 +27,10 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
                         Counters& counters, ShadowWay way = ShadowWay::Beams,
                         const TileBits& left_out = {});
+
+/// Whether the hits of small squares of a tile share what is found of the surface before them even
+/// where each has a ray of its own: code of theirs, or balls.
+bool gains_by_squares(const TraceFrame& surface);
 
 /// Takes the key light from the hits that do not have it.
 void darken(const TileBits& dark, std::span<LitLayer> layers);

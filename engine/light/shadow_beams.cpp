@@ -16,10 +16,10 @@ namespace {
 constexpr std::size_t cells_at_once = 64;
 /// The side of the squares that a tile is divided into at first, in pixels.
 constexpr int first_side = 8;
-/// The length of a beam's first cell, in its widths, and how much longer a cell is than the one
-/// before it.
-constexpr double first_widths = 2.0;
-constexpr double growth = 4.0;
+/// How much longer a cell is than the one before it.
+constexpr double growth = 3.0;
+/// Squares with no more hits than these are rays at once: a cell of a beam takes the time of many.
+constexpr unsigned few_hits = 4;
 /// Beams of one group are of widths that differ by a factor of 2 at most; the narrowest and the
 /// widest groups have no bound.
 constexpr int width_groups = 16;
@@ -91,13 +91,17 @@ public:
 
 private:
     [[nodiscard]] Start start_of(const Square& square) const;
-    /// A pixel near the middle of the square that is asked about; LightPlaces::pixels: there is
-    /// none.
+    /// How many pixels of the square are asked about.
+    [[nodiscard]] unsigned count_in(const Square& square) const;
+    /// One of them near its middle; LightPlaces::pixels: there is none.
     [[nodiscard]] std::size_t pixel_of(const Square& square) const;
     [[nodiscard]] Hits hits_of(const Square& square, float by_u, float by_v, bool keep_plane) const;
     /// Adds the beam of a square, that of a part of `whole` if there is one.
     void add(const Square& square, const Beam* whole);
-    void add_ray(const Beam& beam, std::size_t pixel);
+    /// Adds the ray of a pixel, or what is left of it where it goes on from `whole`.
+    void add_ray(std::size_t pixel, const Beam* whole);
+    /// Those of a square.
+    void add_each_ray(const Square& square, const Beam* whole);
     void divide(const Beam& beam);
     void search_group(std::vector<Beam>& beams);
     void evaluate(std::span<const Beam> beams);
@@ -125,6 +129,14 @@ Start BeamSearch<Real>::start_of(const Square& square) const {
         others |= search_.open[row] & square.bits() & ~search_.roots[row];
     if (others != 0) return Start::Others;
     return search_.is_member ? Start::Above : Start::Roots;
+}
+
+template <class Real>
+unsigned BeamSearch<Real>::count_in(const Square& square) const {
+    unsigned sum = 0;
+    for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row)
+        sum += static_cast<unsigned>(std::popcount(search_.open[row] & square.bits()));
+    return sum;
 }
 
 template <class Real>
@@ -166,8 +178,10 @@ Hits BeamSearch<Real>::hits_of(const Square& square, float by_u, float by_v,
 
 template <class Real>
 void BeamSearch<Real>::add(const Square& square, const Beam* whole) {
+    const unsigned hits_here = count_in(square);
+    if (hits_here == 0) return;
+    if (hits_here <= few_hits || square.side == 1) return add_each_ray(square, whole);
     const std::size_t pixel = pixel_of(square);
-    if (pixel == LightPlaces::pixels) return;
     const bool behind = whole != nullptr && whole->start == Start::Behind;
     const LightPlaces& places = search_.places;
     // Where the beam goes on, it goes on over the same plane.
@@ -183,29 +197,41 @@ void BeamSearch<Real>::add(const Square& square, const Beam* whole) {
               .to = behind ? whole->to : hits.h_far,
               .step = 0.0};
     if (!(beam.entry.first < beam.to)) return;
-    beam.step =
-        std::max(behind ? whole->step : first_widths * beam.fair_length(), beam.fair_length());
-    if (square.side == 1) return add_ray(beam, pixel);
+    beam.step = std::max(behind ? whole->step : 0.0, beam.fair_length());
     const double narrower = std::log2(widest_ / beam.width());
     const int group = std::clamp(static_cast<int>(narrower), 0, width_groups - 1);
     groups_[static_cast<std::size_t>(group)].push_back(beam);
 }
 
 template <class Real>
-void BeamSearch<Real>::add_ray(const Beam& beam, std::size_t pixel) {
+void BeamSearch<Real>::add_ray(std::size_t pixel, const Beam* whole) {
     const LightPlaces& places = search_.places;
-    const double plane = beam.hits.plane();
+    const auto u = static_cast<double>(places.u[pixel]);
+    const auto v = static_cast<double>(places.v[pixel]);
     const auto s = static_cast<double>(places.s[pixel]);
-    const bool behind = beam.start == Start::Behind;
-    rest_.push_back({.pixel = pixel,
-                     .u = beam.hits.u * per_distance_,
-                     .v = beam.hits.v * per_distance_,
-                     .s = s,
-                     .from = plane + beam.entry.first,
-                     .to = behind ? plane + beam.to + margin_ : s + places.error,
-                     .left = behind,
-                     .sign = beam.sign,
-                     .is_root = beam.start == Start::Roots || beam.start == Start::Above});
+    const bool behind = whole != nullptr && whole->start == Start::Behind;
+    // Where the beam goes on, depths are over its plane.
+    const double to = behind ? whole->hits.by_u * u + whole->hits.by_v * v + whole->to : s;
+    constexpr Plane none{.middle = 0.0, .by_u = 0.0, .by_v = 0.0};
+    const LightRay ray{
+        .pixel = pixel,
+        .u = u * per_distance_,
+        .v = v * per_distance_,
+        .s = s,
+        .from = search_.walls.entry(u, v, places.error, places.error, none).first,
+        .to = to + (behind ? margin_ : places.error),
+        .left = behind,
+        .sign = behind ? whole->sign : Sign::Unknown,
+        .is_root = (search_.roots[pixel / tile_size] >> pixel % tile_size & 1U) != 0};
+    if (ray.from < ray.to) rest_.push_back(ray);
+}
+
+template <class Real>
+void BeamSearch<Real>::add_each_ray(const Square& square, const Beam* whole) {
+    for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row) {
+        for (std::uint64_t bits = search_.open[row] & square.bits(); bits != 0; bits &= bits - 1)
+            add_ray(row * tile_size + static_cast<std::size_t>(std::countr_zero(bits)), whole);
+    }
 }
 
 template <class Real>
@@ -317,10 +343,11 @@ void BeamSearch<Real>::search_group(std::vector<Beam>& beams) {
 
 template <class Real>
 void BeamSearch<Real>::search() {
-    const int side = search_.way == ShadowWay::Rays ? 1 : first_side;
-    for (int row = 0; row < tile_size; row += side) {
-        for (int col = 0; col < tile_size; col += side)
-            add(square_at(col, row, side), nullptr);
+    if (search_.way == ShadowWay::Rays || search_.way == ShadowWay::Apart)
+        return add_each_ray(square_at(0, 0, tile_size), nullptr);
+    for (int row = 0; row < tile_size; row += first_side) {
+        for (int col = 0; col < tile_size; col += first_side)
+            add(square_at(col, row, first_side), nullptr);
     }
     for (std::vector<Beam>& group : groups_)
         search_group(group);

@@ -1,129 +1,146 @@
-#include "engine/light/shadow_cells.hpp"
+#include "engine/kernel/form_cells.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/light/shadow_rays.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include "engine/light/ray_steps-inl.hpp"
+
+#include <hwy/highway.h>
+
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
-namespace zeroset {
-namespace {
-
-constexpr std::size_t cells_at_once = 256;
-
-/// A ray on its way from the hit to the light.
-struct Path {
-    LightRay ray;
-    double step;            ///< of the next cell, in front of ray.to, or of the hit
-    bool unproved = false;  ///< a part of the ray could not be decided
-
-    [[nodiscard]] double next() const {
-        return std::max(ray.from, (ray.left ? ray.to : std::min(ray.to, ray.s)) - step);
-    }
-    [[nodiscard]] double length() const { return ray.to - next(); }
-};
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
 
 template <class Real>
 class RaySearch {
 public:
-    RaySearch(const ShadowSearch& search, Counters& counters)
+    RaySearch(const ShadowSearch& search, ShadowBits& found, Counters& counters)
         : search_(search),
+          found_(found),
           counters_(counters),
           frustum_(search.rays.frustum<Real>(1)),
-          margin_(search.rays.depth_error()) {}
+          rules_{.margin = upper_end(Real{}, search.rays.depth_error()),
+                 .finest = static_cast<Real>(search.finest),
+                 .bias = static_cast<Real>(search.bias),
+                 .is_member = search.is_member} {}
 
-    void search(const std::vector<LightRay>& rays, ShadowBits& found);
+    void search(std::span<const LightRay> rays);
 
 private:
-    void evaluate(std::span<const Path> paths);
-    [[nodiscard]] Start start_of(const LightRay& ray) const {
-        if (ray.left) return Start::Behind;
-        if (!ray.is_root) return Start::Others;
-        return search_.is_member ? Start::Above : Start::Roots;
-    }
-    /// Takes what is known of the next cell; whether the path goes on.
-    bool advance(Path& path, const ShadeVerdict& verdict, bool continuous, ShadowBits& found) const;
+    void load(std::size_t i, const LightRay& ray);
+    /// Sets the next cells of the first `count` rays and takes their forms.
+    void evaluate(std::size_t count);
+    /// Takes the first `count` rays on by these forms, and closes the gaps of those that ended;
+    /// returns how many are left.
+    std::size_t advance(std::size_t count);
+    /// Notes what is found of the ray of a lane.
+    void end(std::size_t i, bool is_dark);
 
     const ShadowSearch& search_;
+    ShadowBits& found_;
     Counters& counters_;
     FrustumOf<Real> frustum_;
-    double margin_;  ///< cells are longer than their part of the ray
-    FormCells<Real, cells_at_once> cells_;
+    RayRules<Real> rules_;
+    RayBlock<Real> block_;
+    FormCells<Real, RayBlock<Real>::room> cells_;
 };
 
 template <class Real>
-void RaySearch<Real>::evaluate(std::span<const Path> paths) {
-    const std::size_t size = padded(paths.size());
-    for (std::size_t i = 0; i < size; ++i) {
-        const Path& path = paths[std::min(i, paths.size() - 1)];
-        const double next = path.next();
-        cells_.u[i] = static_cast<Real>(path.ray.u);
-        cells_.v[i] = static_cast<Real>(path.ray.v);
-        cells_.s[i] = static_cast<Real>(0.5 * next + 0.5 * path.ray.to);
-        const auto middle = static_cast<double>(cells_.s[i]);
-        cells_.s_radius[i] =
-            upper_end(Real{}, std::max(path.ray.to - middle, middle - next) + margin_);
-    }
-    counters_.form += paths.size();
+void RaySearch<Real>::load(std::size_t i, const LightRay& ray) {
+    constexpr double first_step = 0.125;  // of all of the ray
+    RayBlock<Real>& to = block_;
+    to.u[i] = static_cast<Real>(ray.u);
+    to.v[i] = static_cast<Real>(ray.v);
+    to.s[i] = static_cast<Real>(ray.s);
+    to.from[i] = -upper_end(Real{}, -ray.from);
+    to.to[i] = upper_end(Real{}, ray.to);
+    to.step[i] = static_cast<Real>(first_step * (ray.to - ray.from));
+    to.pixel[i] = static_cast<RayWord<Real>>(ray.pixel);
+    to.marks[i] = (ray.left ? RayMarks::left : 0U) | (ray.is_root ? RayMarks::root : 0U) |
+                  (ray.sign == Sign::Positive ? RayMarks::positive : 0U) |
+                  (ray.sign == Sign::Negative ? RayMarks::negative : 0U);
+}
+
+template <class Real>
+void RaySearch<Real>::evaluate(std::size_t count) {
+    const std::size_t size = padded(count);
+    for (std::size_t i = count; i < size; ++i)
+        block_.repeat(count - 1, i);
+    for (std::size_t i = 0; i < size; i += lanes<Real>)
+        place_cells(block_, rules_, i, cells_);
+    counters_.form += count;
     search_.light.kernel.ray_form(
         cells_.batch(size, frustum_, search_.light.scene.uniforms.template boxes<Real>()));
 }
 
 template <class Real>
-bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool continuous,
-                              ShadowBits& found) const {
-    LightRay& ray = path.ray;
-    const bool open = verdict.shade == Shade::Open;
-    const double length = ray.left ? path.length() : path.step;
-    if (open && length > search_.finest) {
-        path.step = 0.5 * length;
-        return true;
-    }
-    path.unproved = path.unproved || open;
-    const bool at_hit = open && !ray.left && ray.is_root;
-    const std::size_t row = ray.pixel / tile_size;
-    const std::uint64_t hit = std::uint64_t{1} << ray.pixel % tile_size;
-    if (verdict.shade == Shade::Dark || (open && !at_hit && continuous)) {
-        if (!path.unproved) {
-            found.prove_dark(row, hit);
-            return false;
-        }
-        found.doubt(row, hit);
-        found.dark[row] |= hit;
-        return false;
-    }
-    ray.to = at_hit ? ray.s - search_.bias : path.next();
-    path.step = at_hit ? search_.bias : 2.0 * path.step;
-    ray.left = true;
-    ray.sign = verdict.sign;
-    if (ray.from < ray.to) return true;
-    if (path.unproved) found.doubt(row, hit);
-    return false;
+void RaySearch<Real>::end(std::size_t i, bool is_dark) {
+    const std::size_t row = block_.pixel[i] / tile_size;
+    const std::uint64_t hit = std::uint64_t{1} << block_.pixel[i] % tile_size;
+    const bool proved = (block_.marks[i] & RayMarks::unproved) == 0;
+    if (is_dark && proved) return found_.prove_dark(row, hit);
+    if (!proved) found_.doubt(row, hit);
+    if (is_dark) found_.dark[row] |= hit;
 }
 
 template <class Real>
-void RaySearch<Real>::search(const std::vector<LightRay>& rays, ShadowBits& found) {
-    std::vector<Path> paths;
-    paths.reserve(rays.size());
-    for (const LightRay& ray : rays)
-        paths.push_back({.ray = ray, .step = 0.125 * (ray.to - ray.from)});
-    while (!paths.empty()) {
-        std::size_t kept = 0;
-        for (std::size_t first = 0; first < paths.size(); first += cells_at_once) {
-            if (search_.light.stopped()) return;
-            const std::size_t count = std::min(cells_at_once, paths.size() - first);
-            evaluate(std::span(paths).subspan(first, count));
-            for (std::size_t i = 0; i < count; ++i) {
-                Path path = paths[first + i];
-                const ShadeVerdict verdict =
-                    judge(line_of(cells_, i), start_of(path.ray), path.ray.sign);
-                if (advance(path, verdict, cells_.continuous[i] != 0, found)) paths[kept++] = path;
-            }
+std::size_t RaySearch<Real>::advance(std::size_t count) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; i += lanes<Real>) {
+        const LaneBits all = ~LaneBits{0} >> (32 - std::min(lanes<Real>, count - i));
+        const RayEnds ends = take_cells(block_, rules_, i, cells_);
+        for (LaneBits bits = ends.told & all; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            end(i + lane, (ends.dark >> lane & 1U) != 0);
         }
-        paths.resize(kept);
+        kept += block_.keep(i, all & ~ends.ended, kept);
+    }
+    return kept;
+}
+
+template <class Real>
+void RaySearch<Real>::search(std::span<const LightRay> rays) {
+    std::size_t count = 0;
+    while ((count > 0 || !rays.empty()) && !search_.light.stopped()) {
+        const std::size_t more = std::min(RayBlock<Real>::room - count, rays.size());
+        for (std::size_t i = 0; i < more; ++i)
+            load(count + i, rays[i]);
+        rays = rays.subspan(more);
+        count += more;
+        evaluate(count);
+        count = advance(count);
     }
 }
+
+void search_by_floats(const ShadowSearch& search, const std::vector<LightRay>& rays,
+                      ShadowBits& found, Counters& counters) {
+    RaySearch<float>(search, found, counters).search(rays);
+}
+
+void search_by_doubles(const ShadowSearch& search, const std::vector<LightRay>& rays,
+                       ShadowBits& found, Counters& counters) {
+    RaySearch<double>(search, found, counters).search(rays);
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+namespace {
+
+HWY_EXPORT(search_by_floats);
+HWY_EXPORT(search_by_doubles);
 
 }  // namespace
 
@@ -131,10 +148,12 @@ void search_rays(const ShadowSearch& search, const std::vector<LightRay>& rays, 
                  Counters& counters) {
     if (rays.empty()) return;
     if (search.light.precision == Precision::Double) {
-        RaySearch<double>(search, counters).search(rays, found);
+        HWY_DYNAMIC_DISPATCH(search_by_doubles)(search, rays, found, counters);
     } else {
-        RaySearch<float>(search, counters).search(rays, found);
+        HWY_DYNAMIC_DISPATCH(search_by_floats)(search, rays, found, counters);
     }
 }
 
 }  // namespace zeroset
+
+#endif

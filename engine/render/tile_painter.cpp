@@ -7,6 +7,7 @@
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/patch/patch_tracer.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -145,7 +146,8 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     workspace.samples.clear();
     const auto hits = std::span(workspace.hits).first(surfaces_.size());
     find_mixed(tile, workspace.lit.layers(), hits, workspace.mixed);
-    add_light_edges(tile, workspace.lit.layers(), hits, light_.shows_contrasts(), workspace.mixed);
+    add_light_edges(tile, TileRays(surfaces_.front(), tile), workspace.lit.layers(), hits,
+                    light_.shows_contrasts(), workspace.mixed);
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());

@@ -1,5 +1,6 @@
 #include "engine/antialias/sample_shadows.hpp"
 
+#include "engine/light/shade.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/support/rays.hpp"
 
@@ -59,7 +60,7 @@ protected:
                     layer.hit_rows[static_cast<std::size_t>(r)] |= std::uint64_t{1} << c;
             }
         }
-        return shadow_around(layer, tile, rays_,
+        return shadow_around(layer, tile, rays_, key_light(view_),
                              {.pixel = static_cast<std::uint16_t>(row * tile_size + col),
                               .surface = 0,
                               .certificate = Certificate::Certified,
@@ -101,6 +102,21 @@ TEST_F(SampleShadows, OfOneSheetDoNotCountThoseOfAnother) {
     for (int row = 0; row < side; ++row)
         put(8, row, 2.0F, {0, 1, 0});
     EXPECT_EQ(shadow_at(7, 5, 8), SampleShadow::Lit);
+}
+
+TEST_F(SampleShadows, AreUnknownWhereTheLightIsBehind) {
+    const std::array<float, 3> away{1.0F, -1.0F, 0.8F};
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col)
+            put(col, row, distance, away);
+    }
+    EXPECT_EQ(shadow_at(3, 5, 8, away), SampleShadow::Unknown);
+    EXPECT_EQ(shadow_at(3, 5, 8, {-1.0F, 1.0F, 0.8F}), SampleShadow::Unknown);  // another sheet
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col)
+            put(col, row, distance, {-1.0F, 1.0F, 0.8F});
+    }
+    EXPECT_EQ(shadow_at(3, 5, 8, {-1.0F, 1.0F, 0.8F}), SampleShadow::Lit);
 }
 
 TEST_F(SampleShadows, AreNotToldByASingleHit) {

@@ -1,9 +1,11 @@
 #include "engine/light/shade.hpp"
 #include "engine/view/pixel_ray.hpp"
+#include "tests/support/only_target.hpp"
 #include "tests/support/rays.hpp"
 #include "tests/support/shadow_tile.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,8 +138,10 @@ class ShadowProofs : public testing::TestWithParam<Case> {};
 
 TEST_P(ShadowProofs, HoldAndFailOnlyBesideTheEdge) {
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
-        for (const double d_stop : {14.0, 24.0})
+        for (const double d_stop : {14.0, 24.0}) {
             check_picture(GetParam(), projection, d_stop, ShadowWay::Beams);
+            check_picture(GetParam(), projection, d_stop, ShadowWay::Rays);
+        }
     }
 }
 
@@ -151,6 +155,15 @@ TEST_P(ShadowProofs, HoldBySingleRaysAndByBoxes) {
     EXPECT_GT(by_rays, 3000U);
     EXPECT_LT(2 * by_boxes, by_rays);
     EXPECT_LT(rays_by(ShadowWay::Beams), by_boxes);
+}
+
+TEST_P(ShadowProofs, HoldBySingleRaysWithEachInstructionSet) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        SCOPED_TRACE(hwy::TargetName(target));
+        const OnlyTarget only(target);
+        for (const double d_stop : {14.0, 24.0})
+            check_picture(GetParam(), Projection::Perspective, d_stop, ShadowWay::Rays);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShadowProofs,
