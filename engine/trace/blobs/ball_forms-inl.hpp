@@ -1,13 +1,15 @@
 // The sum of balls over a cell of a beam, a ball a lane, by Taylor's formula about the middle.
-//   d      from the ball's middle to the cell's
-//   q      the square of d by the ball's radius; over the cell it is
-//            q + linear + rest,  |linear| <= 2 |d . way|, rest in [-beside, beside + square]
-//   h(q)   the ball's height: convex, falling, with a continuous derivative
-// So h is h(q) + h'(q) linear, and more by what is between h'(q) (beside + square) and
-// -h'(q) beside + 1/2 max h'' change^2, where |linear + rest| <= change.
+//   eu, ev, es   the place in the cell: each in [-1, 1]
+//   way          the place's from the middle, up to `off_`: linear in these but for eu es and ev es
+//   q            the square of the distance from the ball by its radius: over the cell it is
+//                  q + linear + rest,  linear in eu, ev, es
+//   h(q)         the ball's height: convex, falling, with a continuous derivative; h'' is between
+//                two bounds on the cell
+// So the sum is a constant, a linear and a quadratic form, and a rest of third order; bends of balls
+// that cancel each other do so here, too.
 //
 // What is proved: places and directions are known to an error, `off_`, by which the cell is taken
-// to be larger; each result is rounded a few times, which `rounding` bounds by its size.
+// to be larger; each result is rounded a few times, which `rounding_` bounds by its size.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BALL_FORMS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -31,18 +33,33 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// The largest h'' from q on.
+/// Bounds of h'' between two q.
+template <class Vector>
+struct CurvesOf {
+    Vector least, most;
+};
 template <BlobKind kind, class D, class Vector>
-HWY_INLINE Vector most_curve(D tag, Vector q) {
+HWY_INLINE CurvesOf<Vector> curves_between(D tag, Vector lo, Vector hi) {
     const auto number = [&](double x) { return hn::Set(tag, static_cast<hn::TFromD<D>>(x)); };
-    if constexpr (kind == BlobKind::Wyvill) {
-        return hn::NegMulAdd(q, number(1.0 / 12), number(17.0 / 36));
-    } else if constexpr (kind == BlobKind::Metaball) {
-        const Vector outside = hn::Max(q, number(4.0 / 9));
-        return hn::Div(number(1), hn::Mul(outside, hn::Sqrt(outside)));
-    } else {
-        return hn::Mul(number(4), height_at<kind, Rounds::Once>(tag, q).value);
+    const Vector reach = number(blob_facts(kind).reach);
+    const auto curve_at = [&](Vector q) {
+        if constexpr (kind == BlobKind::Wyvill) {
+            return hn::NegMulAdd(q, number(1.0 / 12), number(17.0 / 36));
+        } else if constexpr (kind == BlobKind::Metaball) {
+            const Vector outside = hn::Max(q, number(4.0 / 9));
+            return hn::Div(number(1), hn::Mul(outside, hn::Sqrt(outside)));
+        } else {
+            return hn::Mul(number(4), height_at<kind, Rounds::Once>(tag, q).value);
+        }
+    };
+    // It falls with q; metaballs' is 0 up to 4/9.
+    Vector most = curve_at(hn::Min(lo, reach));
+    Vector least = hn::IfThenElseZero(hn::Lt(hi, reach), curve_at(hn::Min(hi, reach)));
+    if constexpr (kind == BlobKind::Metaball) {
+        least = hn::IfThenElseZero(hn::Gt(lo, number(4.0 / 9)), least);
+        most = hn::IfThenElseZero(hn::Ge(hi, number(4.0 / 9)), most);
     }
+    return {.least = least, .most = most};
 }
 
 template <class Real, BlobKind kind>
@@ -64,6 +81,7 @@ private:
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
 
     static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
+    static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
     /// No smaller than x.
     static HWY_INLINE Vector above(double x) { return number(x * (1 + 4 * unit)); }
     static HWY_INLINE double sum_of(Vector terms) {
@@ -93,6 +111,14 @@ private:
         half_y_ = std::abs(way_v_) + v_size * cell_.s_radius + off_;
         half_z_ = cell_.s_radius + off_;
         square_ = half_x_ * half_x_ + half_y_ * half_y_ + half_z_ * half_z_;
+        // By so much the way is not linear in the place.
+        const double bent_x = std::abs(cell_.u_radius) * cell_.s_radius + off_;
+        const double bent_y = std::abs(cell_.v_radius) * cell_.s_radius + off_;
+        beside_ = 2 * (half_x_ * bent_x + half_y_ * bent_y + half_z_ * off_);
+        turn_ = 2 * cell_.s_radius * (u_size * half_x_ + v_size * half_y_ + half_z_);
+        turn_off_ = 2 * cell_.s_radius *
+                    (u_size * bent_x + v_size * bent_y + off_ + std::abs(cell_.u_radius) * half_x_ +
+                     std::abs(cell_.v_radius) * half_y_);
     }
 
     void sum_up() {
@@ -115,56 +141,60 @@ private:
     struct Squares {
         Vector middle, lo, hi;
         Vector linear_u, linear_v, linear_s;
-        Vector beside, square, change;
+        Vector linear;  ///< at most
+        Vector rest;    ///< at most
+        Vector beside;  ///< what of it is not quadratic in the place, at most
+        Vector change;  ///< linear + rest
+        Vector turn;    ///< of how the rest changes with es, at most
     };
-    HWY_INLINE Squares squares_of(Vector dx, Vector dy, Vector dz, Vector per_square) const {
+    HWY_INLINE Squares squares_of(const Place& from, Vector per_square) const {
         const auto twice = [&](Vector a) { return hn::Mul(hn::Add(a, a), per_square); };
         Squares q{};
-        q.middle = hn::Mul(hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))), per_square);
-        const Vector steep_x = twice(dx);
-        const Vector steep_y = twice(dy);
-        const Vector steep_z = twice(dz);
-        q.linear_u = hn::Mul(steep_x, number(way_u_));
-        q.linear_v = hn::Mul(steep_y, number(way_v_));
-        q.linear_s =
-            hn::Mul(hn::MulAdd(steep_x, number(cell_.u),
-                               hn::MulAdd(steep_y, number(cell_.v), steep_z)),
-                    number(cell_.s_radius));
-        q.beside = hn::MulAdd(
-            hn::Abs(steep_x), above(cell_.u_radius * cell_.s_radius + off_),
-            hn::MulAdd(hn::Abs(steep_y), above(cell_.v_radius * cell_.s_radius + off_),
-                       hn::Mul(hn::Abs(steep_z), above(off_))));
-        q.square = hn::Mul(above(square_), per_square);
-        const Vector linear = hn::Add(hn::Abs(q.linear_u),
-                                      hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s)));
-        const Vector sides = hn::Mul(hn::Add(linear, q.beside), number(1 + 16 * unit));
-        q.change = hn::Add(sides, q.square);
+        q.middle = hn::Mul(
+            hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
+            per_square);
+        const Place steep{twice(from.x), twice(from.y), twice(from.z)};
+        q.linear_u = hn::Mul(steep.x, number(way_u_));
+        q.linear_v = hn::Mul(steep.y, number(way_v_));
+        q.linear_s = hn::Mul(hn::MulAdd(steep.x, number(cell_.u),
+                                        hn::MulAdd(steep.y, number(cell_.v), steep.z)),
+                             number(cell_.s_radius));
+        const Vector size_x = hn::Abs(steep.x);
+        const Vector size_y = hn::Abs(steep.y);
+        const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
+        q.linear = hn::Mul(hn::Add(hn::Abs(q.linear_u),
+                                   hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
+                           number(1 + 16 * unit));
+        const Vector tilted = hn::MulAdd(size_x, above(cell_.u_radius * cell_.s_radius),
+                                         hn::Mul(size_y, above(cell_.v_radius * cell_.s_radius)));
+        const Vector off = hn::Mul(sizes, above(off_));
+        q.beside = hn::MulAdd(per_square, above(beside_), off);
+        q.rest = hn::MulAdd(above(square_), per_square, hn::Add(tilted, off));
+        q.turn = hn::MulAdd(above(turn_), per_square, tilted);
+        q.change = hn::Add(q.linear, q.rest);
         const auto gap = [&](Vector a, double half) {
             return hn::Max(hn::Sub(hn::Abs(a), above(half)), hn::Zero(d<Real>));
         };
-        const Vector gap_x = gap(dx, half_x_);
-        const Vector gap_y = gap(dy, half_y_);
-        const Vector gap_z = gap(dz, half_z_);
-        const Vector gaps = hn::MulAdd(gap_x, gap_x, hn::MulAdd(gap_y, gap_y,
-                                                                hn::Mul(gap_z, gap_z)));
-        // Differences of numbers far larger than they are known to their own digits only.
+        const Place gaps{gap(from.x, half_x_), gap(from.y, half_y_), gap(from.z, half_z_)};
+        const Vector nearest =
+            hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
+        // Differences of far larger numbers are known to the digits of these.
         const Vector spare = hn::Mul(number(16 * unit), q.middle);
-        const Vector nearest = hn::Max(hn::Mul(gaps, per_square), hn::Sub(q.middle, sides));
-        q.lo = hn::Max(hn::Sub(nearest, spare), hn::Zero(d<Real>));
+        const Vector lo = hn::Sub(q.middle, hn::Add(q.linear, hn::Add(tilted, off)));
+        q.lo = hn::Max(hn::Sub(hn::Max(hn::Mul(nearest, per_square), lo), spare),
+                       hn::Zero(d<Real>));
         q.hi = hn::Add(hn::Add(q.middle, q.change), spare);
         return q;
     }
 
     HWY_INLINE void add(std::size_t i) {
         const Vector reach = number(facts.reach);
-        const Vector zero = hn::Zero(d<Real>);
-        const Vector dz = hn::Sub(number(at_), column(balls_.z, i));
-        const Vector dx = hn::MulAdd(number(bin_.u), dz,
-                                     hn::Sub(number(start_x_), column(balls_.x, i)));
-        const Vector dy = hn::MulAdd(number(bin_.v), dz,
-                                     hn::Sub(number(start_y_), column(balls_.y, i)));
+        const Vector z = hn::Sub(number(at_), column(balls_.z, i));
+        const Place from{
+            hn::MulAdd(number(bin_.u), z, hn::Sub(number(start_x_), column(balls_.x, i))),
+            hn::MulAdd(number(bin_.v), z, hn::Sub(number(start_y_), column(balls_.y, i))), z};
         const Vector per_square = column(balls_.per_square, i);
-        const Squares q = squares_of(dx, dy, dz, per_square);
+        const Squares q = squares_of(from, per_square);
         const Mask reached = hn::Lt(q.lo, reach);
         if (hn::AllFalse(d<Real>, reached)) return;
         const auto height_up_to_reach = [&](Vector of) {
@@ -178,42 +208,64 @@ private:
         const auto top = height_up_to_reach(q.lo);
         const auto end = height_up_to_reach(q.hi);
         const Vector strength = column(balls_.strength, i);
-        const Mask hollow = hn::Lt(strength, zero);
         // What is not reached may overflow.
         const auto add_to = [&](Vector& sum, Vector term) {
             sum = hn::Add(sum, hn::IfThenElseZero(reached, term));
-        };
-        const auto add_between = [&](Vector& lo, Vector& hi, Vector least, Vector most) {
-            const Vector a = hn::Mul(strength, least);
-            const Vector b = hn::Mul(strength, most);
-            add_to(lo, hn::IfThenElse(hollow, b, a));
-            add_to(hi, hn::IfThenElse(hollow, a, b));
         };
         add_to(c_, hn::Mul(strength, middle.value));
         const Vector steep = hn::Mul(strength, middle.slope);
         add_to(along_u_, hn::Mul(steep, q.linear_u));
         add_to(along_v_, hn::Mul(steep, q.linear_v));
         add_to(along_s_, hn::Mul(steep, q.linear_s));
-        const Vector curve = hn::Mul(hn::Mul(number(0.5), most_curve<kind>(d<Real>, q.lo)),
-                                     hn::Mul(q.change, q.change));
-        const Vector least = hn::Mul(middle.slope, hn::Add(q.beside, q.square));
-        const Vector most = hn::NegMulAdd(middle.slope, q.beside, curve);
-        add_between(rest_lo_, rest_hi_, least, most);
-        add_between(range_lo_, range_hi_, end.value, top.value);
+        add_to(round_, hn::Mul(steep, per_square));
+        const auto curves = curves_between<kind>(d<Real>, q.lo, q.hi);
+        const Vector curve = hn::Mul(number(0.5), hn::Add(curves.least, curves.most));
+        const Vector unsure = hn::Mul(number(0.5), hn::Sub(curves.most, curves.least));
+        const Vector bent = hn::Mul(number(0.5), hn::Mul(strength, curve));
+        const Vector bent_u = hn::Mul(bent, q.linear_u);
+        const Vector bent_v = hn::Mul(bent, q.linear_v);
+        add_to(bend_uu_, hn::Mul(bent_u, q.linear_u));
+        add_to(bend_vv_, hn::Mul(bent_v, q.linear_v));
+        add_to(bend_uv_, hn::Mul(bent_u, q.linear_v));
+        add_to(bend_us_, hn::Mul(bent_u, q.linear_s));
+        add_to(bend_vs_, hn::Mul(bent_v, q.linear_s));
+        add_to(bend_ss_, hn::Mul(hn::Mul(bent, q.linear_s), q.linear_s));
+        // 1/2 h'' change^2 is 1/2 curve linear^2 up to this, and h' rest quadratic up to h' beside.
+        const Vector size = hn::Abs(strength);
+        const Vector flat = hn::Abs(middle.slope);
+        const Vector square = hn::Mul(q.change, q.change);
+        const Vector mixed = hn::Mul(q.rest, hn::Add(hn::Add(q.linear, q.linear), q.rest));
+        const Vector half = number(0.5);
+        const Vector third =
+            hn::MulAdd(hn::Mul(half, unsure), square,
+                       hn::MulAdd(hn::Mul(half, curve), mixed, hn::Mul(flat, q.beside)));
         // The largest numbers that were rounded; and how far heights beyond the reach are from 0.
-        const Vector sizes = hn::MulAdd(number(facts.bend), q.change,
-                                        hn::Add(hn::Sub(most, least), number(facts.top)));
+        const Vector sizes = hn::MulAdd(
+            hn::Mul(half, curves.most), square,
+            hn::MulAdd(number(facts.bend), q.change, number(facts.top)));
         const Vector beyond = hn::MulAdd(number(4 * facts.tail), q.change, number(facts.tail));
-        add_to(rounding_, hn::Mul(hn::Abs(strength),
-                                  hn::MulAdd(number(64 * unit), sizes, beyond)));
-        add_slope({dx, dy, dz}, top.slope, end.slope, hn::Mul(strength, per_square), reached);
+        const Vector rounded = hn::MulAdd(number(64 * unit), sizes, beyond);
+        add_to(third_, hn::Mul(size, third));
+        add_to(rounding_, hn::Mul(size, rounded));
+        const Vector along = hn::Abs(q.linear_s);
+        const Vector turning = hn::MulAdd(
+            unsure, hn::Mul(q.change, along),
+            hn::MulAdd(curve, hn::Mul(q.rest, along),
+                       hn::Mul(hn::Mul(curves.most, q.change), q.turn)));
+        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, above(turn_off_), zero()));
+        add_to(turning_, hn::Mul(size, hn::Add(turning, beside)));
+        const Mask hollow = hn::Lt(strength, zero());
+        const Vector least = hn::Mul(strength, end.value);
+        const Vector most = hn::Mul(strength, top.value);
+        add_to(range_lo_, hn::IfThenElse(hollow, most, least));
+        add_to(range_hi_, hn::IfThenElse(hollow, least, most));
+        add_slope(from, top.slope, end.slope, hn::Mul(strength, per_square), reached);
     }
 
     /// The slope along the rays is 2 s h'(q) / r^2 times how far along its direction a place is
     /// from the ball.
     HWY_INLINE void add_slope(const Place& from, Vector steepest, Vector flattest, Vector weight,
                               Mask reached) {
-        const Vector zero = hn::Zero(d<Real>);
         const Vector along = hn::MulAdd(
             number(cell_.u), from.x, hn::MulAdd(number(cell_.v), from.y, from.z));
         const double u_size = std::abs(cell_.u) + cell_.u_radius;
@@ -225,12 +277,12 @@ private:
                                   above(u_size * half_x_ + v_size * half_y_ + half_z_))));
         const Vector near = hn::Sub(along, half);
         const Vector far = hn::Add(along, half);
-        const Vector least = hn::Mul(hn::IfThenElse(hn::Gt(far, zero), steepest, flattest), far);
-        const Vector most = hn::Mul(hn::IfThenElse(hn::Lt(near, zero), steepest, flattest), near);
+        const Vector least = hn::Mul(hn::IfThenElse(hn::Gt(far, zero()), steepest, flattest), far);
+        const Vector most = hn::Mul(hn::IfThenElse(hn::Lt(near, zero()), steepest, flattest), near);
         const Vector twice = hn::Add(weight, weight);
         const Vector a = hn::Mul(twice, least);
         const Vector b = hn::Mul(twice, most);
-        const Mask hollow = hn::Lt(weight, zero);
+        const Mask hollow = hn::Lt(weight, zero());
         const auto add_to = [&](Vector& sum, Vector term) {
             sum = hn::Add(sum, hn::IfThenElseZero(reached, term));
         };
@@ -242,19 +294,17 @@ private:
 
     [[nodiscard]] BallForm result() const {
         const double count = static_cast<double>(bin_.parts() * BallBin::widest);
-        const double rest_lo = sum_of(rest_lo_);
-        const double rest_hi = sum_of(rest_hi_);
         const double spare = of_.tail + (1 + count / 64) * sum_of(rounding_) +
                              64 * unit * std::abs(of_.level);
-        BallForm form{.c = sum_of(c_) - of_.level + 0.5 * (rest_lo + rest_hi),
+        BallForm form{.c = sum_of(c_) - of_.level,
                       .along_u = sum_of(along_u_),
                       .along_v = sum_of(along_v_),
                       .along_s = sum_of(along_s_),
-                      .error = 0.5 * (rest_hi - rest_lo) + spare};
-        const double slope_spare =
-            (64 + count) * unit * sum_of(slope_size_) + of_.slope_tail;
-        form.slope_lo = sum_of(slope_lo_) - slope_spare;
-        form.slope_hi = sum_of(slope_hi_) + slope_spare;
+                      .error = sum_of(third_) + spare};
+        add_bends(form);
+        const double slope_spare = (64 + count) * unit * sum_of(slope_size_) + of_.slope_tail;
+        form.slope_lo = std::max(form.slope_lo, sum_of(slope_lo_)) - slope_spare;
+        form.slope_hi = std::min(form.slope_hi, sum_of(slope_hi_)) + slope_spare;
         // Over large cells the heights' ranges tell more.
         const double lo = sum_of(range_lo_) - of_.level;
         const double hi = sum_of(range_hi_) - of_.level;
@@ -269,6 +319,34 @@ private:
         return form;
     }
 
+    /// Adds what is quadratic in the place, and bounds slopes by it.
+    void add_bends(BallForm& form) const {
+        const double way_s = cell_.s_radius;
+        const double round = sum_of(round_);
+        const double w = of_.distance + cell_.s;
+        const double tilt = way_s / w;
+        const double square = 1 + cell_.u * cell_.u + cell_.v * cell_.v;
+        const double uu = sum_of(bend_uu_) + round * way_u_ * way_u_;
+        const double vv = sum_of(bend_vv_) + round * way_v_ * way_v_;
+        const double ss = sum_of(bend_ss_) + round * square * way_s * way_s;
+        const double uv = 2 * sum_of(bend_uv_);
+        const double us =
+            2 * sum_of(bend_us_) + 2 * round * way_u_ * cell_.u * way_s + form.along_u * tilt;
+        const double vs =
+            2 * sum_of(bend_vs_) + 2 * round * way_v_ * cell_.v * way_s + form.along_v * tilt;
+        const double turn = 2 * std::abs(ss) + std::abs(us) + std::abs(vs) +
+                            (1 + 0x1p-10) * sum_of(turning_);
+        form.slope_lo = (form.along_s - turn) / way_s;
+        form.slope_hi = (form.along_s + turn) / way_s;
+        if (!(way_s > 0)) {
+            form.slope_lo = -std::numeric_limits<double>::infinity();
+            form.slope_hi = -form.slope_lo;
+        }
+        form.c += 0.5 * (uu + vv + ss);
+        form.error += 0.5 * (std::abs(uu) + std::abs(vv) + std::abs(ss)) + std::abs(uv) +
+                      std::abs(us) + std::abs(vs);
+    }
+
     const BallForms& of_;
     const BallBin& bin_;
     const BinColumns<Real>& balls_;
@@ -277,11 +355,15 @@ private:
     double way_u_ = 0, way_v_ = 0;  ///< across the cell, to both sides of its middle
     double off_ = 0;
     double half_x_ = 0, half_y_ = 0, half_z_ = 0, square_ = 0;
-    Vector c_ = number(0), along_u_ = number(0), along_v_ = number(0), along_s_ = number(0);
-    Vector rest_lo_ = number(0), rest_hi_ = number(0), range_lo_ = number(0),
-           range_hi_ = number(0);
-    Vector rounding_ = number(0);
-    Vector slope_lo_ = number(0), slope_hi_ = number(0), slope_size_ = number(0);
+    double beside_ = 0, turn_ = 0, turn_off_ = 0;
+    Vector c_ = zero(), along_u_ = zero(), along_v_ = zero(), along_s_ = zero();
+    Vector round_ = zero();  ///< of h' / r^2
+    Vector bend_uu_ = zero(), bend_vv_ = zero(), bend_ss_ = zero();
+    Vector bend_uv_ = zero(), bend_us_ = zero(), bend_vs_ = zero();
+    Vector third_ = zero(), turning_ = zero();  ///< of third order: of f, and of its slope
+    Vector range_lo_ = zero(), range_hi_ = zero();
+    Vector rounding_ = zero();
+    Vector slope_lo_ = zero(), slope_hi_ = zero(), slope_size_ = zero();
 };
 
 }  // namespace zeroset::HWY_NAMESPACE
