@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace zeroset {
@@ -14,7 +15,6 @@ void for_each_column(BinColumns<float>& a, BinColumns<double>& b, const auto& vi
     visit(a.y, b.y);
     visit(a.z, b.z);
     visit(a.per_square, b.per_square);
-    visit(a.per_radius, b.per_radius);
     visit(a.strength, b.strength);
 }
 
@@ -37,8 +37,6 @@ Indices bins_between(double from, double to) {
 
 void BallBins::begin(const TraceFrame& frame, const Tile& tile, const BlobSurface& surface) {
     rays_.emplace(frame, tile);
-    surface_ = surface;
-    tail_ = surface.tail();
     first_u_ = rays_->u(0);
     first_v_ = rays_->v(0);
     per_pixel_ = 1 / rays_->pixel();
@@ -116,13 +114,12 @@ void BallBins::put(std::uint32_t number) {
     }
 }
 
-const BallBin& BallBins::bin(double col, double row, double until) {
+const BallBin& BallBins::bin(std::size_t index, double until) {
     while (found_to_ < until && find_more()) {
     }
-    const std::size_t i = place_of(row);
-    const std::size_t j = place_of(col);
-    Listed& listed = bins_[i * across + j];
-    if (listed.packed < listed.balls.size() || listed.balls.empty()) pack(listed, j, i);
+    Listed& listed = bins_[index];
+    if (listed.packed < listed.balls.size() || listed.balls.empty())
+        pack(listed, index % across, index / across);
     return listed.bin;
 }
 
@@ -135,43 +132,28 @@ void BallBins::pack(Listed& listed, std::size_t col, std::size_t row) {
                       [&](std::uint32_t number) { return balls_[number].from(); });
     const std::size_t count = listed.balls.size();
     listed.packed = count;
-    const std::size_t size = (count + BallBin::widest - 1) / BallBin::widest * BallBin::widest;
+    bin.count = count;
     for_each_column(bin.floats, bin.doubles, [&](auto& floats, auto& doubles) {
-        floats.resize(size);
-        doubles.resize(size);
+        floats.resize(count);
+        doubles.resize(count);
     });
-    bin.from.assign(size / BallBin::widest, std::numeric_limits<float>::infinity());
-    bin.to.assign(size / BallBin::widest, -std::numeric_limits<float>::infinity());
+    bin.from.resize(count);
+    bin.to.resize(count);
     bin.depth = count == 0 ? 0 : balls_[listed.balls.front()].z;
     bin.most_support = 0;
-    constexpr double nowhere = 1e15;
-    for (std::size_t i = 0; i < size; ++i) {
-        ViewBall ball{.x = nowhere,
-                      .y = nowhere,
-                      .z = bin.depth,
-                      .support = 0,
-                      .radius = 1,
-                      .per_square = 1,
-                      .strength = 0};
-        if (i < count) {
-            ball = balls_[listed.balls[i]];
-            bin.most_support = std::max(bin.most_support, ball.support);
-            const double w = rays_->distance() + ball.z;
-            ball.x -= bin.u * w;
-            ball.y -= bin.v * w;
-            // Rounded outward, as floats are near enough to what they bound.
-            const auto part = i / BallBin::widest;
-            const double spare = 0x1p-20 * (std::abs(ball.z - bin.depth) + ball.support);
-            bin.from[part] =
-                std::min(bin.from[part], static_cast<float>(ball.from() - bin.depth - spare));
-            bin.to[part] =
-                std::max(bin.to[part], static_cast<float>(ball.to() - bin.depth + spare));
-        }
-        bin.doubles.x[i] = ball.x;
-        bin.doubles.y[i] = ball.y;
-        bin.doubles.z[i] = ball.z - bin.depth;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ViewBall& ball = balls_[listed.balls[i]];
+        bin.most_support = std::max(bin.most_support, ball.support);
+        const double w = rays_->distance() + ball.z;
+        const double z = ball.z - bin.depth;
+        // More than these floats are rounded.
+        const double support = ball.support + 0x1p-20 * (std::abs(z) + ball.support);
+        bin.from[i] = static_cast<float>(z - support);
+        bin.to[i] = static_cast<float>(z + support);
+        bin.doubles.x[i] = ball.x - bin.u * w;
+        bin.doubles.y[i] = ball.y - bin.v * w;
+        bin.doubles.z[i] = z;
         bin.doubles.per_square[i] = ball.per_square;
-        bin.doubles.per_radius[i] = 1 / ball.radius;
         bin.doubles.strength[i] = ball.strength;
     }
     for_each_column(bin.floats, bin.doubles, [&](auto& floats, auto& doubles) {

@@ -13,27 +13,23 @@
 
 namespace zeroset {
 
-/// Balls as columns in one type, those whose from() is least first, padded to whole vectors by some
-/// that reach nothing: x and y from where the middle ray of the bin is at their depth, z from
+/// Balls as columns in one type, those whose from() is least first: x and y from where the middle ray of the bin is at their depth, z from
 /// `BallBin::depth`.
 template <class Real>
 struct BinColumns {
-    std::vector<Real> x, y, z, per_square, per_radius, strength;
+    std::vector<Real> x, y, z, per_square, strength;
 };
 
 /// The balls that may reach the rays of some pixels close to each other.
 struct BallBin {
-    /// Balls of which one vector at least is looked at together.
-    static constexpr std::size_t widest = 16;
-
     double u = 0, v = 0;      ///< the middle ray
     double depth = 0;         ///< that is 0 in the columns
     double most_support = 0;  ///< of any ball
     BinColumns<float> floats;
     BinColumns<double> doubles;
-    std::vector<float> from, to;  ///< of each `widest` balls from `depth` on: where they reach
+    std::size_t count = 0;
+    std::vector<float> from, to;  ///< the depths between which a ball reaches, from `depth` on
 
-    [[nodiscard]] std::size_t parts() const { return from.size(); }
     template <class Real>
     [[nodiscard]] const BinColumns<Real>& columns() const {
         if constexpr (sizeof(Real) == sizeof(float)) {
@@ -57,9 +53,6 @@ public:
     void begin(const TraceFrame& frame, const Tile& tile, const BlobSurface& surface);
 
     [[nodiscard]] const TileRays& rays() const { return *rays_; }
-    [[nodiscard]] const BlobSurface& surface() const { return surface_; }
-    /// Bounds what is not counted: balls beyond their reach, the level's error.
-    [[nodiscard]] double tail() const { return tail_; }
     /// The depths between which balls are found.
     [[nodiscard]] double from() const { return from_; }
     [[nodiscard]] double to() const { return to_; }
@@ -67,9 +60,12 @@ public:
     [[nodiscard]] double col(double u) const { return (u - first_u_) * per_pixel_; }
     [[nodiscard]] double row(double v) const { return (first_v_ - v) * per_pixel_; }
 
-    /// The bin of the pixel in which a ray is, with all balls that may reach its rays before a
-    /// depth. Until the next call.
-    [[nodiscard]] const BallBin& bin(double col, double row, double until);
+    /// The index of the bin of the pixel in which a ray is.
+    [[nodiscard]] static std::size_t index_of(double col, double row) {
+        return place_of(row) * across + place_of(col);
+    }
+    /// The bin with all balls that may reach its rays before a depth. Until the next call.
+    [[nodiscard]] const BallBin& bin(std::size_t index, double until);
     /// Whether rays within so many pixels of this one are among those of the bin.
     [[nodiscard]] static bool holds(double col, double row, double radius) {
         return off_middle(col) + radius <= 0.5 * side + margin &&
@@ -96,8 +92,7 @@ private:
     [[nodiscard]] bool may_reach(const ViewBall& ball, int col, int row) const;
 
     std::optional<TileRays> rays_;
-    BlobSurface surface_{};
-    double tail_ = 0, from_ = 0, to_ = 0;
+    double from_ = 0, to_ = 0;
     double first_u_ = 0, first_v_ = 0, per_pixel_ = 0;
     double longest_ = 0;  ///< of the directions
     NearBalls near_;

@@ -1,4 +1,4 @@
-// The sum of balls over a cell of a beam, a ball a lane, by Taylor's formula about the middle.
+// The sum of balls over cells of beams, a cell a lane, by Taylor's formula about the middle.
 //   eu, ev, es   the place in the cell: each in [-1, 1]
 //   way          the place's from the middle, up to `off_`: linear in these but for eu es and ev es
 //   q            the square of the distance from the ball by its radius: over the cell it is
@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -62,74 +63,109 @@ HWY_INLINE CurvesOf<Vector> curves_between(D tag, Vector lo, Vector hi) {
     return {.least = least, .most = most};
 }
 
+/// Calls visit(ball) for those of a bin that may reach what is between two of its depths.
+HWY_INLINE void each_ball_between(const BallBin& bin, double first, double last,
+                                  const auto& visit) {
+    for (std::size_t i = 0; i < bin.count; ++i) {
+        if (static_cast<double>(bin.from[i]) > last) break;
+        if (static_cast<double>(bin.to[i]) >= first) visit(i);
+    }
+}
+
+/// Some cells of a bin, as many as there are lanes at most.
 template <class Real, BlobKind kind>
 class CellSums {
 public:
-    CellSums(const BallForms& of, const BallBin& bin, const BallCell& cell)
-        : of_(of), bin_(bin), balls_(bin.columns<Real>()), cell_(cell) {}
+    CellSums(const BallForms& of, const BallBin& bin, const BallCells& cells, std::size_t first)
+        : of_(of),
+          bin_(bin),
+          balls_(bin.columns<Real>()),
+          cells_(cells),
+          first_(first),
+          count_(std::min(lanes<Real>, cells.count - first)) {}
 
-    BallForm form() {
+    void write(BallForm* forms) {
         measure();
-        sum_up();
-        return result();
+        double from = std::numeric_limits<double>::infinity();
+        double to = -from;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double half = static_cast<double>(half_z_[i]);
+            from = std::min(from, static_cast<double>(at_[i]) - half);
+            to = std::max(to, static_cast<double>(at_[i]) + half);
+        }
+        load();
+        each_ball_between(bin_, from, to, [&](std::size_t i) { add(i); });
+        store();
+        for (std::size_t i = 0; i < count_; ++i)
+            forms[first_ + i] = result(i);
     }
 
 private:
     using Vector = V<Real>;
     using Mask = M<Real>;
+    using Lanes = Real[lanes<Real>];
     static constexpr BlobFacts facts = blob_facts(kind);
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
 
     static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
     static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
-    /// No smaller than x.
-    static HWY_INLINE Vector above(double x) { return number(x * (1 + 4 * unit)); }
-    static HWY_INLINE double sum_of(Vector terms) {
-        return static_cast<double>(hn::GetLane(hn::SumOfLanes(d<Real>, terms)));
-    }
-    static HWY_INLINE Vector column(const std::vector<Real>& numbers, std::size_t i) {
-        return hn::LoadU(d<Real>, &numbers[i]);
-    }
+    static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
+    static HWY_INLINE Vector lane(const Lanes& numbers) { return hn::Load(d<Real>, numbers); }
 
-    /// Sets what all balls have in common.
+    /// Sets the numbers of each cell. In upward rounding, and a little more for bounds.
     void measure() {
-        const double w = of_.distance + cell_.s;
-        at_ = cell_.s - bin_.depth;
-        start_x_ = w * (cell_.u - bin_.u);
-        start_y_ = w * (cell_.v - bin_.v);
-        const double u_size = std::abs(cell_.u) + cell_.u_radius;
-        const double v_size = std::abs(cell_.v) + cell_.v_radius;
-        way_u_ = w * cell_.u_radius;
-        way_v_ = w * cell_.v_radius;
-        const double size = std::abs(way_u_) + std::abs(way_v_) +
-                            (1 + u_size + v_size) * cell_.s_radius;
-        off_ = of_.place_error +
-               16 * unit *
-                   (std::abs(start_x_) + std::abs(start_y_) + std::abs(at_) + size +
-                    (2 + u_size + v_size) * (bin_.most_support + size));
-        half_x_ = std::abs(way_u_) + u_size * cell_.s_radius + off_;
-        half_y_ = std::abs(way_v_) + v_size * cell_.s_radius + off_;
-        half_z_ = cell_.s_radius + off_;
-        square_ = half_x_ * half_x_ + half_y_ * half_y_ + half_z_ * half_z_;
-        // By so much the way is not linear in the place.
-        const double bent_x = std::abs(cell_.u_radius) * cell_.s_radius + off_;
-        const double bent_y = std::abs(cell_.v_radius) * cell_.s_radius + off_;
-        beside_ = 2 * (half_x_ * bent_x + half_y_ * bent_y + half_z_ * off_);
-        turn_ = 2 * cell_.s_radius * (u_size * half_x_ + v_size * half_y_ + half_z_);
-        turn_off_ = 2 * cell_.s_radius *
-                    (u_size * bent_x + v_size * bent_y + off_ + std::abs(cell_.u_radius) * half_x_ +
-                     std::abs(cell_.v_radius) * half_y_);
-    }
-
-    void sum_up() {
-        const double first = at_ - half_z_;
-        const double last = at_ + half_z_;
-        for (std::size_t part = 0; part < bin_.parts(); ++part) {
-            if (static_cast<double>(bin_.from[part]) > last) break;
-            if (static_cast<double>(bin_.to[part]) < first) continue;
-            for (std::size_t i = part * BallBin::widest; i < (part + 1) * BallBin::widest;
-                 i += lanes<Real>)
-                add(i);
+        const double u_radius = cells_.u_radius;
+        const double v_radius = cells_.v_radius;
+        const auto above = [](double x) { return static_cast<Real>(x * (1 + 4 * unit)); };
+        for (std::size_t i = 0; i < lanes<Real>; ++i) {
+            const std::size_t cell = first_ + std::min(i, count_ - 1);
+            const double u = cells_.u[cell];
+            const double v = cells_.v[cell];
+            const double way_s = cells_.s_radius[cell];
+            const double w = of_.distance + cells_.s[cell];
+            const double at = cells_.s[cell] - bin_.depth;
+            const double start_x = w * (u - bin_.u);
+            const double start_y = w * (v - bin_.v);
+            const double u_size = std::abs(u) + u_radius;
+            const double v_size = std::abs(v) + v_radius;
+            const double way_u = w * u_radius;
+            const double way_v = w * v_radius;
+            const double size =
+                std::abs(way_u) + std::abs(way_v) + (1 + u_size + v_size) * way_s;
+            const double off =
+                of_.place_error +
+                16 * unit *
+                    (std::abs(start_x) + std::abs(start_y) + std::abs(at) + size +
+                     (2 + u_size + v_size) * (bin_.most_support + size));
+            const double half_x = std::abs(way_u) + u_size * way_s + off;
+            const double half_y = std::abs(way_v) + v_size * way_s + off;
+            const double half_z = way_s + off;
+            // By so much the way is not linear in the place.
+            const double bent_x = u_radius * way_s + off;
+            const double bent_y = v_radius * way_s + off;
+            u_[i] = static_cast<Real>(u);
+            v_[i] = static_cast<Real>(v);
+            at_[i] = static_cast<Real>(at);
+            start_x_[i] = static_cast<Real>(start_x);
+            start_y_[i] = static_cast<Real>(start_y);
+            way_u_[i] = static_cast<Real>(way_u);
+            way_v_[i] = static_cast<Real>(way_v);
+            way_s_[i] = static_cast<Real>(way_s);
+            off_[i] = above(off);
+            half_x_[i] = above(half_x);
+            half_y_[i] = above(half_y);
+            half_z_[i] = above(half_z);
+            square_[i] = above(half_x * half_x + half_y * half_y + half_z * half_z);
+            beside_[i] = above(2 * (half_x * bent_x + half_y * bent_y + half_z * off));
+            tilt_u_[i] = above(u_radius * way_s);
+            tilt_v_[i] = above(v_radius * way_s);
+            turn_[i] = above(2 * way_s * (u_size * half_x + v_size * half_y + half_z));
+            turn_off_[i] = above(2 * way_s *
+                                 (u_size * bent_x + v_size * bent_y + off + u_radius * half_x +
+                                  v_radius * half_y));
+            aside_x_[i] = above(u_radius + 16 * unit * u_size);
+            aside_y_[i] = above(v_radius + 16 * unit * v_size);
+            aside_[i] = above(u_size * half_x + v_size * half_y + half_z);
         }
     }
 
@@ -154,28 +190,28 @@ private:
             hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
             per_square);
         const Place steep{twice(from.x), twice(from.y), twice(from.z)};
-        q.linear_u = hn::Mul(steep.x, number(way_u_));
-        q.linear_v = hn::Mul(steep.y, number(way_v_));
-        q.linear_s = hn::Mul(hn::MulAdd(steep.x, number(cell_.u),
-                                        hn::MulAdd(steep.y, number(cell_.v), steep.z)),
-                             number(cell_.s_radius));
+        q.linear_u = hn::Mul(steep.x, lane(way_u_));
+        q.linear_v = hn::Mul(steep.y, lane(way_v_));
+        q.linear_s = hn::Mul(hn::MulAdd(steep.x, lane(u_),
+                                        hn::MulAdd(steep.y, lane(v_), steep.z)),
+                             lane(way_s_));
         const Vector size_x = hn::Abs(steep.x);
         const Vector size_y = hn::Abs(steep.y);
         const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
         q.linear = hn::Mul(hn::Add(hn::Abs(q.linear_u),
                                    hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
                            number(1 + 16 * unit));
-        const Vector tilted = hn::MulAdd(size_x, above(cell_.u_radius * cell_.s_radius),
-                                         hn::Mul(size_y, above(cell_.v_radius * cell_.s_radius)));
-        const Vector off = hn::Mul(sizes, above(off_));
-        q.beside = hn::MulAdd(per_square, above(beside_), off);
-        q.rest = hn::MulAdd(above(square_), per_square, hn::Add(tilted, off));
-        q.turn = hn::MulAdd(above(turn_), per_square, tilted);
+        const Vector tilted = hn::MulAdd(size_x, lane(tilt_u_),
+                                         hn::Mul(size_y, lane(tilt_v_)));
+        const Vector off = hn::Mul(sizes, lane(off_));
+        q.beside = hn::MulAdd(per_square, lane(beside_), off);
+        q.rest = hn::MulAdd(lane(square_), per_square, hn::Add(tilted, off));
+        q.turn = hn::MulAdd(lane(turn_), per_square, tilted);
         q.change = hn::Add(q.linear, q.rest);
-        const auto gap = [&](Vector a, double half) {
-            return hn::Max(hn::Sub(hn::Abs(a), above(half)), hn::Zero(d<Real>));
+        const auto gap = [&](Vector a, Vector half) {
+            return hn::Max(hn::Sub(hn::Abs(a), half), zero());
         };
-        const Place gaps{gap(from.x, half_x_), gap(from.y, half_y_), gap(from.z, half_z_)};
+        const Place gaps{gap(from.x, lane(half_x_)), gap(from.y, lane(half_y_)), gap(from.z, lane(half_z_))};
         const Vector nearest =
             hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
         // Differences of far larger numbers are known to the digits of these.
@@ -189,11 +225,11 @@ private:
 
     HWY_INLINE void add(std::size_t i) {
         const Vector reach = number(facts.reach);
-        const Vector z = hn::Sub(number(at_), column(balls_.z, i));
+        const Vector z = hn::Sub(lane(at_), same(balls_.z[i]));
         const Place from{
-            hn::MulAdd(number(bin_.u), z, hn::Sub(number(start_x_), column(balls_.x, i))),
-            hn::MulAdd(number(bin_.v), z, hn::Sub(number(start_y_), column(balls_.y, i))), z};
-        const Vector per_square = column(balls_.per_square, i);
+            hn::MulAdd(number(bin_.u), z, hn::Sub(lane(start_x_), same(balls_.x[i]))),
+            hn::MulAdd(number(bin_.v), z, hn::Sub(lane(start_y_), same(balls_.y[i]))), z};
+        const Vector per_square = same(balls_.per_square[i]);
         const Squares q = squares_of(from, per_square);
         const Mask reached = hn::Lt(q.lo, reach);
         if (hn::AllFalse(d<Real>, reached)) return;
@@ -207,7 +243,7 @@ private:
         const auto middle = height_up_to_reach(q.middle);
         const auto top = height_up_to_reach(q.lo);
         const auto end = height_up_to_reach(q.hi);
-        const Vector strength = column(balls_.strength, i);
+        const Vector strength = same(balls_.strength[i]);
         // What is not reached may overflow.
         const auto add_to = [&](Vector& sum, Vector term) {
             sum = hn::Add(sum, hn::IfThenElseZero(reached, term));
@@ -252,7 +288,7 @@ private:
             unsure, hn::Mul(q.change, along),
             hn::MulAdd(curve, hn::Mul(q.rest, along),
                        hn::Mul(hn::Mul(curves.most, q.change), q.turn)));
-        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, above(turn_off_), zero()));
+        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, lane(turn_off_), zero()));
         add_to(turning_, hn::Mul(size, hn::Add(turning, beside)));
         const Mask hollow = hn::Lt(strength, zero());
         const Vector least = hn::Mul(strength, end.value);
@@ -267,14 +303,11 @@ private:
     HWY_INLINE void add_slope(const Place& from, Vector steepest, Vector flattest, Vector weight,
                               Mask reached) {
         const Vector along = hn::MulAdd(
-            number(cell_.u), from.x, hn::MulAdd(number(cell_.v), from.y, from.z));
-        const double u_size = std::abs(cell_.u) + cell_.u_radius;
-        const double v_size = std::abs(cell_.v) + cell_.v_radius;
+            lane(u_), from.x, hn::MulAdd(lane(v_), from.y, from.z));
         const Vector half = hn::MulAdd(
-            hn::Abs(from.x), above(cell_.u_radius + 16 * unit * u_size),
-            hn::MulAdd(hn::Abs(from.y), above(cell_.v_radius + 16 * unit * v_size),
-                       hn::MulAdd(hn::Abs(from.z), above(16 * unit),
-                                  above(u_size * half_x_ + v_size * half_y_ + half_z_))));
+            hn::Abs(from.x), lane(aside_x_),
+            hn::MulAdd(hn::Abs(from.y), lane(aside_y_),
+                       hn::MulAdd(hn::Abs(from.z), number(16 * unit), lane(aside_))));
         const Vector near = hn::Sub(along, half);
         const Vector far = hn::Add(along, half);
         const Vector least = hn::Mul(hn::IfThenElse(hn::Gt(far, zero()), steepest, flattest), far);
@@ -292,55 +325,82 @@ private:
                                     hn::Max(hn::Abs(near), hn::Abs(far))));
     }
 
-    [[nodiscard]] BallForm result() const {
-        const double count = static_cast<double>(bin_.parts() * BallBin::widest);
-        const double spare = of_.tail + (1 + count / 64) * sum_of(rounding_) +
+    HWY_INLINE void load() {
+        for (Vector* const sum : {&c_, &along_u_, &along_v_, &along_s_, &round_, &bend_uu_,
+                                  &bend_vv_, &bend_ss_, &bend_uv_, &bend_us_, &bend_vs_, &third_,
+                                  &turning_, &range_lo_, &range_hi_, &rounding_, &slope_lo_,
+                                  &slope_hi_, &slope_size_})
+            *sum = zero();
+    }
+    HWY_INLINE void store() {
+        std::size_t at = 0;
+        for (const Vector* const sum : {&c_, &along_u_, &along_v_, &along_s_, &round_, &bend_uu_,
+                                        &bend_vv_, &bend_ss_, &bend_uv_, &bend_us_, &bend_vs_,
+                                        &third_, &turning_, &range_lo_, &range_hi_, &rounding_,
+                                        &slope_lo_, &slope_hi_, &slope_size_})
+            hn::Store(*sum, d<Real>, sums_[at++]);
+    }
+    /// The places of the sums in sums_.
+    enum Sum : std::uint8_t {
+        C, AlongU, AlongV, AlongS, Round, BendUU, BendVV, BendSS, BendUV, BendUS, BendVS, Third,
+        Turning, RangeLo, RangeHi, Rounding, SlopeLo, SlopeHi, SlopeSize, SumCount
+    };
+    [[nodiscard]] double sum(Sum of, std::size_t i) const {
+        return static_cast<double>(sums_[of][i]);
+    }
+
+    [[nodiscard]] BallForm result(std::size_t i) const {
+        const auto count = static_cast<double>(bin_.count);
+        const double spare = of_.tail + (1 + count / 64) * sum(Rounding, i) +
                              64 * unit * std::abs(of_.level);
-        BallForm form{.c = sum_of(c_) - of_.level,
-                      .along_u = sum_of(along_u_),
-                      .along_v = sum_of(along_v_),
-                      .along_s = sum_of(along_s_),
-                      .error = sum_of(third_) + spare};
-        add_bends(form);
-        const double slope_spare = (64 + count) * unit * sum_of(slope_size_) + of_.slope_tail;
-        form.slope_lo = std::max(form.slope_lo, sum_of(slope_lo_)) - slope_spare;
-        form.slope_hi = std::min(form.slope_hi, sum_of(slope_hi_)) + slope_spare;
+        BallForm form{.c = sum(C, i) - of_.level,
+                      .along = {sum(AlongU, i), sum(AlongV, i), sum(AlongS, i)},
+                      .error = sum(Third, i) + spare};
+        add_bends(form, i);
+        const double slope_spare = (64 + count) * unit * sum(SlopeSize, i) + of_.slope_tail;
+        form.slope_lo = std::max(form.slope_lo, sum(SlopeLo, i)) - slope_spare;
+        form.slope_hi = std::min(form.slope_hi, sum(SlopeHi, i)) + slope_spare;
         // Over large cells the heights' ranges tell more.
-        const double lo = sum_of(range_lo_) - of_.level;
-        const double hi = sum_of(range_hi_) - of_.level;
+        const double lo = sum(RangeLo, i) - of_.level;
+        const double hi = sum(RangeHi, i) - of_.level;
         const double radius = 0.5 * (hi - lo);
-        const double spread =
-            std::abs(form.along_u) + std::abs(form.along_v) + std::abs(form.along_s) + form.error;
-        if (radius + spare < spread && (lo > spare || hi < -spare || radius + spare < 0.5 * spread)) {
+        const double spread = std::abs(form.along[0]) + std::abs(form.along[1]) +
+                              std::abs(form.along[2]) + form.error;
+        const bool rejects = lo > 4 * spare || hi < -4 * spare;
+        if (radius + 2 * spare < (rejects ? spread : 0.5 * spread)) {
             form.c = 0.5 * (lo + hi);
             form.error = radius + 2 * spare;
-            form.along_u = form.along_v = form.along_s = 0;
+            for (double& k : form.along)
+                k = 0;
         }
         return form;
     }
-
     /// Adds what is quadratic in the place, and bounds slopes by it.
-    void add_bends(BallForm& form) const {
-        const double way_s = cell_.s_radius;
-        const double round = sum_of(round_);
-        const double w = of_.distance + cell_.s;
+    void add_bends(BallForm& form, std::size_t i) const {
+        const std::size_t cell = first_ + i;
+        const double u = cells_.u[cell];
+        const double v = cells_.v[cell];
+        const double way_s = cells_.s_radius[cell];
+        const double w = of_.distance + cells_.s[cell];
+        const double way_u = w * cells_.u_radius;
+        const double way_v = w * cells_.v_radius;
+        const double round = sum(Round, i);
         const double tilt = way_s / w;
-        const double square = 1 + cell_.u * cell_.u + cell_.v * cell_.v;
-        const double uu = sum_of(bend_uu_) + round * way_u_ * way_u_;
-        const double vv = sum_of(bend_vv_) + round * way_v_ * way_v_;
-        const double ss = sum_of(bend_ss_) + round * square * way_s * way_s;
-        const double uv = 2 * sum_of(bend_uv_);
+        const double uu = sum(BendUU, i) + round * way_u * way_u;
+        const double vv = sum(BendVV, i) + round * way_v * way_v;
+        const double ss = sum(BendSS, i) + round * (1 + u * u + v * v) * way_s * way_s;
+        const double uv = 2 * sum(BendUV, i);
         const double us =
-            2 * sum_of(bend_us_) + 2 * round * way_u_ * cell_.u * way_s + form.along_u * tilt;
+            2 * sum(BendUS, i) + 2 * round * way_u * u * way_s + form.along[0] * tilt;
         const double vs =
-            2 * sum_of(bend_vs_) + 2 * round * way_v_ * cell_.v * way_s + form.along_v * tilt;
+            2 * sum(BendVS, i) + 2 * round * way_v * v * way_s + form.along[1] * tilt;
         const double turn = 2 * std::abs(ss) + std::abs(us) + std::abs(vs) +
-                            (1 + 0x1p-10) * sum_of(turning_);
-        form.slope_lo = (form.along_s - turn) / way_s;
-        form.slope_hi = (form.along_s + turn) / way_s;
-        if (!(way_s > 0)) {
-            form.slope_lo = -std::numeric_limits<double>::infinity();
-            form.slope_hi = -form.slope_lo;
+                            (1 + 0x1p-10) * sum(Turning, i);
+        form.slope_lo = -std::numeric_limits<double>::infinity();
+        form.slope_hi = -form.slope_lo;
+        if (way_s > 0) {
+            form.slope_lo = (form.along[2] - turn) / way_s;
+            form.slope_hi = (form.along[2] + turn) / way_s;
         }
         form.c += 0.5 * (uu + vv + ss);
         form.error += 0.5 * (std::abs(uu) + std::abs(vv) + std::abs(ss)) + std::abs(uv) +
@@ -350,20 +410,20 @@ private:
     const BallForms& of_;
     const BallBin& bin_;
     const BinColumns<Real>& balls_;
-    const BallCell& cell_;
-    double at_ = 0, start_x_ = 0, start_y_ = 0;
-    double way_u_ = 0, way_v_ = 0;  ///< across the cell, to both sides of its middle
-    double off_ = 0;
-    double half_x_ = 0, half_y_ = 0, half_z_ = 0, square_ = 0;
-    double beside_ = 0, turn_ = 0, turn_off_ = 0;
-    Vector c_ = zero(), along_u_ = zero(), along_v_ = zero(), along_s_ = zero();
-    Vector round_ = zero();  ///< of h' / r^2
-    Vector bend_uu_ = zero(), bend_vv_ = zero(), bend_ss_ = zero();
-    Vector bend_uv_ = zero(), bend_us_ = zero(), bend_vs_ = zero();
-    Vector third_ = zero(), turning_ = zero();  ///< of third order: of f, and of its slope
-    Vector range_lo_ = zero(), range_hi_ = zero();
-    Vector rounding_ = zero();
-    Vector slope_lo_ = zero(), slope_hi_ = zero(), slope_size_ = zero();
+    const BallCells& cells_;
+    std::size_t first_, count_;
+    // Of each cell: its middle; how far it reaches to both sides of that; bounds of these ways and
+    // of their products.
+    alignas(64) Lanes u_, v_, at_, start_x_, start_y_, way_u_, way_v_, way_s_;
+    alignas(64) Lanes off_, half_x_, half_y_, half_z_, square_, beside_, tilt_u_, tilt_v_;
+    alignas(64) Lanes turn_, turn_off_, aside_x_, aside_y_, aside_;
+    Vector c_, along_u_, along_v_, along_s_;
+    Vector round_;  ///< of h' / r^2
+    Vector bend_uu_, bend_vv_, bend_ss_, bend_uv_, bend_us_, bend_vs_;
+    Vector third_, turning_;  ///< of third order: of f, and of its slope
+    Vector range_lo_, range_hi_, rounding_;
+    Vector slope_lo_, slope_hi_, slope_size_;
+    alignas(64) Lanes sums_[SumCount];
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

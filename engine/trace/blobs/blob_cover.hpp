@@ -5,8 +5,9 @@
 
 namespace zeroset {
 
-/// Tells which of a tile's pixels balls may reach, and before which depths none does.
+/// Tells of a tile's pixels, whose own rays have these hits, which are free of the surface, which
+/// one sheet covers, and before which depths there is nothing in the others.
 void mark_blob_cover(const TraceFrame& frame, const Tile& tile, const BlobSurface& surface,
-                     PixelCover& cover);
+                     TileHits& hits);
 
 }  // namespace zeroset

@@ -7,9 +7,14 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -20,6 +25,38 @@ struct TileCode {
     BallForms forms;
     double sign;  ///< f is so often the balls less the level
 };
+
+/// Items of a batch by their bins. Keeps its room.
+class ByBin {
+public:
+    void clear() { items_.clear(); }
+    void add(std::size_t bin, std::size_t item) {
+        items_.push_back(static_cast<std::uint32_t>(bin << 16U | item));
+    }
+    /// Calls visit(bin, items) for up to most_ball_lanes items of one bin.
+    void for_each_group(const auto& visit) {
+        std::ranges::sort(items_);
+        std::array<std::size_t, most_ball_lanes> group{};
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            const std::size_t bin = items_[i] >> 16U;
+            group[count++] = items_[i] & 0xFFFFU;
+            const bool last = i + 1 == items_.size() || items_[i + 1] >> 16U != bin;
+            if (!last && count < group.size()) continue;
+            visit(bin, std::span(group).first(count));
+            count = 0;
+        }
+    }
+
+private:
+    std::vector<std::uint32_t> items_;
+};
+
+ByBin& thread_items() {
+    thread_local ByBin items;
+    items.clear();
+    return items;
+}
 
 /// Whether f is the balls less the level, or the negative of that: as f is where no ball is.
 /// 0: it cannot be told.
@@ -38,9 +75,8 @@ double sign_of(const TraceFrame& frame, const BlobSurface& surface) {
 template <class Real>
 void write_form(const FormBatchOf<Real>& batch, std::size_t i, const BallForm& form, double sign) {
     constexpr double unit = std::numeric_limits<Real>::epsilon();
-    const double along[3] = {form.along_u, form.along_v, form.along_s};
-    double size = std::abs(form.c);
-    for (const double k : along)
+        double size = std::abs(form.c);
+    for (const double k : form.along)
         size += std::abs(k);
     // Rounded once more.
     const double error = form.error + 2 * unit * size;
@@ -48,7 +84,7 @@ void write_form(const FormBatchOf<Real>& batch, std::size_t i, const BallForm& f
     const bool known = size + error < most;
     batch.c[i] = known ? static_cast<Real>(sign * form.c) : Real{0};
     for (std::size_t k = 0; k < 3; ++k)
-        batch.k[k][i] = known ? static_cast<Real>(sign * along[k]) : Real{0};
+        batch.k[k][i] = known ? static_cast<Real>(sign * form.along[k]) : Real{0};
     batch.e[i] = known ? static_cast<Real>(error) : std::numeric_limits<Real>::infinity();
     batch.r[i] = static_cast<Real>(error / unit);
     const double lo = sign > 0 ? form.slope_lo : -form.slope_hi;
@@ -70,52 +106,61 @@ void copy_form(const FormBatchOf<Real>& batch, std::size_t from, std::size_t to)
 }
 
 template <class Real>
-BallForm form_of(const TileCode& code, const BallCell& cell) {
-    BallBins& bins = code.bins;
-    const double col = bins.col(cell.u);
-    const double row = bins.row(cell.v);
-    const double radius = std::max(std::abs(cell.u_radius), std::abs(cell.v_radius)) /
-                          bins.rays().pixel();
-    const bool listed = BallBins::holds(col, row, radius) &&
-                        cell.s - cell.s_radius >= bins.from() &&
-                        cell.s + cell.s_radius <= bins.to();
-    if (!listed) return {.error = std::numeric_limits<double>::infinity()};
-    const BallBin& bin = bins.bin(col, row, cell.s + cell.s_radius);
-    if constexpr (sizeof(Real) == sizeof(float)) {
-        return form_by_floats(code.forms, bin, cell);
-    } else {
-        return form_by_doubles(code.forms, bin, cell);
-    }
-}
-
-template <class Real>
 void forms_of(const void* of, const FormBatchOf<Real>* batch) {
     const auto& code = *static_cast<const TileCode*>(of);
-    const auto& frustum = *static_cast<const FrustumOf<Real>*>(
-        static_cast<const void*>(batch->frustum));
+    const auto& frustum =
+        *static_cast<const FrustumOf<Real>*>(static_cast<const void*>(batch->frustum));
+    BallBins& bins = code.bins;
     const auto is_again = [&](std::size_t i) {
-        return batch->u[i] == batch->u[i - 1] && batch->v[i] == batch->v[i - 1] &&
+        return i > 0 && batch->u[i] == batch->u[i - 1] && batch->v[i] == batch->v[i - 1] &&
                batch->s[i] == batch->s[i - 1] && batch->s_radius[i] == batch->s_radius[i - 1];
     };
+    const double radius =
+        std::max(static_cast<double>(frustum.u_radius), static_cast<double>(frustum.v_radius)) /
+        bins.rays().pixel();
+    const auto is_listed = [&](double col, double row, double from, double to) {
+        return BallBins::holds(col, row, radius) && from >= bins.from() && to <= bins.to();
+    };
+    ByBin& items = thread_items();
     for (std::size_t i = 0; i < batch->size; ++i) {
-        // Batches are filled up by the last one.
-        if (i > 0 && is_again(i)) {
-            copy_form(*batch, i - 1, i);
-            continue;
+        if (is_again(i)) continue;
+        const double col = bins.col(static_cast<double>(batch->u[i]));
+        const double row = bins.row(static_cast<double>(batch->v[i]));
+        const auto s = static_cast<double>(batch->s[i]);
+        const auto way = static_cast<double>(batch->s_radius[i]);
+        if (is_listed(col, row, s - way, s + way)) {
+            items.add(BallBins::index_of(col, row), i);
+        } else {
+            write_form(*batch, i, {.error = std::numeric_limits<double>::infinity()}, code.sign);
         }
-        const BallCell cell{.u = batch->u[i],
-                            .v = batch->v[i],
-                            .u_radius = frustum.u_radius,
-                            .v_radius = frustum.v_radius,
-                            .s = batch->s[i],
-                            .s_radius = batch->s_radius[i]};
-        write_form(*batch, i, form_of<Real>(code, cell), code.sign);
+    }
+    BallCells cells;
+    cells.u_radius = static_cast<double>(frustum.u_radius);
+    cells.v_radius = static_cast<double>(frustum.v_radius);
+    items.for_each_group([&](std::size_t index, std::span<const std::size_t> group) {
+        cells.count = group.size();
+        double until = bins.from();
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            cells.u[i] = static_cast<double>(batch->u[group[i]]);
+            cells.v[i] = static_cast<double>(batch->v[group[i]]);
+            cells.s[i] = static_cast<double>(batch->s[group[i]]);
+            cells.s_radius[i] = static_cast<double>(batch->s_radius[group[i]]);
+            until = std::max(until, cells.s[i] + cells.s_radius[i]);
+        }
+        std::array<BallForm, most_ball_lanes> forms;
+        find_forms<Real>(code.forms, bins.bin(index, until), cells, forms.data());
+        for (std::size_t i = 0; i < group.size(); ++i)
+            write_form(*batch, group[i], forms[i], code.sign);
+    });
+    // Batches are filled up by the last one.
+    for (std::size_t i = 0; i < batch->size; ++i) {
+        if (is_again(i)) copy_form(*batch, i - 1, i);
     }
 }
 
 template <class Real>
 void ray_forms_of(const void* of, const FormBatchOf<Real>* batch) {
-    FrustumOf<Real> ray{};
+    const FrustumOf<Real> ray{};
     FormBatchOf<Real> along = *batch;
     along.frustum = ray.base;
     forms_of<Real>(of, &along);
@@ -126,22 +171,40 @@ void values_of(const void* of, const ValueBatchOf<double>* batch) {
     BallBins& bins = code.bins;
     const TileRays& rays = bins.rays();
     const ViewFrame& view = rays.axes();
-    for (std::size_t i = 0; i < batch->size; ++i) {
+    ByBin& items = thread_items();
+    const auto place_of = [&](std::size_t i) {
         const glm::dvec3 point =
             glm::dvec3(batch->x[0][i], batch->x[1][i], batch->x[2][i]) - rays.base();
-        const double x = glm::dot(point, view.right);
-        const double y = glm::dot(point, view.up);
-        const double z = glm::dot(point, view.forward);
-        const double per_distance = 1 / (rays.distance() + z);
-        const BallBin& bin = bins.bin(bins.col(x * per_distance), bins.row(y * per_distance), z);
-        const BallValue found = value_of(code.forms, bin, x, y, z);
-        batch->f[i] = code.sign * found.value;
-        const glm::dvec3 slope = code.sign * (found.slope[0] * view.right +
-                                              found.slope[1] * view.up +
-                                              found.slope[2] * view.forward);
-        for (int k = 0; k < 3; ++k)
-            batch->gradient[k][i] = slope[k];
+        return glm::dvec3(glm::dot(point, view.right), glm::dot(point, view.up),
+                          glm::dot(point, view.forward));
+    };
+    for (std::size_t i = 0; i < batch->size; ++i) {
+        const glm::dvec3 at = place_of(i);
+        const double per_distance = 1 / (rays.distance() + at.z);
+        items.add(BallBins::index_of(bins.col(at.x * per_distance), bins.row(at.y * per_distance)),
+                  i);
     }
+    items.for_each_group([&](std::size_t index, std::span<const std::size_t> group) {
+        BallPoints points;
+        points.count = group.size();
+        double until = bins.from();
+        for (std::size_t i = 0; i < most_ball_lanes; ++i) {
+            const glm::dvec3 at = place_of(group[std::min(i, group.size() - 1)]);
+            points.x[i] = at.x;
+            points.y[i] = at.y;
+            points.z[i] = at.z;
+            until = std::max(until, at.z);
+        }
+        find_values(code.forms, bins.bin(index, until), points);
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            batch->f[group[i]] = code.sign * points.value[i];
+            const glm::dvec3 slope =
+                code.sign * (points.slope[0][i] * view.right + points.slope[1][i] * view.up +
+                             points.slope[2][i] * view.forward);
+            for (int k = 0; k < 3; ++k)
+                batch->gradient[k][group[i]] = slope[k];
+        }
+    });
 }
 
 }  // namespace
@@ -153,20 +216,8 @@ std::optional<Kernel> blob_kernel(const TraceFrame& frame, const Tile& tile) {
     if (sign == 0) return std::nullopt;
     BallBins& bins = thread_ball_bins();
     bins.begin(frame, tile, *surface);
-    const TileRays& rays = bins.rays();
-    const Blobs& blobs = *surface->blobs;
-    const double u_most = std::max(std::abs(rays.u(-1)), std::abs(rays.u(tile_size)));
-    const double v_most = std::max(std::abs(rays.v(-1)), std::abs(rays.v(tile_size)));
     const auto code = std::make_shared<TileCode>(
-        TileCode{.bins = bins,
-                 .forms = {.kind = blobs.kind(),
-                           .level = surface->level,
-                           .tail = surface->tail(),
-                           .slope_tail = (1 + u_most + v_most) * blob_facts(blobs.kind()).tail *
-                                         blobs.set().total().per_radius,
-                           .distance = rays.distance(),
-                           .place_error = 16 * rays.depth_error()},
-                 .sign = sign});
+        TileCode{.bins = bins, .forms = ball_forms(bins, *surface), .sign = sign});
     Kernel kernel;
     kernel.in_float.form = {.call = forms_of<float>, .code = code};
     kernel.in_float.ray_form = {.call = ray_forms_of<float>, .code = code};

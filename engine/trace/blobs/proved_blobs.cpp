@@ -14,7 +14,7 @@ bool trace_tile_proved_blobs(const TraceFrame& frame, const Tile& tile, TileHits
     if (!surface) return false;
     thread_local BlobRoom room;
     if (!BlobTile(frame, tile, *surface, room, hits, counters).run()) return false;
-    if (frame.whole_pixels) mark_blob_cover(frame, tile, *surface, hits.cover);
+    if (frame.whole_pixels) mark_blob_cover(frame, tile, *surface, hits);
     return true;
 }
 
