@@ -76,13 +76,6 @@ void BallBins::begin(const TraceFrame& frame, const Tile& tile, const BlobSurfac
     near_.begin(blobs.set(), blob_facts(blobs.kind()).reach, *rays_, of);
 }
 
-std::size_t BallBins::place_of(double pixel) {
-    const double at = std::floor((pixel + 0.5) / side);
-    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(across - 1)));
-}
-
-double BallBins::off_middle(double pixel) { return std::abs(pixel - middle_of(place_of(pixel))); }
-
 /// Lists the balls of the next slab; false: there are none.
 bool BallBins::find_more() {
     if (found_to_ == unbounded) return false;

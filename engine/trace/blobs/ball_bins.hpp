@@ -4,7 +4,9 @@
 #include "engine/trace/blobs/near_balls.hpp"
 #include "engine/trace/tile_rays.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -81,8 +83,13 @@ private:
         BallBin bin;
     };
 
-    [[nodiscard]] static std::size_t place_of(double pixel);
-    [[nodiscard]] static double off_middle(double pixel);
+    [[nodiscard]] static std::size_t place_of(double pixel) {
+        const double at = std::min(std::max((pixel + 0.5) / side, 0.0), across - 1.0);
+        return static_cast<std::size_t>(static_cast<int>(at));
+    }
+    [[nodiscard]] static double off_middle(double pixel) {
+        return std::abs(pixel - middle_of(place_of(pixel)));
+    }
     [[nodiscard]] static double middle_of(std::size_t place) {
         return static_cast<double>(place) * side + 0.5 * (side - 1);
     }

@@ -28,7 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -85,19 +85,15 @@ public:
           count_(std::min(lanes<Real>, cells.count - first)) {}
 
     void write(BallForm* forms) {
+        place();
         measure();
-        double from = std::numeric_limits<double>::infinity();
-        double to = -from;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const double half = static_cast<double>(half_z_[i]);
-            from = std::min(from, static_cast<double>(at_[i]) - half);
-            to = std::max(to, static_cast<double>(at_[i]) + half);
-        }
-        load();
-        each_ball_between(bin_, from, to, [&](std::size_t i) { add(i); });
-        store();
-        for (std::size_t i = 0; i < count_; ++i)
-            forms[first_ + i] = result(i);
+        clear();
+        const Vector half = half_z_;
+        const auto end_of = [&](Vector at) { return static_cast<double>(hn::GetLane(at)); };
+        each_ball_between(bin_, end_of(hn::MinOfLanes(d<Real>, hn::Sub(at_, half))) ,
+                          end_of(hn::MaxOfLanes(d<Real>, hn::Add(at_, half))),
+                          [&](std::size_t i) { add(i); });
+        write_results(forms);
     }
 
 private:
@@ -110,63 +106,73 @@ private:
     static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
     static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
     static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
-    static HWY_INLINE Vector lane(const Lanes& numbers) { return hn::Load(d<Real>, numbers); }
 
-    /// Sets the numbers of each cell. In upward rounding, and a little more for bounds.
-    void measure() {
-        const double u_radius = cells_.u_radius;
-        const double v_radius = cells_.v_radius;
-        const auto above = [](double x) { return static_cast<Real>(x * (1 + 4 * unit)); };
+    /// Takes in where the cells are.
+    HWY_INLINE void place() {
+        alignas(64) Lanes u, v, at, start_x, start_y, w, way_s;
         for (std::size_t i = 0; i < lanes<Real>; ++i) {
             const std::size_t cell = first_ + std::min(i, count_ - 1);
-            const double u = cells_.u[cell];
-            const double v = cells_.v[cell];
-            const double way_s = cells_.s_radius[cell];
-            const double w = of_.distance + cells_.s[cell];
-            const double at = cells_.s[cell] - bin_.depth;
-            const double start_x = w * (u - bin_.u);
-            const double start_y = w * (v - bin_.v);
-            const double u_size = std::abs(u) + u_radius;
-            const double v_size = std::abs(v) + v_radius;
-            const double way_u = w * u_radius;
-            const double way_v = w * v_radius;
-            const double size =
-                std::abs(way_u) + std::abs(way_v) + (1 + u_size + v_size) * way_s;
-            const double off =
-                of_.place_error +
-                16 * unit *
-                    (std::abs(start_x) + std::abs(start_y) + std::abs(at) + size +
-                     (2 + u_size + v_size) * (bin_.most_support + size));
-            const double half_x = std::abs(way_u) + u_size * way_s + off;
-            const double half_y = std::abs(way_v) + v_size * way_s + off;
-            const double half_z = way_s + off;
-            // By so much the way is not linear in the place.
-            const double bent_x = u_radius * way_s + off;
-            const double bent_y = v_radius * way_s + off;
-            u_[i] = static_cast<Real>(u);
-            v_[i] = static_cast<Real>(v);
-            at_[i] = static_cast<Real>(at);
-            start_x_[i] = static_cast<Real>(start_x);
-            start_y_[i] = static_cast<Real>(start_y);
-            way_u_[i] = static_cast<Real>(way_u);
-            way_v_[i] = static_cast<Real>(way_v);
-            way_s_[i] = static_cast<Real>(way_s);
-            off_[i] = above(off);
-            half_x_[i] = above(half_x);
-            half_y_[i] = above(half_y);
-            half_z_[i] = above(half_z);
-            square_[i] = above(half_x * half_x + half_y * half_y + half_z * half_z);
-            beside_[i] = above(2 * (half_x * bent_x + half_y * bent_y + half_z * off));
-            tilt_u_[i] = above(u_radius * way_s);
-            tilt_v_[i] = above(v_radius * way_s);
-            turn_[i] = above(2 * way_s * (u_size * half_x + v_size * half_y + half_z));
-            turn_off_[i] = above(2 * way_s *
-                                 (u_size * bent_x + v_size * bent_y + off + u_radius * half_x +
-                                  v_radius * half_y));
-            aside_x_[i] = above(u_radius + 16 * unit * u_size);
-            aside_y_[i] = above(v_radius + 16 * unit * v_size);
-            aside_[i] = above(u_size * half_x + v_size * half_y + half_z);
+            const double depth = of_.distance + cells_.s[cell];
+            u[i] = static_cast<Real>(cells_.u[cell]);
+            v[i] = static_cast<Real>(cells_.v[cell]);
+            at[i] = static_cast<Real>(cells_.s[cell] - bin_.depth);
+            start_x[i] = static_cast<Real>(depth * (cells_.u[cell] - bin_.u));
+            start_y[i] = static_cast<Real>(depth * (cells_.v[cell] - bin_.v));
+            w[i] = static_cast<Real>(depth);
+            way_s[i] = static_cast<Real>(cells_.s_radius[cell]);
         }
+        const auto lane = [](const Lanes& numbers) { return hn::Load(d<Real>, numbers); };
+        u_ = lane(u);
+        v_ = lane(v);
+        at_ = lane(at);
+        start_x_ = lane(start_x);
+        start_y_ = lane(start_y);
+        w_ = lane(w);
+        way_s_ = lane(way_s);
+        way_u_ = hn::Mul(w_, number(cells_.u_radius));
+        way_v_ = hn::Mul(w_, number(cells_.v_radius));
+    }
+    /// A bound that is made of a few sums and products of bounds, in upward rounding.
+    static HWY_INLINE Vector above(Vector bound) { return hn::Mul(bound, number(1 + 16 * unit)); }
+    /// Sets the bounds of each cell's reach.
+    HWY_INLINE void measure() {
+        const auto sum3 = [](Vector a, Vector b, Vector c) { return hn::Add(hn::Add(a, b), c); };
+        const auto twice = [](Vector a) { return hn::Add(a, a); };
+        const Vector u_radius = number(cells_.u_radius);
+        const Vector v_radius = number(cells_.v_radius);
+        const Vector u_size = above(hn::Add(hn::Abs(u_), u_radius));
+        const Vector v_size = above(hn::Add(hn::Abs(v_), v_radius));
+        const Vector ways = above(hn::Add(hn::Abs(way_u_), hn::Abs(way_v_)));
+        const Vector sizes = sum3(u_size, v_size, number(1));
+        const Vector size = hn::MulAdd(sizes, way_s_, ways);
+        const Vector places = sum3(hn::Add(hn::Abs(start_x_), hn::Abs(start_y_)), hn::Abs(at_),
+                                   size);
+        const Vector reach = hn::Add(number(bin_.most_support), size);
+        const Vector off =
+            hn::MulAdd(number(16 * unit),
+                       hn::MulAdd(hn::Add(sizes, number(1)), reach, places),
+                       number(of_.place_error));
+        off_ = above(off);
+        half_x_ = above(sum3(hn::Abs(way_u_), hn::Mul(u_size, way_s_), off_));
+        half_y_ = above(sum3(hn::Abs(way_v_), hn::Mul(v_size, way_s_), off_));
+        half_z_ = above(hn::Add(way_s_, off_));
+        square_ = above(sum3(hn::Mul(half_x_, half_x_), hn::Mul(half_y_, half_y_),
+                             hn::Mul(half_z_, half_z_)));
+        tilt_u_ = above(hn::Mul(u_radius, way_s_));
+        tilt_v_ = above(hn::Mul(v_radius, way_s_));
+        // By so much the way is not linear in the place.
+        const Vector bent_x = hn::Add(tilt_u_, off_);
+        const Vector bent_y = hn::Add(tilt_v_, off_);
+        beside_ = above(twice(sum3(hn::Mul(half_x_, bent_x), hn::Mul(half_y_, bent_y),
+                                   hn::Mul(half_z_, off_))));
+        aside_ = above(sum3(hn::Mul(u_size, half_x_), hn::Mul(v_size, half_y_), half_z_));
+        turn_ = above(twice(hn::Mul(way_s_, aside_)));
+        const Vector off_turn =
+            hn::Add(sum3(hn::Mul(u_size, bent_x), hn::Mul(v_size, bent_y), off_),
+                    hn::Add(hn::Mul(u_radius, half_x_), hn::Mul(v_radius, half_y_)));
+        turn_off_ = above(twice(hn::Mul(way_s_, off_turn)));
+        aside_x_ = above(hn::MulAdd(number(16 * unit), u_size, u_radius));
+        aside_y_ = above(hn::MulAdd(number(16 * unit), v_size, v_radius));
     }
 
     /// From a ball's middle to the cell's.
@@ -190,28 +196,28 @@ private:
             hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
             per_square);
         const Place steep{twice(from.x), twice(from.y), twice(from.z)};
-        q.linear_u = hn::Mul(steep.x, lane(way_u_));
-        q.linear_v = hn::Mul(steep.y, lane(way_v_));
-        q.linear_s = hn::Mul(hn::MulAdd(steep.x, lane(u_),
-                                        hn::MulAdd(steep.y, lane(v_), steep.z)),
-                             lane(way_s_));
+        q.linear_u = hn::Mul(steep.x, way_u_);
+        q.linear_v = hn::Mul(steep.y, way_v_);
+        q.linear_s = hn::Mul(hn::MulAdd(steep.x, u_,
+                                        hn::MulAdd(steep.y, v_, steep.z)),
+                             way_s_);
         const Vector size_x = hn::Abs(steep.x);
         const Vector size_y = hn::Abs(steep.y);
         const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
         q.linear = hn::Mul(hn::Add(hn::Abs(q.linear_u),
                                    hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
                            number(1 + 16 * unit));
-        const Vector tilted = hn::MulAdd(size_x, lane(tilt_u_),
-                                         hn::Mul(size_y, lane(tilt_v_)));
-        const Vector off = hn::Mul(sizes, lane(off_));
-        q.beside = hn::MulAdd(per_square, lane(beside_), off);
-        q.rest = hn::MulAdd(lane(square_), per_square, hn::Add(tilted, off));
-        q.turn = hn::MulAdd(lane(turn_), per_square, tilted);
+        const Vector tilted = hn::MulAdd(size_x, tilt_u_,
+                                         hn::Mul(size_y, tilt_v_));
+        const Vector off = hn::Mul(sizes, off_);
+        q.beside = hn::MulAdd(per_square, beside_, off);
+        q.rest = hn::MulAdd(square_, per_square, hn::Add(tilted, off));
+        q.turn = hn::MulAdd(turn_, per_square, tilted);
         q.change = hn::Add(q.linear, q.rest);
         const auto gap = [&](Vector a, Vector half) {
             return hn::Max(hn::Sub(hn::Abs(a), half), zero());
         };
-        const Place gaps{gap(from.x, lane(half_x_)), gap(from.y, lane(half_y_)), gap(from.z, lane(half_z_))};
+        const Place gaps{gap(from.x, half_x_), gap(from.y, half_y_), gap(from.z, half_z_)};
         const Vector nearest =
             hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
         // Differences of far larger numbers are known to the digits of these.
@@ -225,10 +231,10 @@ private:
 
     HWY_INLINE void add(std::size_t i) {
         const Vector reach = number(facts.reach);
-        const Vector z = hn::Sub(lane(at_), same(balls_.z[i]));
+        const Vector z = hn::Sub(at_, same(balls_.z[i]));
         const Place from{
-            hn::MulAdd(number(bin_.u), z, hn::Sub(lane(start_x_), same(balls_.x[i]))),
-            hn::MulAdd(number(bin_.v), z, hn::Sub(lane(start_y_), same(balls_.y[i]))), z};
+            hn::MulAdd(number(bin_.u), z, hn::Sub(start_x_, same(balls_.x[i]))),
+            hn::MulAdd(number(bin_.v), z, hn::Sub(start_y_, same(balls_.y[i]))), z};
         const Vector per_square = same(balls_.per_square[i]);
         const Squares q = squares_of(from, per_square);
         const Mask reached = hn::Lt(q.lo, reach);
@@ -288,7 +294,7 @@ private:
             unsure, hn::Mul(q.change, along),
             hn::MulAdd(curve, hn::Mul(q.rest, along),
                        hn::Mul(hn::Mul(curves.most, q.change), q.turn)));
-        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, lane(turn_off_), zero()));
+        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, turn_off_, zero()));
         add_to(turning_, hn::Mul(size, hn::Add(turning, beside)));
         const Mask hollow = hn::Lt(strength, zero());
         const Vector least = hn::Mul(strength, end.value);
@@ -303,11 +309,11 @@ private:
     HWY_INLINE void add_slope(const Place& from, Vector steepest, Vector flattest, Vector weight,
                               Mask reached) {
         const Vector along = hn::MulAdd(
-            lane(u_), from.x, hn::MulAdd(lane(v_), from.y, from.z));
+            u_, from.x, hn::MulAdd(v_, from.y, from.z));
         const Vector half = hn::MulAdd(
-            hn::Abs(from.x), lane(aside_x_),
-            hn::MulAdd(hn::Abs(from.y), lane(aside_y_),
-                       hn::MulAdd(hn::Abs(from.z), number(16 * unit), lane(aside_))));
+            hn::Abs(from.x), aside_x_,
+            hn::MulAdd(hn::Abs(from.y), aside_y_,
+                       hn::MulAdd(hn::Abs(from.z), number(16 * unit), aside_)));
         const Vector near = hn::Sub(along, half);
         const Vector far = hn::Add(along, half);
         const Vector least = hn::Mul(hn::IfThenElse(hn::Gt(far, zero()), steepest, flattest), far);
@@ -325,86 +331,88 @@ private:
                                     hn::Max(hn::Abs(near), hn::Abs(far))));
     }
 
-    HWY_INLINE void load() {
+    HWY_INLINE void clear() {
         for (Vector* const sum : {&c_, &along_u_, &along_v_, &along_s_, &round_, &bend_uu_,
                                   &bend_vv_, &bend_ss_, &bend_uv_, &bend_us_, &bend_vs_, &third_,
                                   &turning_, &range_lo_, &range_hi_, &rounding_, &slope_lo_,
                                   &slope_hi_, &slope_size_})
             *sum = zero();
     }
-    HWY_INLINE void store() {
-        std::size_t at = 0;
-        for (const Vector* const sum : {&c_, &along_u_, &along_v_, &along_s_, &round_, &bend_uu_,
-                                        &bend_vv_, &bend_ss_, &bend_uv_, &bend_us_, &bend_vs_,
-                                        &third_, &turning_, &range_lo_, &range_hi_, &rounding_,
-                                        &slope_lo_, &slope_hi_, &slope_size_})
-            hn::Store(*sum, d<Real>, sums_[at++]);
-    }
-    /// The places of the sums in sums_.
-    enum Sum : std::uint8_t {
-        C, AlongU, AlongV, AlongS, Round, BendUU, BendVV, BendSS, BendUV, BendUS, BendVS, Third,
-        Turning, RangeLo, RangeHi, Rounding, SlopeLo, SlopeHi, SlopeSize, SumCount
-    };
-    [[nodiscard]] double sum(Sum of, std::size_t i) const {
-        return static_cast<double>(sums_[of][i]);
-    }
 
-    [[nodiscard]] BallForm result(std::size_t i) const {
+    HWY_INLINE void write_results(BallForm* forms) const {
         const auto count = static_cast<double>(bin_.count);
-        const double spare = of_.tail + (1 + count / 64) * sum(Rounding, i) +
-                             64 * unit * std::abs(of_.level);
-        BallForm form{.c = sum(C, i) - of_.level,
-                      .along = {sum(AlongU, i), sum(AlongV, i), sum(AlongS, i)},
-                      .error = sum(Third, i) + spare};
-        add_bends(form, i);
-        const double slope_spare = (64 + count) * unit * sum(SlopeSize, i) + of_.slope_tail;
-        form.slope_lo = std::max(form.slope_lo, sum(SlopeLo, i)) - slope_spare;
-        form.slope_hi = std::min(form.slope_hi, sum(SlopeHi, i)) + slope_spare;
+        const Vector level = number(of_.level);
+        const Vector half = number(0.5);
+        Vector c = hn::Sub(c_, level);
+        const Vector spare = above(hn::MulAdd(
+            number(1 + count / 64), rounding_,
+            number(of_.tail + 256 * unit * std::abs(of_.level))));
+        // What is quadratic in the place; of eu es and ev es, rays that part add some.
+        const Vector tilt = hn::Div(way_s_, w_);
+        const Vector round_s = hn::Mul(round_, way_s_);
+        const Vector square = hn::MulAdd(u_, u_, hn::MulAdd(v_, v_, number(1)));
+        const Vector uu = hn::MulAdd(hn::Mul(round_, way_u_), way_u_, bend_uu_);
+        const Vector vv = hn::MulAdd(hn::Mul(round_, way_v_), way_v_, bend_vv_);
+        const Vector ss = hn::MulAdd(hn::Mul(round_s, square), way_s_, bend_ss_);
+        const auto mixed = [&](Vector bend, Vector way, Vector direction, Vector along) {
+            const Vector sum = hn::MulAdd(hn::Mul(round_s, way), direction, bend);
+            return hn::MulAdd(along, tilt, hn::Add(sum, sum));
+        };
+        const Vector us = hn::Abs(mixed(bend_us_, way_u_, u_, along_u_));
+        const Vector vs = hn::Abs(mixed(bend_vs_, way_v_, v_, along_v_));
+        const Vector size_uu = hn::Abs(uu);
+        const Vector size_vv = hn::Abs(vv);
+        const Vector size_ss = hn::Abs(ss);
+        const Vector uv = hn::Abs(hn::Add(bend_uv_, bend_uv_));
+        c = hn::MulAdd(half, hn::Add(hn::Add(uu, vv), ss), c);
+        const Vector bends =
+            hn::Add(hn::Mul(half, hn::Add(hn::Add(size_uu, size_vv), size_ss)),
+                    hn::Add(hn::Add(us, vs), uv));
+        const Vector error = above(hn::Add(hn::Add(bends, third_), spare));
+        const Vector turn = above(
+            hn::Add(hn::Add(hn::Add(size_ss, size_ss), hn::Add(us, vs)),
+                    hn::Mul(turning_, number(1 + 0x1p-10))));
+        const Vector slope_spare = above(hn::MulAdd(number((64 + count) * unit), slope_size_,
+                                                    number(of_.slope_tail)));
+        const Vector unknown = hn::Inf(d<Real>);
+        const Mask is_long = hn::Gt(way_s_, zero());
+        const Vector per_way = hn::Div(number(1), way_s_);
+        const Vector rounded = hn::Mul(number(16 * unit), hn::Abs(along_s_));
+        const Vector spread_s = hn::Mul(hn::Add(turn, rounded), per_way);
+        const Vector slope_s = hn::Mul(along_s_, per_way);
+        const Vector least = hn::IfThenElse(is_long, hn::Sub(slope_s, spread_s), hn::Neg(unknown));
+        const Vector most = hn::IfThenElse(is_long, hn::Add(slope_s, spread_s), unknown);
         // Over large cells the heights' ranges tell more.
-        const double lo = sum(RangeLo, i) - of_.level;
-        const double hi = sum(RangeHi, i) - of_.level;
-        const double radius = 0.5 * (hi - lo);
-        const double spread = std::abs(form.along[0]) + std::abs(form.along[1]) +
-                              std::abs(form.along[2]) + form.error;
-        const bool rejects = lo > 4 * spare || hi < -4 * spare;
-        if (radius + 2 * spare < (rejects ? spread : 0.5 * spread)) {
-            form.c = 0.5 * (lo + hi);
-            form.error = radius + 2 * spare;
-            for (double& k : form.along)
-                k = 0;
+        const Vector lo = hn::Sub(range_lo_, level);
+        const Vector hi = hn::Sub(range_hi_, level);
+        const Vector radius = hn::Mul(half, hn::Sub(hi, lo));
+        const Vector range_error = above(hn::Add(radius, hn::Add(spare, spare)));
+        const Vector spread = hn::Add(hn::Add(hn::Abs(along_u_), hn::Abs(along_v_)),
+                                      hn::Add(hn::Abs(along_s_), error));
+        const Vector far = hn::Mul(number(4), spare);
+        const Mask rejects = hn::Or(hn::Gt(lo, far), hn::Lt(hi, hn::Neg(far)));
+        const Vector enough = hn::IfThenElse(rejects, spread, hn::Mul(half, spread));
+        const Mask by_range = hn::Lt(range_error, enough);
+        const auto linear = [&](Vector k) { return hn::IfThenZeroElse(by_range, k); };
+        const Vector results[] = {
+            hn::IfThenElse(by_range, hn::Mul(half, hn::Add(lo, hi)), c),
+            linear(along_u_),
+            linear(along_v_),
+            linear(along_s_),
+            hn::IfThenElse(by_range, range_error, error),
+            hn::Sub(hn::Max(least, slope_lo_), slope_spare),
+            hn::Add(hn::Min(most, slope_hi_), slope_spare)};
+        alignas(64) Lanes numbers[std::size(results)];
+        for (std::size_t k = 0; k < std::size(results); ++k)
+            hn::Store(results[k], d<Real>, numbers[k]);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const auto at = [&](std::size_t k) { return static_cast<double>(numbers[k][i]); };
+            forms[first_ + i] = {.c = at(0),
+                                 .along = {at(1), at(2), at(3)},
+                                 .error = at(4),
+                                 .slope_lo = at(5),
+                                 .slope_hi = at(6)};
         }
-        return form;
-    }
-    /// Adds what is quadratic in the place, and bounds slopes by it.
-    void add_bends(BallForm& form, std::size_t i) const {
-        const std::size_t cell = first_ + i;
-        const double u = cells_.u[cell];
-        const double v = cells_.v[cell];
-        const double way_s = cells_.s_radius[cell];
-        const double w = of_.distance + cells_.s[cell];
-        const double way_u = w * cells_.u_radius;
-        const double way_v = w * cells_.v_radius;
-        const double round = sum(Round, i);
-        const double tilt = way_s / w;
-        const double uu = sum(BendUU, i) + round * way_u * way_u;
-        const double vv = sum(BendVV, i) + round * way_v * way_v;
-        const double ss = sum(BendSS, i) + round * (1 + u * u + v * v) * way_s * way_s;
-        const double uv = 2 * sum(BendUV, i);
-        const double us =
-            2 * sum(BendUS, i) + 2 * round * way_u * u * way_s + form.along[0] * tilt;
-        const double vs =
-            2 * sum(BendVS, i) + 2 * round * way_v * v * way_s + form.along[1] * tilt;
-        const double turn = 2 * std::abs(ss) + std::abs(us) + std::abs(vs) +
-                            (1 + 0x1p-10) * sum(Turning, i);
-        form.slope_lo = -std::numeric_limits<double>::infinity();
-        form.slope_hi = -form.slope_lo;
-        if (way_s > 0) {
-            form.slope_lo = (form.along[2] - turn) / way_s;
-            form.slope_hi = (form.along[2] + turn) / way_s;
-        }
-        form.c += 0.5 * (uu + vv + ss);
-        form.error += 0.5 * (std::abs(uu) + std::abs(vv) + std::abs(ss)) + std::abs(uv) +
-                      std::abs(us) + std::abs(vs);
     }
 
     const BallForms& of_;
@@ -414,16 +422,15 @@ private:
     std::size_t first_, count_;
     // Of each cell: its middle; how far it reaches to both sides of that; bounds of these ways and
     // of their products.
-    alignas(64) Lanes u_, v_, at_, start_x_, start_y_, way_u_, way_v_, way_s_;
-    alignas(64) Lanes off_, half_x_, half_y_, half_z_, square_, beside_, tilt_u_, tilt_v_;
-    alignas(64) Lanes turn_, turn_off_, aside_x_, aside_y_, aside_;
+    Vector u_, v_, at_, start_x_, start_y_, w_, way_u_, way_v_, way_s_;
+    Vector off_, half_x_, half_y_, half_z_, square_, beside_, tilt_u_, tilt_v_;
+    Vector turn_, turn_off_, aside_x_, aside_y_, aside_;
     Vector c_, along_u_, along_v_, along_s_;
     Vector round_;  ///< of h' / r^2
     Vector bend_uu_, bend_vv_, bend_ss_, bend_uv_, bend_us_, bend_vs_;
     Vector third_, turning_;  ///< of third order: of f, and of its slope
     Vector range_lo_, range_hi_, rounding_;
     Vector slope_lo_, slope_hi_, slope_size_;
-    alignas(64) Lanes sums_[SumCount];
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

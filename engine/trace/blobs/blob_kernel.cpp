@@ -29,32 +29,53 @@ struct TileCode {
 /// Items of a batch by their bins. Keeps its room.
 class ByBin {
 public:
-    void clear() { items_.clear(); }
+    void begin(std::size_t items) { next_.resize(std::max(next_.size(), items)); }
     void add(std::size_t bin, std::size_t item) {
-        items_.push_back(static_cast<std::uint32_t>(bin << 16U | item));
-    }
-    /// Calls visit(bin, items) for up to most_ball_lanes items of one bin.
-    void for_each_group(const auto& visit) {
-        std::ranges::sort(items_);
-        std::array<std::size_t, most_ball_lanes> group{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < items_.size(); ++i) {
-            const std::size_t bin = items_[i] >> 16U;
-            group[count++] = items_[i] & 0xFFFFU;
-            const bool last = i + 1 == items_.size() || items_[i + 1] >> 16U != bin;
-            if (!last && count < group.size()) continue;
-            visit(bin, std::span(group).first(count));
-            count = 0;
+        const auto at = static_cast<std::uint32_t>(item);
+        if (heads_[bin] == none) {
+            heads_[bin] = at;
+            bins_[count_++] = static_cast<std::uint32_t>(bin);
+        } else {
+            next_[last_[bin]] = at;
         }
+        last_[bin] = at;
+        next_[item] = none;
+    }
+    /// Calls visit(bin, items) for up to most_ball_lanes items of one bin; then there are none.
+    void take_groups(const auto& visit) {
+        std::array<std::size_t, most_ball_lanes> group{};
+        for (std::size_t i = 0; i < count_; ++i) {
+            const std::size_t bin = bins_[i];
+            std::uint32_t item = heads_[bin];
+            heads_[bin] = none;
+            while (item != none) {
+                std::size_t some = 0;
+                for (; item != none && some < group.size(); item = next_[item])
+                    group[some++] = item;
+                visit(bin, std::span<const std::size_t>(group).first(some));
+            }
+        }
+        count_ = 0;
     }
 
 private:
-    std::vector<std::uint32_t> items_;
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    static constexpr std::size_t bins = BallBins::across * BallBins::across;
+    static constexpr auto no_heads = [] {
+        std::array<std::uint32_t, bins> all{};
+        all.fill(none);
+        return all;
+    }();
+
+    std::array<std::uint32_t, bins> heads_ = no_heads;
+    std::array<std::uint32_t, bins> last_{}, bins_{};
+    std::size_t count_ = 0;
+    std::vector<std::uint32_t> next_;
 };
 
-ByBin& thread_items() {
+ByBin& thread_items(std::size_t count) {
     thread_local ByBin items;
-    items.clear();
+    items.begin(count);
     return items;
 }
 
@@ -121,7 +142,7 @@ void forms_of(const void* of, const FormBatchOf<Real>* batch) {
     const auto is_listed = [&](double col, double row, double from, double to) {
         return BallBins::holds(col, row, radius) && from >= bins.from() && to <= bins.to();
     };
-    ByBin& items = thread_items();
+    ByBin& items = thread_items(batch->size);
     for (std::size_t i = 0; i < batch->size; ++i) {
         if (is_again(i)) continue;
         const double col = bins.col(static_cast<double>(batch->u[i]));
@@ -137,7 +158,7 @@ void forms_of(const void* of, const FormBatchOf<Real>* batch) {
     BallCells cells;
     cells.u_radius = static_cast<double>(frustum.u_radius);
     cells.v_radius = static_cast<double>(frustum.v_radius);
-    items.for_each_group([&](std::size_t index, std::span<const std::size_t> group) {
+    items.take_groups([&](std::size_t index, std::span<const std::size_t> group) {
         cells.count = group.size();
         double until = bins.from();
         for (std::size_t i = 0; i < group.size(); ++i) {
@@ -171,25 +192,25 @@ void values_of(const void* of, const ValueBatchOf<double>* batch) {
     BallBins& bins = code.bins;
     const TileRays& rays = bins.rays();
     const ViewFrame& view = rays.axes();
-    ByBin& items = thread_items();
-    const auto place_of = [&](std::size_t i) {
+    ByBin& items = thread_items(batch->size);
+    thread_local std::vector<glm::dvec3> places;
+    places.resize(batch->size);
+    for (std::size_t i = 0; i < batch->size; ++i) {
         const glm::dvec3 point =
             glm::dvec3(batch->x[0][i], batch->x[1][i], batch->x[2][i]) - rays.base();
-        return glm::dvec3(glm::dot(point, view.right), glm::dot(point, view.up),
-                          glm::dot(point, view.forward));
-    };
-    for (std::size_t i = 0; i < batch->size; ++i) {
-        const glm::dvec3 at = place_of(i);
+        glm::dvec3& at = places[i];
+        at = {glm::dot(point, view.right), glm::dot(point, view.up),
+              glm::dot(point, view.forward)};
         const double per_distance = 1 / (rays.distance() + at.z);
         items.add(BallBins::index_of(bins.col(at.x * per_distance), bins.row(at.y * per_distance)),
                   i);
     }
-    items.for_each_group([&](std::size_t index, std::span<const std::size_t> group) {
+    items.take_groups([&](std::size_t index, std::span<const std::size_t> group) {
         BallPoints points;
         points.count = group.size();
         double until = bins.from();
         for (std::size_t i = 0; i < most_ball_lanes; ++i) {
-            const glm::dvec3 at = place_of(group[std::min(i, group.size() - 1)]);
+            const glm::dvec3& at = places[group[std::min(i, group.size() - 1)]];
             points.x[i] = at.x;
             points.y[i] = at.y;
             points.z[i] = at.z;
