@@ -29,6 +29,9 @@ constexpr int most_cells = 12;
 /// In pixels' widths: shorter cells are not tried.
 constexpr double least_cell = 0.25;
 
+/// How much of the way to a pixel's end is tried at once.
+constexpr double first_part = 0.6;
+
 static_assert(BallBins::side * BallBins::side == most_ball_lanes);
 
 /// A pixel of a bin, and what is known of it.
@@ -158,13 +161,14 @@ private:
         const double part = spread / steepness + 0x1p-30;
         pixel.from = s + reach * (middle - part);
         pixel.to = s + reach * (middle + part);
-        pixel.end = pixel.from;
+        // The cell before the roots is free.
+        pixel.end = s - reach;
     }
 
     /// Goes on to the pixels' ends as far as cells are rejected.
     void search() {
         for (std::size_t i = 0; i < count_; ++i)
-            pixels_[i].step = pixels_[i].end - pixels_[i].free_to;
+            pixels_[i].step = first_part * (pixels_[i].end - pixels_[i].free_to);
         for (int tries = 0; tries < most_cells; ++tries) {
             std::size_t asked = 0;
             for (std::size_t i = 0; i < count_; ++i) {
@@ -189,7 +193,8 @@ private:
         const double length = end - pixel.free_to;
         if (size > most) {
             pixel.free_to = end;
-            pixel.step = std::clamp(size / most, 1.0, 4.0) * length;
+            pixel.step = std::max(std::clamp(size / most, 1.0, 4.0) * length,
+                                  first_part * (pixel.end - end));
         } else {
             pixel.step = std::clamp(std::sqrt(size / most), 0.125, 0.5) * length;
         }
