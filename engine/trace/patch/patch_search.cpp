@@ -99,10 +99,23 @@ void PatchSearch::push_parts(const PatchQuest& quest, PatchNode::Children& parts
                             .clip = quest.clip,
                             .depths = {.near = quest.from, .far = std::min(best_.s, quest.to)}};
     SeenParts seen;
-    const std::uint32_t met = look_at_parts(parts.forms, window, seen) | ~parts.forms.known;
+    const std::uint32_t known = parts.forms.known;
+    const std::uint32_t met = look_at_parts(parts.forms, window, seen) | ~known;
     for (std::size_t i = 0; i < parts.nodes.size(); ++i) {
         PatchNode& part = parts.nodes[i];
-        if ((met >> i & 1U) != 0) push(quest, part.box, part.form, &part);
+        if ((met >> i & 1U) == 0) continue;
+        if ((known >> i & 1U) == 0) {
+            push(quest, part.box, part.form, &part);
+            continue;
+        }
+        const PatchSight sight = seen.sight(i);
+        const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
+        if (!zeros.any || zeros.beyond(inner)) continue;
+        open_.push_back({.box = part.box,
+                         .form = part.form,
+                         .sight = sight,
+                         .node = &part,
+                         .near = std::max(sight.depths().near, quest.from)});
     }
 }
 
