@@ -63,9 +63,8 @@ void BallBins::begin(const TraceFrame& frame, const Tile& tile, const BlobSurfac
         return;
     }
     // Cells are a little longer than what they are asked about.
-    const double spare =
-        rays_->pixel() *
-        (rays_->distance() + std::max(std::abs(inside.enter_lo), std::abs(inside.exit_hi)));
+    const double spare = rays_->pixel() * (rays_->distance() + std::max(std::abs(inside.enter_lo),
+                                                                        std::abs(inside.exit_hi)));
     from_ = inside.enter_lo - spare;
     to_ = inside.exit_hi + spare;
     found_to_ = from_;

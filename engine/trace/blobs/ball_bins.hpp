@@ -15,8 +15,8 @@
 
 namespace zeroset {
 
-/// Balls as columns in one type, those whose from() is least first: x and y from where the middle ray of the bin is at their depth, z from
-/// `BallBin::depth`.
+/// Balls as columns in one type, those whose from() is least first: x and y from where the middle
+/// ray of the bin is at their depth, z from `BallBin::depth`.
 template <class Real>
 struct BinColumns {
     std::vector<Real> x, y, z, per_square, strength;

@@ -5,8 +5,8 @@
 //                  q + linear + rest,  linear in eu, ev, es
 //   h(q)         the ball's height: convex, falling, with a continuous derivative; h'' is between
 //                two bounds on the cell
-// So the sum is a constant, a linear and a quadratic form, and a rest of third order; bends of balls
-// that cancel each other do so here, too.
+// So the sum is a constant, a linear and a quadratic form, and a rest of third order; bends of
+// balls that cancel each other do so here, too.
 //
 // What is proved: places and directions are known to an error, `off_`, by which the cell is taken
 // to be larger; each result is rounded a few times, which `rounding_` bounds by its size.
@@ -19,7 +19,7 @@
 #define ZEROSET_BALL_FORMS_INL
 #endif
 
-#include "engine/blobs/blob_heights-inl.hpp"
+#include "engine/trace/blobs/ball_curves-inl.hpp"
 #include "engine/trace/blobs/ball_sums.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 
@@ -33,35 +33,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-/// Bounds of h'' between two q.
-template <class Vector>
-struct CurvesOf {
-    Vector least, most;
-};
-template <BlobKind kind, class D, class Vector>
-HWY_INLINE CurvesOf<Vector> curves_between(D tag, Vector lo, Vector hi) {
-    const auto number = [&](double x) { return hn::Set(tag, static_cast<hn::TFromD<D>>(x)); };
-    const Vector reach = number(blob_facts(kind).reach);
-    const auto curve_at = [&](Vector q) {
-        if constexpr (kind == BlobKind::Wyvill) {
-            return hn::NegMulAdd(q, number(1.0 / 12), number(17.0 / 36));
-        } else if constexpr (kind == BlobKind::Metaball) {
-            const Vector outside = hn::Max(q, number(4.0 / 9));
-            return hn::Div(number(1), hn::Mul(outside, hn::Sqrt(outside)));
-        } else {
-            return hn::Mul(number(4), height_at<kind, Rounds::Once>(tag, q).value);
-        }
-    };
-    // It falls with q; metaballs' is 0 up to 4/9.
-    Vector most = curve_at(hn::Min(lo, reach));
-    Vector least = hn::IfThenElseZero(hn::Lt(hi, reach), curve_at(hn::Min(hi, reach)));
-    if constexpr (kind == BlobKind::Metaball) {
-        least = hn::IfThenElseZero(hn::Gt(lo, number(4.0 / 9)), least);
-        most = hn::IfThenElseZero(hn::Ge(hi, number(4.0 / 9)), most);
-    }
-    return {.least = least, .most = most};
-}
 
 /// Calls visit(ball) for those of a bin that may reach what is between two of its depths.
 HWY_INLINE void each_ball_between(const BallBin& bin, double first, double last,
@@ -90,7 +61,7 @@ public:
         clear();
         const Vector half = half_z_;
         const auto end_of = [&](Vector at) { return static_cast<double>(hn::GetLane(at)); };
-        each_ball_between(bin_, end_of(hn::MinOfLanes(d<Real>, hn::Sub(at_, half))) ,
+        each_ball_between(bin_, end_of(hn::MinOfLanes(d<Real>, hn::Sub(at_, half))),
                           end_of(hn::MaxOfLanes(d<Real>, hn::Add(at_, half))),
                           [&](std::size_t i) { add(i); });
         write_results(forms);
@@ -145,26 +116,25 @@ private:
         const Vector ways = above(hn::Add(hn::Abs(way_u_), hn::Abs(way_v_)));
         const Vector sizes = sum3(u_size, v_size, number(1));
         const Vector size = hn::MulAdd(sizes, way_s_, ways);
-        const Vector places = sum3(hn::Add(hn::Abs(start_x_), hn::Abs(start_y_)), hn::Abs(at_),
-                                   size);
+        const Vector places =
+            sum3(hn::Add(hn::Abs(start_x_), hn::Abs(start_y_)), hn::Abs(at_), size);
         const Vector reach = hn::Add(number(bin_.most_support), size);
         const Vector off =
-            hn::MulAdd(number(16 * unit),
-                       hn::MulAdd(hn::Add(sizes, number(1)), reach, places),
+            hn::MulAdd(number(16 * unit), hn::MulAdd(hn::Add(sizes, number(1)), reach, places),
                        number(of_.place_error));
         off_ = above(off);
         half_x_ = above(sum3(hn::Abs(way_u_), hn::Mul(u_size, way_s_), off_));
         half_y_ = above(sum3(hn::Abs(way_v_), hn::Mul(v_size, way_s_), off_));
         half_z_ = above(hn::Add(way_s_, off_));
-        square_ = above(sum3(hn::Mul(half_x_, half_x_), hn::Mul(half_y_, half_y_),
-                             hn::Mul(half_z_, half_z_)));
+        square_ = above(
+            sum3(hn::Mul(half_x_, half_x_), hn::Mul(half_y_, half_y_), hn::Mul(half_z_, half_z_)));
         tilt_u_ = above(hn::Mul(u_radius, way_s_));
         tilt_v_ = above(hn::Mul(v_radius, way_s_));
         // By so much the way is not linear in the place.
         const Vector bent_x = hn::Add(tilt_u_, off_);
         const Vector bent_y = hn::Add(tilt_v_, off_);
-        beside_ = above(twice(sum3(hn::Mul(half_x_, bent_x), hn::Mul(half_y_, bent_y),
-                                   hn::Mul(half_z_, off_))));
+        beside_ = above(twice(
+            sum3(hn::Mul(half_x_, bent_x), hn::Mul(half_y_, bent_y), hn::Mul(half_z_, off_))));
         aside_ = above(sum3(hn::Mul(u_size, half_x_), hn::Mul(v_size, half_y_), half_z_));
         turn_ = above(twice(hn::Mul(way_s_, aside_)));
         const Vector off_turn =
@@ -192,23 +162,20 @@ private:
     HWY_INLINE Squares squares_of(const Place& from, Vector per_square) const {
         const auto twice = [&](Vector a) { return hn::Mul(hn::Add(a, a), per_square); };
         Squares q{};
-        q.middle = hn::Mul(
-            hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
-            per_square);
+        q.middle =
+            hn::Mul(hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
+                    per_square);
         const Place steep{twice(from.x), twice(from.y), twice(from.z)};
         q.linear_u = hn::Mul(steep.x, way_u_);
         q.linear_v = hn::Mul(steep.y, way_v_);
-        q.linear_s = hn::Mul(hn::MulAdd(steep.x, u_,
-                                        hn::MulAdd(steep.y, v_, steep.z)),
-                             way_s_);
+        q.linear_s = hn::Mul(hn::MulAdd(steep.x, u_, hn::MulAdd(steep.y, v_, steep.z)), way_s_);
         const Vector size_x = hn::Abs(steep.x);
         const Vector size_y = hn::Abs(steep.y);
         const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
-        q.linear = hn::Mul(hn::Add(hn::Abs(q.linear_u),
-                                   hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
-                           number(1 + 16 * unit));
-        const Vector tilted = hn::MulAdd(size_x, tilt_u_,
-                                         hn::Mul(size_y, tilt_v_));
+        q.linear =
+            hn::Mul(hn::Add(hn::Abs(q.linear_u), hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
+                    number(1 + 16 * unit));
+        const Vector tilted = hn::MulAdd(size_x, tilt_u_, hn::Mul(size_y, tilt_v_));
         const Vector off = hn::Mul(sizes, off_);
         q.beside = hn::MulAdd(per_square, beside_, off);
         q.rest = hn::MulAdd(square_, per_square, hn::Add(tilted, off));
@@ -223,8 +190,8 @@ private:
         // Differences of far larger numbers are known to the digits of these.
         const Vector spare = hn::Mul(number(16 * unit), q.middle);
         const Vector lo = hn::Sub(q.middle, hn::Add(q.linear, hn::Add(tilted, off)));
-        q.lo = hn::Max(hn::Sub(hn::Max(hn::Mul(nearest, per_square), lo), spare),
-                       hn::Zero(d<Real>));
+        q.lo =
+            hn::Max(hn::Sub(hn::Max(hn::Mul(nearest, per_square), lo), spare), hn::Zero(d<Real>));
         q.hi = hn::Add(hn::Add(q.middle, q.change), spare);
         return q;
     }
@@ -232,9 +199,8 @@ private:
     HWY_INLINE void add(std::size_t i) {
         const Vector reach = number(facts.reach);
         const Vector z = hn::Sub(at_, same(balls_.z[i]));
-        const Place from{
-            hn::MulAdd(number(bin_.u), z, hn::Sub(start_x_, same(balls_.x[i]))),
-            hn::MulAdd(number(bin_.v), z, hn::Sub(start_y_, same(balls_.y[i]))), z};
+        const Place from{hn::MulAdd(number(bin_.u), z, hn::Sub(start_x_, same(balls_.x[i]))),
+                         hn::MulAdd(number(bin_.v), z, hn::Sub(start_y_, same(balls_.y[i]))), z};
         const Vector per_square = same(balls_.per_square[i]);
         const Squares q = squares_of(from, per_square);
         const Mask reached = hn::Lt(q.lo, reach);
@@ -282,18 +248,18 @@ private:
             hn::MulAdd(hn::Mul(half, unsure), square,
                        hn::MulAdd(hn::Mul(half, curve), mixed, hn::Mul(flat, q.beside)));
         // The largest numbers that were rounded; and how far heights beyond the reach are from 0.
-        const Vector sizes = hn::MulAdd(
-            hn::Mul(half, curves.most), square,
-            hn::MulAdd(number(facts.bend), q.change, number(facts.top)));
+        const Vector sizes =
+            hn::MulAdd(hn::Mul(half, curves.most), square,
+                       hn::MulAdd(number(facts.bend), q.change, number(facts.top)));
         const Vector beyond = hn::MulAdd(number(4 * facts.tail), q.change, number(facts.tail));
         const Vector rounded = hn::MulAdd(number(64 * unit), sizes, beyond);
         add_to(third_, hn::Mul(size, third));
         add_to(rounding_, hn::Mul(size, rounded));
         const Vector along = hn::Abs(q.linear_s);
-        const Vector turning = hn::MulAdd(
-            unsure, hn::Mul(q.change, along),
-            hn::MulAdd(curve, hn::Mul(q.rest, along),
-                       hn::Mul(hn::Mul(curves.most, q.change), q.turn)));
+        const Vector turning =
+            hn::MulAdd(unsure, hn::Mul(q.change, along),
+                       hn::MulAdd(curve, hn::Mul(q.rest, along),
+                                  hn::Mul(hn::Mul(curves.most, q.change), q.turn)));
         const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, turn_off_, zero()));
         add_to(turning_, hn::Mul(size, hn::Add(turning, beside)));
         const Mask hollow = hn::Lt(strength, zero());
@@ -308,12 +274,11 @@ private:
     /// from the ball.
     HWY_INLINE void add_slope(const Place& from, Vector steepest, Vector flattest, Vector weight,
                               Mask reached) {
-        const Vector along = hn::MulAdd(
-            u_, from.x, hn::MulAdd(v_, from.y, from.z));
-        const Vector half = hn::MulAdd(
-            hn::Abs(from.x), aside_x_,
-            hn::MulAdd(hn::Abs(from.y), aside_y_,
-                       hn::MulAdd(hn::Abs(from.z), number(16 * unit), aside_)));
+        const Vector along = hn::MulAdd(u_, from.x, hn::MulAdd(v_, from.y, from.z));
+        const Vector half =
+            hn::MulAdd(hn::Abs(from.x), aside_x_,
+                       hn::MulAdd(hn::Abs(from.y), aside_y_,
+                                  hn::MulAdd(hn::Abs(from.z), number(16 * unit), aside_)));
         const Vector near = hn::Sub(along, half);
         const Vector far = hn::Add(along, half);
         const Vector least = hn::Mul(hn::IfThenElse(hn::Gt(far, zero()), steepest, flattest), far);
@@ -332,10 +297,10 @@ private:
     }
 
     HWY_INLINE void clear() {
-        for (Vector* const sum : {&c_, &along_u_, &along_v_, &along_s_, &round_, &bend_uu_,
-                                  &bend_vv_, &bend_ss_, &bend_uv_, &bend_us_, &bend_vs_, &third_,
-                                  &turning_, &range_lo_, &range_hi_, &rounding_, &slope_lo_,
-                                  &slope_hi_, &slope_size_})
+        for (Vector* const sum :
+             {&c_, &along_u_, &along_v_, &along_s_, &round_, &bend_uu_, &bend_vv_, &bend_ss_,
+              &bend_uv_, &bend_us_, &bend_vs_, &third_, &turning_, &range_lo_, &range_hi_,
+              &rounding_, &slope_lo_, &slope_hi_, &slope_size_})
             *sum = zero();
     }
 
@@ -344,9 +309,8 @@ private:
         const Vector level = number(of_.level);
         const Vector half = number(0.5);
         Vector c = hn::Sub(c_, level);
-        const Vector spare = above(hn::MulAdd(
-            number(1 + count / 64), rounding_,
-            number(of_.tail + 256 * unit * std::abs(of_.level))));
+        const Vector spare = above(hn::MulAdd(number(1 + count / 64), rounding_,
+                                              number(of_.tail + 256 * unit * std::abs(of_.level))));
         // What is quadratic in the place; of eu es and ev es, rays that part add some.
         const Vector tilt = hn::Div(way_s_, w_);
         const Vector round_s = hn::Mul(round_, way_s_);
@@ -365,15 +329,13 @@ private:
         const Vector size_ss = hn::Abs(ss);
         const Vector uv = hn::Abs(hn::Add(bend_uv_, bend_uv_));
         c = hn::MulAdd(half, hn::Add(hn::Add(uu, vv), ss), c);
-        const Vector bends =
-            hn::Add(hn::Mul(half, hn::Add(hn::Add(size_uu, size_vv), size_ss)),
-                    hn::Add(hn::Add(us, vs), uv));
+        const Vector bends = hn::Add(hn::Mul(half, hn::Add(hn::Add(size_uu, size_vv), size_ss)),
+                                     hn::Add(hn::Add(us, vs), uv));
         const Vector error = above(hn::Add(hn::Add(bends, third_), spare));
-        const Vector turn = above(
-            hn::Add(hn::Add(hn::Add(size_ss, size_ss), hn::Add(us, vs)),
-                    hn::Mul(turning_, number(1 + 0x1p-10))));
-        const Vector slope_spare = above(hn::MulAdd(number((64 + count) * unit), slope_size_,
-                                                    number(of_.slope_tail)));
+        const Vector turn = above(hn::Add(hn::Add(hn::Add(size_ss, size_ss), hn::Add(us, vs)),
+                                          hn::Mul(turning_, number(1 + 0x1p-10))));
+        const Vector slope_spare =
+            above(hn::MulAdd(number((64 + count) * unit), slope_size_, number(of_.slope_tail)));
         const Vector unknown = hn::Inf(d<Real>);
         const Mask is_long = hn::Gt(way_s_, zero());
         const Vector per_way = hn::Div(number(1), way_s_);
@@ -394,14 +356,13 @@ private:
         const Vector enough = hn::IfThenElse(rejects, spread, hn::Mul(half, spread));
         const Mask by_range = hn::Lt(range_error, enough);
         const auto linear = [&](Vector k) { return hn::IfThenZeroElse(by_range, k); };
-        const Vector results[] = {
-            hn::IfThenElse(by_range, hn::Mul(half, hn::Add(lo, hi)), c),
-            linear(along_u_),
-            linear(along_v_),
-            linear(along_s_),
-            hn::IfThenElse(by_range, range_error, error),
-            hn::Sub(hn::Max(least, slope_lo_), slope_spare),
-            hn::Add(hn::Min(most, slope_hi_), slope_spare)};
+        const Vector results[] = {hn::IfThenElse(by_range, hn::Mul(half, hn::Add(lo, hi)), c),
+                                  linear(along_u_),
+                                  linear(along_v_),
+                                  linear(along_s_),
+                                  hn::IfThenElse(by_range, range_error, error),
+                                  hn::Sub(hn::Max(least, slope_lo_), slope_spare),
+                                  hn::Add(hn::Min(most, slope_hi_), slope_spare)};
         alignas(64) Lanes numbers[std::size(results)];
         for (std::size_t k = 0; k < std::size(results); ++k)
             hn::Store(results[k], d<Real>, numbers[k]);

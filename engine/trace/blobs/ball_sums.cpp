@@ -26,16 +26,14 @@ void forms_of_kind(const BallForms& of, const BallBin& bin, const BallCells& cel
 template <class Real>
 void forms_in(const BallForms& of, const BallBin& bin, const BallCells& cells, BallForm* forms) {
     switch (of.kind) {
-        case BlobKind::Wyvill:
-            return forms_of_kind<Real, BlobKind::Wyvill>(of, bin, cells, forms);
+        case BlobKind::Wyvill: return forms_of_kind<Real, BlobKind::Wyvill>(of, bin, cells, forms);
         case BlobKind::Metaball:
             return forms_of_kind<Real, BlobKind::Metaball>(of, bin, cells, forms);
         case BlobKind::Blinn: break;
     }
     forms_of_kind<Real, BlobKind::Blinn>(of, bin, cells, forms);
 }
-void float_forms(const BallForms& of, const BallBin& bin, const BallCells& cells,
-                 BallForm* forms) {
+void float_forms(const BallForms& of, const BallBin& bin, const BallCells& cells, BallForm* forms) {
     forms_in<float>(of, bin, cells, forms);
 }
 void double_forms(const BallForms& of, const BallBin& bin, const BallCells& cells,

@@ -59,7 +59,7 @@ void find_forms(const BallForms& of, const BallBin& bin, const BallCells& cells,
 struct BallPoints {
     std::size_t count = 0;
     BallNumbers x, y, z;
-    BallNumbers value;                ///< out
+    BallNumbers value;                 ///< out
     std::array<BallNumbers, 3> slope;  ///< out
 };
 void find_values(const BallForms& of, const BallBin& bin, BallPoints& points);

@@ -39,8 +39,8 @@ struct Pixel {
     std::size_t at;  ///< in the tile
     double u, v;
     DepthRange inside;
-    double first;        ///< no ball reaches its rays before
-    double from, to;     ///< of the sheet; from +inf: none is known
+    double first;         ///< no ball reaches its rays before
+    double from, to;      ///< of the sheet; from +inf: none is known
     double free_to, end;  ///< nothing is met before free_to, which shall come to end
     double step;
 };
@@ -90,9 +90,7 @@ private:
             }
         }
     }
-    [[nodiscard]] double pixel_at(double s) const {
-        return rays_.pixel() * (rays_.distance() + s);
-    }
+    [[nodiscard]] double pixel_at(double s) const { return rays_.pixel() * (rays_.distance() + s); }
     void ask(std::size_t lane, const Pixel& pixel, double from, double to) {
         cells_.u[lane] = pixel.u;
         cells_.v[lane] = pixel.v;
@@ -121,9 +119,8 @@ private:
             // Where a ray has no hit, all of it shall be free.
             pixel.end = distance < none ? -none : pixel.inside.exit_hi;
             if (!(distance < none)) continue;
-            const double s =
-                distance / std::sqrt(1.0 + pixel.u * pixel.u + pixel.v * pixel.v) -
-                rays_.look_distance();
+            const double s = distance / std::sqrt(1.0 + pixel.u * pixel.u + pixel.v * pixel.v) -
+                             rays_.look_distance();
             const double reach = reach_of(pixel, s, hits.gradient_at(pixel.at));
             if (!(s - reach >= pixel.inside.enter_hi && s + reach <= pixel.inside.exit_lo))
                 continue;

@@ -96,7 +96,7 @@ double sign_of(const TraceFrame& frame, const BlobSurface& surface) {
 template <class Real>
 void write_form(const FormBatchOf<Real>& batch, std::size_t i, const BallForm& form, double sign) {
     constexpr double unit = std::numeric_limits<Real>::epsilon();
-        double size = std::abs(form.c);
+    double size = std::abs(form.c);
     for (const double k : form.along)
         size += std::abs(k);
     // Rounded once more.
@@ -199,8 +199,7 @@ void values_of(const void* of, const ValueBatchOf<double>* batch) {
         const glm::dvec3 point =
             glm::dvec3(batch->x[0][i], batch->x[1][i], batch->x[2][i]) - rays.base();
         glm::dvec3& at = places[i];
-        at = {glm::dot(point, view.right), glm::dot(point, view.up),
-              glm::dot(point, view.forward)};
+        at = {glm::dot(point, view.right), glm::dot(point, view.up), glm::dot(point, view.forward)};
         const double per_distance = 1 / (rays.distance() + at.z);
         items.add(BallBins::index_of(bins.col(at.x * per_distance), bins.row(at.y * per_distance)),
                   i);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/kernel/kernel.hpp"
-#include "engine/trace/trace_frame.hpp"
 #include "engine/trace/tile.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <optional>
 

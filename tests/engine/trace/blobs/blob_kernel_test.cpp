@@ -72,9 +72,9 @@ std::vector<At> field_at(const Kernel& kernel, const TraceFrame& frame,
                    [] { return false; });
     std::vector<At> all;
     for (std::size_t i = 0; i < places.size(); ++i)
-        all.push_back({.f = batch.f(i),
-                       .gradient = {batch.gradient(0, i), batch.gradient(1, i),
-                                    batch.gradient(2, i)}});
+        all.push_back(
+            {.f = batch.f(i),
+             .gradient = {batch.gradient(0, i), batch.gradient(1, i), batch.gradient(2, i)}});
     return all;
 }
 
@@ -144,9 +144,9 @@ protected:
             const double linear = number(cells.c) + number(cells.k[0]) * at.u +
                                   number(cells.k[1]) * at.v + number(cells.k[2]) * at.s;
             ASSERT_LE(std::abs(found[n].f - linear), number(cells.e) + 1e-9);
-            const double slope =
-                glm::dot(found[n].gradient, seen.direction(number(cells.u) + at.u * radius,
-                                                           number(cells.v) + at.v * radius));
+            const double slope = glm::dot(
+                found[n].gradient,
+                seen.direction(number(cells.u) + at.u * radius, number(cells.v) + at.v * radius));
             ASSERT_LE(-number(cells.slope_neg_lo), slope + 1e-8);
             ASSERT_GE(number(cells.slope_hi), slope - 1e-8);
         }
@@ -201,11 +201,10 @@ bool is_of_one_sign(const Seen& seen, double col, double row, double from, doubl
     constexpr int samples = 100;
     std::vector<glm::dvec3> places;
     for (int n = 0; n <= samples; ++n)
-        places.push_back(seen.place(seen.rays->u(col), seen.rays->v(row),
-                                    from + (to - from) * n / samples));
+        places.push_back(
+            seen.place(seen.rays->u(col), seen.rays->v(row), from + (to - from) * n / samples));
     const std::vector<At> found = field_at(seen.frame.kernel, seen.frame, places);
-    return std::ranges::all_of(found,
-                               [&](const At& at) { return at.f * found.front().f > 0; });
+    return std::ranges::all_of(found, [&](const At& at) { return at.f * found.front().f > 0; });
 }
 
 TEST_P(BlobKernel, IsRightAboutWholePixels) {
@@ -266,16 +265,16 @@ double disc_in(const glm::dvec2& corner, double pixel, const glm::dvec2& middle,
     for (int i = 0; i < slices; ++i) {
         const double x = corner.x + (i + 0.5) / slices * pixel - middle.x;
         const double half = std::sqrt(std::max(0.0, radius * radius - x * x));
-        sum += std::max(0.0, std::min(middle.y + half, corner.y + pixel) -
-                                 std::max(middle.y - half, corner.y));
+        sum += std::max(
+            0.0, std::min(middle.y + half, corner.y + pixel) - std::max(middle.y - half, corner.y));
     }
     return sum / slices / pixel;
 }
 
 TEST(BlobEdges, CoverWhatABallCoversOfEachPixel) {
     constexpr double pixel = 2.0 / side;
-    const Camera from_above{{0, 0, 2}, {0, 0, 0},     {0, 1, 0},
-                            2.0 * std::atan(0.5), Projection::Orthographic};
+    const Camera from_above{
+        {0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 2.0 * std::atan(0.5), Projection::Orthographic};
     RandomNumbers random(5);
     for (int n = 0; n < 12; ++n) {
         const glm::dvec2 middle(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
@@ -309,10 +308,10 @@ TEST(BlobEdges, CoverWhatABallCoversOfEachPixel) {
                 const glm::dvec2 corner((col - side / 2) * pixel, (side / 2 - row - 1) * pixel);
                 const double found = cover[static_cast<std::size_t>(row * side + col)];
                 const double exact = disc_in(corner, pixel, middle, radius);
-                // By so much an edge may be off from the line that is drawn for it (cover_rules.hpp).
-                ASSERT_NEAR(found, exact, 1.0 / 68)
-                    << blob_name(kind) << " of " << radius / pixel << " pixels at " << col << ", "
-                    << row;
+                // By so much an edge may be off from the line that is drawn for it
+                // (cover_rules.hpp).
+                ASSERT_NEAR(found, exact, 1.0 / 68) << blob_name(kind) << " of " << radius / pixel
+                                                    << " pixels at " << col << ", " << row;
                 errors += std::abs(found - exact);
                 edges += exact > 0 && exact < 1 ? 1 : 0;
             }

@@ -224,7 +224,7 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
     const UpwardRegisters upward;
     const auto takes = [&](const Scene& of) {
         const TraceFrame frame = trace_frame(of, of.surfaces[0], view, {.width = 64, .height = 64},
-                                       {.rule = StopRule::DStop, .value = 14});
+                                             {.rule = StopRule::DStop, .value = 14});
         hits.clear();
         return trace_tile_proved_blobs(frame, tile, hits, counters);
     };
