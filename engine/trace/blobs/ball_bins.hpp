@@ -94,7 +94,7 @@ private:
         return static_cast<double>(place) * side + 0.5 * (side - 1);
     }
     bool find_more();
-    void put(std::uint32_t ball);
+    void put(std::uint32_t number);
     void pack(Listed& listed, std::size_t col, std::size_t row);
     [[nodiscard]] bool may_reach(const ViewBall& ball, int col, int row) const;
 

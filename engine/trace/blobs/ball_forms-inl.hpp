@@ -1,15 +1,16 @@
 // The sum of balls over cells of beams, a cell a lane, by Taylor's formula about the middle.
 //   eu, ev, es   the place in the cell: each in [-1, 1]
-//   way          the place's from the middle, up to `off_`: linear in these but for eu es and ev es
-//   q            the square of the distance from the ball by its radius: over the cell it is
+//   way          the place's from the middle, up to `CellReach::off`: linear in these but for eu es
+//   and ev es q            the square of the distance from the ball by its radius: over the cell it
+//   is
 //                  q + linear + rest,  linear in eu, ev, es
 //   h(q)         the ball's height: convex, falling, with a continuous derivative; h'' is between
 //                two bounds on the cell
 // So the sum is a constant, a linear and a quadratic form, and a rest of third order; bends of
 // balls that cancel each other do so here, too.
 //
-// What is proved: places and directions are known to an error, `off_`, by which the cell is taken
-// to be larger; each result is rounded a few times, which `rounding_` bounds by its size.
+// What is proved: places and directions are known to an error, `CellReach::off`, by which the cell
+// is taken to be larger; each result is rounded a few times, which `rounding_` bounds by its size.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BALL_FORMS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -20,6 +21,7 @@
 #endif
 
 #include "engine/trace/blobs/ball_curves-inl.hpp"
+#include "engine/trace/blobs/ball_reach-inl.hpp"
 #include "engine/trace/blobs/ball_sums.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 
@@ -51,18 +53,16 @@ public:
         : of_(of),
           bin_(bin),
           balls_(bin.columns<Real>()),
-          cells_(cells),
           first_(first),
-          count_(std::min(lanes<Real>, cells.count - first)) {}
+          count_(std::min(lanes<Real>, cells.count - first)),
+          reach_(of, bin, cells, first) {}
 
     void write(BallForm* forms) {
-        place();
-        measure();
         clear();
-        const Vector half = half_z_;
+        const Vector half = reach_.half_z;
         const auto end_of = [&](Vector at) { return static_cast<double>(hn::GetLane(at)); };
-        each_ball_between(bin_, end_of(hn::MinOfLanes(d<Real>, hn::Sub(at_, half))),
-                          end_of(hn::MaxOfLanes(d<Real>, hn::Add(at_, half))),
+        each_ball_between(bin_, end_of(hn::MinOfLanes(d<Real>, hn::Sub(reach_.at, half))),
+                          end_of(hn::MaxOfLanes(d<Real>, hn::Add(reach_.at, half))),
                           [&](std::size_t i) { add(i); });
         write_results(forms);
     }
@@ -71,6 +71,8 @@ private:
     using Vector = V<Real>;
     using Mask = M<Real>;
     using Lanes = Real[lanes<Real>];
+    using Place = CellReach<Real>::Place;
+    using Squares = CellReach<Real>::Squares;
     static constexpr BlobFacts facts = blob_facts(kind);
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
 
@@ -78,131 +80,14 @@ private:
     static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
     static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
 
-    /// Takes in where the cells are.
-    HWY_INLINE void place() {
-        alignas(64) Lanes u, v, at, start_x, start_y, w, way_s;
-        for (std::size_t i = 0; i < lanes<Real>; ++i) {
-            const std::size_t cell = first_ + std::min(i, count_ - 1);
-            const double depth = of_.distance + cells_.s[cell];
-            u[i] = static_cast<Real>(cells_.u[cell]);
-            v[i] = static_cast<Real>(cells_.v[cell]);
-            at[i] = static_cast<Real>(cells_.s[cell] - bin_.depth);
-            start_x[i] = static_cast<Real>(depth * (cells_.u[cell] - bin_.u));
-            start_y[i] = static_cast<Real>(depth * (cells_.v[cell] - bin_.v));
-            w[i] = static_cast<Real>(depth);
-            way_s[i] = static_cast<Real>(cells_.s_radius[cell]);
-        }
-        const auto lane = [](const Lanes& numbers) { return hn::Load(d<Real>, numbers); };
-        u_ = lane(u);
-        v_ = lane(v);
-        at_ = lane(at);
-        start_x_ = lane(start_x);
-        start_y_ = lane(start_y);
-        w_ = lane(w);
-        way_s_ = lane(way_s);
-        way_u_ = hn::Mul(w_, number(cells_.u_radius));
-        way_v_ = hn::Mul(w_, number(cells_.v_radius));
-    }
-    /// A bound that is made of a few sums and products of bounds, in upward rounding.
-    static HWY_INLINE Vector above(Vector bound) { return hn::Mul(bound, number(1 + 16 * unit)); }
-    /// Sets the bounds of each cell's reach.
-    HWY_INLINE void measure() {
-        const auto sum3 = [](Vector a, Vector b, Vector c) { return hn::Add(hn::Add(a, b), c); };
-        const auto twice = [](Vector a) { return hn::Add(a, a); };
-        const Vector u_radius = number(cells_.u_radius);
-        const Vector v_radius = number(cells_.v_radius);
-        const Vector u_size = above(hn::Add(hn::Abs(u_), u_radius));
-        const Vector v_size = above(hn::Add(hn::Abs(v_), v_radius));
-        const Vector ways = above(hn::Add(hn::Abs(way_u_), hn::Abs(way_v_)));
-        const Vector sizes = sum3(u_size, v_size, number(1));
-        const Vector size = hn::MulAdd(sizes, way_s_, ways);
-        const Vector places =
-            sum3(hn::Add(hn::Abs(start_x_), hn::Abs(start_y_)), hn::Abs(at_), size);
-        const Vector reach = hn::Add(number(bin_.most_support), size);
-        const Vector off =
-            hn::MulAdd(number(16 * unit), hn::MulAdd(hn::Add(sizes, number(1)), reach, places),
-                       number(of_.place_error));
-        off_ = above(off);
-        half_x_ = above(sum3(hn::Abs(way_u_), hn::Mul(u_size, way_s_), off_));
-        half_y_ = above(sum3(hn::Abs(way_v_), hn::Mul(v_size, way_s_), off_));
-        half_z_ = above(hn::Add(way_s_, off_));
-        square_ = above(
-            sum3(hn::Mul(half_x_, half_x_), hn::Mul(half_y_, half_y_), hn::Mul(half_z_, half_z_)));
-        tilt_u_ = above(hn::Mul(u_radius, way_s_));
-        tilt_v_ = above(hn::Mul(v_radius, way_s_));
-        // By so much the way is not linear in the place.
-        const Vector bent_x = hn::Add(tilt_u_, off_);
-        const Vector bent_y = hn::Add(tilt_v_, off_);
-        beside_ = above(twice(
-            sum3(hn::Mul(half_x_, bent_x), hn::Mul(half_y_, bent_y), hn::Mul(half_z_, off_))));
-        aside_ = above(sum3(hn::Mul(u_size, half_x_), hn::Mul(v_size, half_y_), half_z_));
-        turn_ = above(twice(hn::Mul(way_s_, aside_)));
-        const Vector off_turn =
-            hn::Add(sum3(hn::Mul(u_size, bent_x), hn::Mul(v_size, bent_y), off_),
-                    hn::Add(hn::Mul(u_radius, half_x_), hn::Mul(v_radius, half_y_)));
-        turn_off_ = above(twice(hn::Mul(way_s_, off_turn)));
-        aside_x_ = above(hn::MulAdd(number(16 * unit), u_size, u_radius));
-        aside_y_ = above(hn::MulAdd(number(16 * unit), v_size, v_radius));
-    }
-
-    /// From a ball's middle to the cell's.
-    struct Place {
-        Vector x, y, z;
-    };
-    /// What is known of q on the cell.
-    struct Squares {
-        Vector middle, lo, hi;
-        Vector linear_u, linear_v, linear_s;
-        Vector linear;  ///< at most
-        Vector rest;    ///< at most
-        Vector beside;  ///< what of it is not quadratic in the place, at most
-        Vector change;  ///< linear + rest
-        Vector turn;    ///< of how the rest changes with es, at most
-    };
-    HWY_INLINE Squares squares_of(const Place& from, Vector per_square) const {
-        const auto twice = [&](Vector a) { return hn::Mul(hn::Add(a, a), per_square); };
-        Squares q{};
-        q.middle =
-            hn::Mul(hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
-                    per_square);
-        const Place steep{twice(from.x), twice(from.y), twice(from.z)};
-        q.linear_u = hn::Mul(steep.x, way_u_);
-        q.linear_v = hn::Mul(steep.y, way_v_);
-        q.linear_s = hn::Mul(hn::MulAdd(steep.x, u_, hn::MulAdd(steep.y, v_, steep.z)), way_s_);
-        const Vector size_x = hn::Abs(steep.x);
-        const Vector size_y = hn::Abs(steep.y);
-        const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
-        q.linear =
-            hn::Mul(hn::Add(hn::Abs(q.linear_u), hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
-                    number(1 + 16 * unit));
-        const Vector tilted = hn::MulAdd(size_x, tilt_u_, hn::Mul(size_y, tilt_v_));
-        const Vector off = hn::Mul(sizes, off_);
-        q.beside = hn::MulAdd(per_square, beside_, off);
-        q.rest = hn::MulAdd(square_, per_square, hn::Add(tilted, off));
-        q.turn = hn::MulAdd(turn_, per_square, tilted);
-        q.change = hn::Add(q.linear, q.rest);
-        const auto gap = [&](Vector a, Vector half) {
-            return hn::Max(hn::Sub(hn::Abs(a), half), zero());
-        };
-        const Place gaps{gap(from.x, half_x_), gap(from.y, half_y_), gap(from.z, half_z_)};
-        const Vector nearest =
-            hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
-        // Differences of far larger numbers are known to the digits of these.
-        const Vector spare = hn::Mul(number(16 * unit), q.middle);
-        const Vector lo = hn::Sub(q.middle, hn::Add(q.linear, hn::Add(tilted, off)));
-        q.lo =
-            hn::Max(hn::Sub(hn::Max(hn::Mul(nearest, per_square), lo), spare), hn::Zero(d<Real>));
-        q.hi = hn::Add(hn::Add(q.middle, q.change), spare);
-        return q;
-    }
-
     HWY_INLINE void add(std::size_t i) {
         const Vector reach = number(facts.reach);
-        const Vector z = hn::Sub(at_, same(balls_.z[i]));
-        const Place from{hn::MulAdd(number(bin_.u), z, hn::Sub(start_x_, same(balls_.x[i]))),
-                         hn::MulAdd(number(bin_.v), z, hn::Sub(start_y_, same(balls_.y[i]))), z};
+        const Vector z = hn::Sub(reach_.at, same(balls_.z[i]));
+        const Place from{hn::MulAdd(number(bin_.u), z, hn::Sub(reach_.start_x, same(balls_.x[i]))),
+                         hn::MulAdd(number(bin_.v), z, hn::Sub(reach_.start_y, same(balls_.y[i]))),
+                         z};
         const Vector per_square = same(balls_.per_square[i]);
-        const Squares q = squares_of(from, per_square);
+        const Squares q = reach_.squares_of(from, per_square);
         const Mask reached = hn::Lt(q.lo, reach);
         if (hn::AllFalse(d<Real>, reached)) return;
         const auto height_up_to_reach = [&](Vector of) {
@@ -216,16 +101,33 @@ private:
         const auto top = height_up_to_reach(q.lo);
         const auto end = height_up_to_reach(q.hi);
         const Vector strength = same(balls_.strength[i]);
-        // What is not reached may overflow.
-        const auto add_to = [&](Vector& sum, Vector term) {
-            sum = hn::Add(sum, hn::IfThenElseZero(reached, term));
-        };
+        add_linear(q, middle, strength, per_square, reached);
+        add_bends(q, hn::Abs(middle.slope), strength, per_square, reached);
+        const Mask hollow = hn::Lt(strength, zero());
+        const Vector least = hn::Mul(strength, end.value);
+        const Vector most = hn::Mul(strength, top.value);
+        add_in(reached, hn::IfThenElse(hollow, most, least), range_lo_);
+        add_in(reached, hn::IfThenElse(hollow, least, most), range_hi_);
+        add_slope(from, top.slope, end.slope, hn::Mul(strength, per_square), reached);
+    }
+    /// Adds a term in those lanes that a ball reaches: in others it may overflow.
+    static HWY_INLINE void add_in(Mask reached, Vector term, Vector& sum) {
+        sum = hn::Add(sum, hn::IfThenElseZero(reached, term));
+    }
+    HWY_INLINE void add_linear(const Squares& q, const HeightOf<Vector>& middle, Vector strength,
+                               Vector per_square, Mask reached) {
+        const auto add_to = [&](Vector& sum, Vector term) { add_in(reached, term, sum); };
         add_to(c_, hn::Mul(strength, middle.value));
         const Vector steep = hn::Mul(strength, middle.slope);
         add_to(along_u_, hn::Mul(steep, q.linear_u));
         add_to(along_v_, hn::Mul(steep, q.linear_v));
         add_to(along_s_, hn::Mul(steep, q.linear_s));
         add_to(round_, hn::Mul(steep, per_square));
+    }
+    /// Adds what is quadratic, and bounds of what is left.
+    HWY_INLINE void add_bends(const Squares& q, Vector flat, Vector strength, Vector per_square,
+                              Mask reached) {
+        const auto add_to = [&](Vector& sum, Vector term) { add_in(reached, term, sum); };
         const auto curves = curves_between<kind>(d<Real>, q.lo, q.hi);
         const Vector curve = hn::Mul(number(0.5), hn::Add(curves.least, curves.most));
         const Vector unsure = hn::Mul(number(0.5), hn::Sub(curves.most, curves.least));
@@ -240,7 +142,6 @@ private:
         add_to(bend_ss_, hn::Mul(hn::Mul(bent, q.linear_s), q.linear_s));
         // 1/2 h'' change^2 is 1/2 curve linear^2 up to this, and h' rest quadratic up to h' beside.
         const Vector size = hn::Abs(strength);
-        const Vector flat = hn::Abs(middle.slope);
         const Vector square = hn::Mul(q.change, q.change);
         const Vector mixed = hn::Mul(q.rest, hn::Add(hn::Add(q.linear, q.linear), q.rest));
         const Vector half = number(0.5);
@@ -260,25 +161,19 @@ private:
             hn::MulAdd(unsure, hn::Mul(q.change, along),
                        hn::MulAdd(curve, hn::Mul(q.rest, along),
                                   hn::Mul(hn::Mul(curves.most, q.change), q.turn)));
-        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, turn_off_, zero()));
+        const Vector beside = hn::Mul(flat, hn::MulAdd(per_square, reach_.turn_off, zero()));
         add_to(turning_, hn::Mul(size, hn::Add(turning, beside)));
-        const Mask hollow = hn::Lt(strength, zero());
-        const Vector least = hn::Mul(strength, end.value);
-        const Vector most = hn::Mul(strength, top.value);
-        add_to(range_lo_, hn::IfThenElse(hollow, most, least));
-        add_to(range_hi_, hn::IfThenElse(hollow, least, most));
-        add_slope(from, top.slope, end.slope, hn::Mul(strength, per_square), reached);
     }
 
     /// The slope along the rays is 2 s h'(q) / r^2 times how far along its direction a place is
     /// from the ball.
     HWY_INLINE void add_slope(const Place& from, Vector steepest, Vector flattest, Vector weight,
                               Mask reached) {
-        const Vector along = hn::MulAdd(u_, from.x, hn::MulAdd(v_, from.y, from.z));
+        const Vector along = hn::MulAdd(reach_.u, from.x, hn::MulAdd(reach_.v, from.y, from.z));
         const Vector half =
-            hn::MulAdd(hn::Abs(from.x), aside_x_,
-                       hn::MulAdd(hn::Abs(from.y), aside_y_,
-                                  hn::MulAdd(hn::Abs(from.z), number(16 * unit), aside_)));
+            hn::MulAdd(hn::Abs(from.x), reach_.aside_x,
+                       hn::MulAdd(hn::Abs(from.y), reach_.aside_y,
+                                  hn::MulAdd(hn::Abs(from.z), number(16 * unit), reach_.aside)));
         const Vector near = hn::Sub(along, half);
         const Vector far = hn::Add(along, half);
         const Vector least = hn::Mul(hn::IfThenElse(hn::Gt(far, zero()), steepest, flattest), far);
@@ -304,41 +199,50 @@ private:
             *sum = zero();
     }
 
+    /// What is quadratic in the place: its middle, how far it is from that, and its slope by es.
+    struct Bends {
+        Vector middle, error, turn;
+    };
+    HWY_INLINE Bends bends() const {
+        const Vector half = number(0.5);
+        // Of eu es and ev es, rays that part add some.
+        const Vector tilt = hn::Div(reach_.way_s, reach_.w);
+        const Vector round_s = hn::Mul(round_, reach_.way_s);
+        const Vector square =
+            hn::MulAdd(reach_.u, reach_.u, hn::MulAdd(reach_.v, reach_.v, number(1)));
+        const Vector uu = hn::MulAdd(hn::Mul(round_, reach_.way_u), reach_.way_u, bend_uu_);
+        const Vector vv = hn::MulAdd(hn::Mul(round_, reach_.way_v), reach_.way_v, bend_vv_);
+        const Vector ss = hn::MulAdd(hn::Mul(round_s, square), reach_.way_s, bend_ss_);
+        const auto mixed = [&](Vector bend, Vector way, Vector direction, Vector along) {
+            const Vector sum = hn::MulAdd(hn::Mul(round_s, way), direction, bend);
+            return hn::Abs(hn::MulAdd(along, tilt, hn::Add(sum, sum)));
+        };
+        const Vector us_vs = hn::Add(mixed(bend_us_, reach_.way_u, reach_.u, along_u_),
+                                     mixed(bend_vs_, reach_.way_v, reach_.v, along_v_));
+        const Vector uv = hn::Abs(hn::Add(bend_uv_, bend_uv_));
+        const Vector size_ss = hn::Abs(ss);
+        const Vector sizes = hn::Add(hn::Add(hn::Abs(uu), hn::Abs(vv)), size_ss);
+        return {.middle = hn::Mul(half, hn::Add(hn::Add(uu, vv), ss)),
+                .error = hn::MulAdd(half, sizes, hn::Add(us_vs, uv)),
+                .turn = hn::Add(hn::Add(size_ss, size_ss), us_vs)};
+    }
+
     HWY_INLINE void write_results(BallForm* forms) const {
+        const auto above = [](Vector bound) { return CellReach<Real>::above(bound); };
         const auto count = static_cast<double>(bin_.count);
         const Vector level = number(of_.level);
         const Vector half = number(0.5);
-        Vector c = hn::Sub(c_, level);
         const Vector spare = above(hn::MulAdd(number(1 + count / 64), rounding_,
                                               number(of_.tail + 256 * unit * std::abs(of_.level))));
-        // What is quadratic in the place; of eu es and ev es, rays that part add some.
-        const Vector tilt = hn::Div(way_s_, w_);
-        const Vector round_s = hn::Mul(round_, way_s_);
-        const Vector square = hn::MulAdd(u_, u_, hn::MulAdd(v_, v_, number(1)));
-        const Vector uu = hn::MulAdd(hn::Mul(round_, way_u_), way_u_, bend_uu_);
-        const Vector vv = hn::MulAdd(hn::Mul(round_, way_v_), way_v_, bend_vv_);
-        const Vector ss = hn::MulAdd(hn::Mul(round_s, square), way_s_, bend_ss_);
-        const auto mixed = [&](Vector bend, Vector way, Vector direction, Vector along) {
-            const Vector sum = hn::MulAdd(hn::Mul(round_s, way), direction, bend);
-            return hn::MulAdd(along, tilt, hn::Add(sum, sum));
-        };
-        const Vector us = hn::Abs(mixed(bend_us_, way_u_, u_, along_u_));
-        const Vector vs = hn::Abs(mixed(bend_vs_, way_v_, v_, along_v_));
-        const Vector size_uu = hn::Abs(uu);
-        const Vector size_vv = hn::Abs(vv);
-        const Vector size_ss = hn::Abs(ss);
-        const Vector uv = hn::Abs(hn::Add(bend_uv_, bend_uv_));
-        c = hn::MulAdd(half, hn::Add(hn::Add(uu, vv), ss), c);
-        const Vector bends = hn::Add(hn::Mul(half, hn::Add(hn::Add(size_uu, size_vv), size_ss)),
-                                     hn::Add(hn::Add(us, vs), uv));
-        const Vector error = above(hn::Add(hn::Add(bends, third_), spare));
-        const Vector turn = above(hn::Add(hn::Add(hn::Add(size_ss, size_ss), hn::Add(us, vs)),
-                                          hn::Mul(turning_, number(1 + 0x1p-10))));
-        const Vector slope_spare =
-            above(hn::MulAdd(number((64 + count) * unit), slope_size_, number(of_.slope_tail)));
+        const Bends bent = bends();
+        const Vector c = hn::Add(hn::Sub(c_, level), bent.middle);
+        const Vector error = above(hn::Add(hn::Add(bent.error, third_), spare));
+        const Vector turn = above(hn::MulAdd(turning_, number(1 + 0x1p-10), bent.turn));
+        const Vector slope_spare = CellReach<Real>::above(
+            hn::MulAdd(number((64 + count) * unit), slope_size_, number(of_.slope_tail)));
         const Vector unknown = hn::Inf(d<Real>);
-        const Mask is_long = hn::Gt(way_s_, zero());
-        const Vector per_way = hn::Div(number(1), way_s_);
+        const Mask is_long = hn::Gt(reach_.way_s, zero());
+        const Vector per_way = hn::Div(number(1), reach_.way_s);
         const Vector rounded = hn::Mul(number(16 * unit), hn::Abs(along_s_));
         const Vector spread_s = hn::Mul(hn::Add(turn, rounded), per_way);
         const Vector slope_s = hn::Mul(along_s_, per_way);
@@ -379,13 +283,8 @@ private:
     const BallForms& of_;
     const BallBin& bin_;
     const BinColumns<Real>& balls_;
-    const BallCells& cells_;
     std::size_t first_, count_;
-    // Of each cell: its middle; how far it reaches to both sides of that; bounds of these ways and
-    // of their products.
-    Vector u_, v_, at_, start_x_, start_y_, w_, way_u_, way_v_, way_s_;
-    Vector off_, half_x_, half_y_, half_z_, square_, beside_, tilt_u_, tilt_v_;
-    Vector turn_, turn_off_, aside_x_, aside_y_, aside_;
+    CellReach<Real> reach_;
     Vector c_, along_u_, along_v_, along_s_;
     Vector round_;  ///< of h' / r^2
     Vector bend_uu_, bend_vv_, bend_ss_, bend_uv_, bend_us_, bend_vs_;

@@ -129,8 +129,8 @@ void copy_form(const FormBatchOf<Real>& batch, std::size_t from, std::size_t to)
 template <class Real>
 void forms_of(const void* of, const FormBatchOf<Real>* batch) {
     const auto& code = *static_cast<const TileCode*>(of);
-    const auto& frustum =
-        *static_cast<const FrustumOf<Real>*>(static_cast<const void*>(batch->frustum));
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): its first member (FormBatchOf)
+    const auto& frustum = *reinterpret_cast<const FrustumOf<Real>*>(batch->frustum);
     BallBins& bins = code.bins;
     const auto is_again = [&](std::size_t i) {
         return i > 0 && batch->u[i] == batch->u[i - 1] && batch->v[i] == batch->v[i - 1] &&
