@@ -4,6 +4,7 @@
 #include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/mixed_pixels.hpp"
 #include "engine/light/keep_planes.hpp"
+#include "engine/trace/blobs/blob_kernel.hpp"
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/patch/patch_tracer.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace zeroset {
@@ -151,8 +153,11 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());
+    // By the balls near each pixel, where a surface is one of soft balls alone.
+    const std::optional<Kernel> by_balls =
+        surfaces_.size() == 1 ? blob_kernel(surfaces_.front(), tile) : std::nullopt;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
-        frames.push_back(frame_of(i, tile, limit));
+        frames.push_back(by_balls ? surfaces_[i].with(*by_balls, limit) : frame_of(i, tile, limit));
     find_cover(frames, tile, workspace.mixed, workspace.samples, counters);
     const auto light = workspace.cover_light.light(
         light_, surfaces_, limit, tile, workspace.lit.layers(), workspace.samples, counters);

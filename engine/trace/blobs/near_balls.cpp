@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace zeroset {
@@ -104,6 +105,7 @@ bool NearBalls::next() {
            (balls_.size() < before + balls_in_slab || open_.front().from <= from_))
         take_first();
     to_ = next_from();
+    fresh_.assign(balls_.begin() + static_cast<std::ptrdiff_t>(before), balls_.end());
     std::ranges::sort(balls_, {}, &ViewBall::from);
     return !balls_.empty();
 }

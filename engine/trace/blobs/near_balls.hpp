@@ -39,6 +39,8 @@ public:
     bool next();
     /// The balls that reach into the slab, those whose from() is least first; and others.
     [[nodiscard]] std::span<const ViewBall> balls() const { return balls_; }
+    /// Those that no slab before had, in no order.
+    [[nodiscard]] std::span<const ViewBall> fresh() const { return fresh_; }
     /// The slab's depths. Nothing reaches rays between two slabs.
     [[nodiscard]] double from() const { return from_; }
     [[nodiscard]] double to() const { return to_; }
@@ -66,7 +68,7 @@ private:
     double spare_ = 0;  ///< more than roundings of places
     std::array<Side, 4> sides_{};
     std::vector<Open> open_;  ///< a heap, the nearest first
-    std::vector<ViewBall> balls_;
+    std::vector<ViewBall> balls_, fresh_;
     double from_ = 0, to_ = 0;
 };
 

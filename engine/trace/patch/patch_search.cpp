@@ -1,8 +1,12 @@
 #include "engine/trace/patch/patch_search.hpp"
 
+#include "engine/trace/patch/patch_look.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace zeroset {
 namespace {
@@ -86,6 +90,35 @@ void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchFor
     open_.push_back({.box = box, .form = *within, .sight = sight, .node = node, .near = near});
 }
 
+/// Takes in those of a node's parts that the ray may meet: most it does not.
+void PatchSearch::push_parts(const PatchQuest& quest, PatchNode::Children& parts) {
+    const RayBounds alone{
+        .u_lo = quest.ray.u, .u_hi = quest.ray.u, .v_lo = quest.ray.v, .v_hi = quest.ray.v};
+    const PartWindow window{.axes = quest.axes,
+                            .rays = alone,
+                            .clip = quest.clip,
+                            .depths = {.near = quest.from, .far = std::min(best_.s, quest.to)}};
+    SeenParts seen;
+    const std::uint32_t known = parts.forms.known;
+    const std::uint32_t met = look_at_parts(parts.forms, window, seen) | ~known;
+    for (std::size_t i = 0; i < parts.nodes.size(); ++i) {
+        PatchNode& part = parts.nodes[i];
+        if ((met >> i & 1U) == 0) continue;
+        if ((known >> i & 1U) == 0) {
+            push(quest, part.box, part.form, &part);
+            continue;
+        }
+        const PatchSight sight = seen.sight(i);
+        const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
+        if (!zeros.any || zeros.beyond(inner)) continue;
+        open_.push_back({.box = part.box,
+                         .form = part.form,
+                         .sight = sight,
+                         .node = &part,
+                         .near = std::max(sight.depths().near, quest.from)});
+    }
+}
+
 void PatchSearch::take(const PatchQuest& quest, const ZeroTest& test, InSquare where,
                        const PatchPoint& point) {
     if (where == InSquare::Outside) return;
@@ -165,11 +198,7 @@ void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchS
         const bool keeps = std::max(spread.x, spread.y) > quest.pixel;
         PatchNode::Children* const parts =
             keeps ? tree_.parts(*item.node) : item.node->children.load(std::memory_order_acquire);
-        if (parts != nullptr) {
-            for (PatchNode& part : parts->nodes)
-                push(quest, part.box, part.form, &part);
-            return;
-        }
+        if (parts != nullptr) return push_parts(quest, *parts);
     }
     const Part p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, inner);
     const Part q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, inner);

@@ -78,6 +78,7 @@ private:
     }
 
     void push(const PatchQuest& quest, const UvBox& box, const PatchForm& whole, PatchNode* node);
+    void push_parts(const PatchQuest& quest, PatchNode::Children& parts);
     Outcome certify(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                     const LinearZeros& zeros);
     /// What is evaluated at a place of an item, with its derivatives by p and q.

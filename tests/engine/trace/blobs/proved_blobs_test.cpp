@@ -222,15 +222,13 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
     Counters counters;
     const Tile tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};
     const UpwardRegisters upward;
-    const auto takes = [&](const Scene& of, bool whole_pixels = false) {
-        TraceFrame frame = trace_frame(of, of.surfaces[0], view, {.width = 64, .height = 64},
-                                       {.rule = StopRule::DStop, .value = 14});
-        frame.whole_pixels = whole_pixels;
+    const auto takes = [&](const Scene& of) {
+        const TraceFrame frame = trace_frame(of, of.surfaces[0], view, {.width = 64, .height = 64},
+                                             {.rule = StopRule::DStop, .value = 14});
         hits.clear();
         return trace_tile_proved_blobs(frame, tile, hits, counters);
     };
     EXPECT_TRUE(takes(scene));
-    EXPECT_FALSE(takes(scene, true));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 1).beams));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 0).balls)) << "all of space is at the level";
     const auto beside = [&](double large) {

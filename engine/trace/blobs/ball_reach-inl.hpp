@@ -1,0 +1,165 @@
+// How far cells of beams reach from their middles, and what follows for the squares of distances
+// from balls there; a cell a lane (ball_forms-inl.hpp). Included once for each instruction set,
+// after Highway.
+
+#if defined(ZEROSET_BALL_REACH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BALL_REACH_INL
+#undef ZEROSET_BALL_REACH_INL
+#else
+#define ZEROSET_BALL_REACH_INL
+#endif
+
+#include "engine/trace/blobs/ball_sums.hpp"
+#include "engine/trace/simd/vectors-inl.hpp"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// Some cells of a bin, as many as there are lanes at most. In upward rounding.
+template <class Real>
+struct CellReach {
+    using Vector = V<Real>;
+    using Lanes = Real[lanes<Real>];
+    static constexpr double unit = std::numeric_limits<Real>::epsilon();
+
+    /// From a ball's middle to the cell's.
+    struct Place {
+        Vector x, y, z;
+    };
+    /// What is known of q on the cell.
+    struct Squares {
+        Vector middle, lo, hi;
+        Vector linear_u, linear_v, linear_s;
+        Vector linear;  ///< at most
+        Vector rest;    ///< at most
+        Vector beside;  ///< what of it is not quadratic in the place, at most
+        Vector change;  ///< linear + rest
+        Vector turn;    ///< of how the rest changes with es, at most
+    };
+    // Their middles; how far they reach to both sides of these; bounds of these ways and of their
+    // products.
+    Vector u, v, at, start_x, start_y, w, way_u, way_v, way_s;
+    Vector off, half_x, half_y, half_z, square, beside, tilt_u, tilt_v;
+    Vector turn, turn_off, aside_x, aside_y, aside;
+
+    CellReach(const BallForms& of, const BallBin& bin, const BallCells& cells, std::size_t first) {
+        place(of, bin, cells, first);
+        measure(of, bin, cells);
+    }
+    static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
+    /// A bound that is made of a few sums and products of bounds.
+    static HWY_INLINE Vector above(Vector bound) { return hn::Mul(bound, number(1 + 16 * unit)); }
+    HWY_INLINE Squares squares_of(const Place& from, Vector per_square) const {
+        const auto twice = [&](Vector a) { return hn::Mul(hn::Add(a, a), per_square); };
+        Squares q{};
+        q.middle =
+            hn::Mul(hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
+                    per_square);
+        const Place steep{twice(from.x), twice(from.y), twice(from.z)};
+        q.linear_u = hn::Mul(steep.x, way_u);
+        q.linear_v = hn::Mul(steep.y, way_v);
+        q.linear_s = hn::Mul(hn::MulAdd(steep.x, u, hn::MulAdd(steep.y, v, steep.z)), way_s);
+        const Vector size_x = hn::Abs(steep.x);
+        const Vector size_y = hn::Abs(steep.y);
+        const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
+        q.linear =
+            hn::Mul(hn::Add(hn::Abs(q.linear_u), hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
+                    number(1 + 16 * unit));
+        const Vector tilted = hn::MulAdd(size_x, tilt_u, hn::Mul(size_y, tilt_v));
+        const Vector moved = hn::Mul(sizes, off);
+        q.beside = hn::MulAdd(per_square, beside, moved);
+        q.rest = hn::MulAdd(square, per_square, hn::Add(tilted, moved));
+        q.turn = hn::MulAdd(turn, per_square, tilted);
+        q.change = hn::Add(q.linear, q.rest);
+        const auto gap = [&](Vector a, Vector half) {
+            return hn::Max(hn::Sub(hn::Abs(a), half), hn::Zero(d<Real>));
+        };
+        const Place gaps{gap(from.x, half_x), gap(from.y, half_y), gap(from.z, half_z)};
+        const Vector nearest =
+            hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
+        // Differences of far larger numbers are known to the digits of these.
+        const Vector spare = hn::Mul(number(16 * unit), q.middle);
+        const Vector lo = hn::Sub(q.middle, hn::Add(q.linear, hn::Add(tilted, moved)));
+        q.lo =
+            hn::Max(hn::Sub(hn::Max(hn::Mul(nearest, per_square), lo), spare), hn::Zero(d<Real>));
+        q.hi = hn::Add(hn::Add(q.middle, q.change), spare);
+        return q;
+    }
+
+private:
+    /// Takes in where the cells are.
+    HWY_INLINE void place(const BallForms& of, const BallBin& bin, const BallCells& cells,
+                          std::size_t first) {
+        const std::size_t count = std::min(lanes<Real>, cells.count - first);
+        alignas(64) Lanes columns[7];
+        for (std::size_t i = 0; i < lanes<Real>; ++i) {
+            const std::size_t cell = first + std::min(i, count - 1);
+            const double depth = of.distance + cells.s[cell];
+            columns[0][i] = static_cast<Real>(cells.u[cell]);
+            columns[1][i] = static_cast<Real>(cells.v[cell]);
+            columns[2][i] = static_cast<Real>(cells.s[cell] - bin.depth);
+            columns[3][i] = static_cast<Real>(depth * (cells.u[cell] - bin.u));
+            columns[4][i] = static_cast<Real>(depth * (cells.v[cell] - bin.v));
+            columns[5][i] = static_cast<Real>(depth);
+            columns[6][i] = static_cast<Real>(cells.s_radius[cell]);
+        }
+        const auto lane = [](const Lanes& numbers) { return hn::Load(d<Real>, numbers); };
+        u = lane(columns[0]);
+        v = lane(columns[1]);
+        at = lane(columns[2]);
+        start_x = lane(columns[3]);
+        start_y = lane(columns[4]);
+        w = lane(columns[5]);
+        way_s = lane(columns[6]);
+        way_u = hn::Mul(w, number(cells.u_radius));
+        way_v = hn::Mul(w, number(cells.v_radius));
+    }
+    /// Sets the bounds of each cell's reach.
+    HWY_INLINE void measure(const BallForms& of, const BallBin& bin, const BallCells& cells) {
+        const auto sum3 = [](Vector a, Vector b, Vector c) { return hn::Add(hn::Add(a, b), c); };
+        const auto twice = [](Vector a) { return hn::Add(a, a); };
+        const Vector u_radius = number(cells.u_radius);
+        const Vector v_radius = number(cells.v_radius);
+        const Vector u_size = above(hn::Add(hn::Abs(u), u_radius));
+        const Vector v_size = above(hn::Add(hn::Abs(v), v_radius));
+        const Vector ways = above(hn::Add(hn::Abs(way_u), hn::Abs(way_v)));
+        const Vector sizes = sum3(u_size, v_size, number(1));
+        const Vector size = hn::MulAdd(sizes, way_s, ways);
+        const Vector places = sum3(hn::Add(hn::Abs(start_x), hn::Abs(start_y)), hn::Abs(at), size);
+        const Vector reach = hn::Add(number(bin.most_support), size);
+        off = above(hn::MulAdd(number(16 * unit),
+                               hn::MulAdd(hn::Add(sizes, number(1)), reach, places),
+                               number(of.place_error)));
+        half_x = above(sum3(hn::Abs(way_u), hn::Mul(u_size, way_s), off));
+        half_y = above(sum3(hn::Abs(way_v), hn::Mul(v_size, way_s), off));
+        half_z = above(hn::Add(way_s, off));
+        square =
+            above(sum3(hn::Mul(half_x, half_x), hn::Mul(half_y, half_y), hn::Mul(half_z, half_z)));
+        tilt_u = above(hn::Mul(u_radius, way_s));
+        tilt_v = above(hn::Mul(v_radius, way_s));
+        // By so much the way is not linear in the place.
+        const Vector bent_x = hn::Add(tilt_u, off);
+        const Vector bent_y = hn::Add(tilt_v, off);
+        beside = above(
+            twice(sum3(hn::Mul(half_x, bent_x), hn::Mul(half_y, bent_y), hn::Mul(half_z, off))));
+        aside = above(sum3(hn::Mul(u_size, half_x), hn::Mul(v_size, half_y), half_z));
+        turn = above(twice(hn::Mul(way_s, aside)));
+        const Vector off_turn =
+            hn::Add(sum3(hn::Mul(u_size, bent_x), hn::Mul(v_size, bent_y), off),
+                    hn::Add(hn::Mul(u_radius, half_x), hn::Mul(v_radius, half_y)));
+        turn_off = above(twice(hn::Mul(way_s, off_turn)));
+        aside_x = above(hn::MulAdd(number(16 * unit), u_size, u_radius));
+        aside_y = above(hn::MulAdd(number(16 * unit), v_size, v_radius));
+    }
+};
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
