@@ -203,6 +203,7 @@ void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& 
 
 /// The functions made at once for these options, those that the beam tracer needs; longest first.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
+    if (options.on_call) return {};
     const bool hasty = options.hasty;
     std::vector<Piece> pieces{
         {.vector = vectors.in_float, .kind = KernelKind::Form, .hasty = hasty}};
@@ -233,7 +234,7 @@ std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
     return codes;
 }
 
-/// Adds the functions that few formulas need, to be made when they are called.
+/// Adds the functions that are to be made when they are called, which few formulas need.
 void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vectors,
                          const CompileOptions& options) {
     const bool hasty = options.hasty;
@@ -244,7 +245,16 @@ void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vector
     later(kernel.in_float.value, vectors.in_float, KernelKind::Value);
     later(kernel.in_double.value, vectors.in_double, KernelKind::Value);
     if (options.with_double) later(kernel.in_double.range, vectors.in_double, KernelKind::Range);
-    if (!options.quick) return;
+    if (options.on_call) {
+        later(kernel.in_float.form, vectors.in_float, KernelKind::Form);
+        later(kernel.in_float.newton, vectors.in_float, KernelKind::Newton);
+        later(kernel.ray_value, vectors.in_double, KernelKind::RayValue);
+        if (options.with_double) {
+            later(kernel.in_double.form, vectors.in_double, KernelKind::Form);
+            later(kernel.in_double.newton, vectors.in_double, KernelKind::Newton);
+        }
+    }
+    if (!options.quick && !options.on_call) return;
     make_on_call(kernel.in_float.ray_form, expr,
                  {.vector = vectors.in_float, .kind = KernelKind::RayForm, .hasty = hasty},
                  kernel.in_float.form, 0);

@@ -16,6 +16,8 @@ struct CompileOptions {
     /// Makes at once only what a first picture needs; forms on rays, too, are made when first
     /// called.
     bool quick = false;
+    /// Makes nothing at once: the code of each function when it is first called.
+    bool on_call = false;
     /// Halves the time of compilation, for code that is slower by some 10 to 40 %.
     bool hasty = false;
     /// Number of nodes that the interpreter evaluates for a function that few formulas need, before

@@ -101,6 +101,25 @@ TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
     EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
 }
 
+TEST(Jit, MakesAFunctionWhenItIsCalledWithTheBitsOfThoseMadeAtOnce) {
+    RandomNumbers random(24);
+    const KernelBatch batch(random, 64);
+    for (const char* const text :
+         {"x^3*y + 1.0703125*sin(y*z) - x*z^2", "max(abs(x) - 0.6, y/z)"}) {
+        const Expr expr = parsed(text);
+        EXPECT_FALSE(jit::is_compiled(expr, {}));
+        const Kernel on_call = test::compiled(expr, {.on_call = true});
+        EXPECT_FALSE(jit::is_compiled(expr, {}));
+        const Kernel at_once = test::compiled(expr, {});
+        EXPECT_NE(on_call.in_float.form, at_once.in_float.form);
+        EXPECT_EQ(centres_and_errors(on_call.in_float.form),
+                  centres_and_errors(at_once.in_float.form));
+        EXPECT_EQ(centres_and_errors(on_call.in_float.ray_form),
+                  centres_and_errors(at_once.in_float.ray_form));
+        EXPECT_EQ(batch.run(on_call), batch.run(at_once)) << text;
+    }
+}
+
 TEST(Jit, HasTheSameBitsInHaste) {
     RandomNumbers random(20);
     const KernelBatch batch(random, 64);
