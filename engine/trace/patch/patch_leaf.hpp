@@ -24,6 +24,11 @@ struct LeafSight {
     double value_error;  ///< of each of (a, b, s), as long as no term is left out
 };
 
+/// Where rays through pixels are: that of a pixel at (u + col pixel, v - row pixel).
+struct PixelGrid {
+    double u, v, pixel;
+};
+
 /// Some pixels of a tile: up to, but not including, the last ones.
 struct TileRect {
     int col, row, end_col, end_row;
@@ -87,7 +92,8 @@ struct LeafRays {
     double* to;  ///< where any hit will do: set to -inf, as the reach, where one is proved; else
                  ///< nullptr
     std::size_t row_size;
-    double tolerance;  ///< the width of a bracket that is narrow enough
+    double tolerance;       ///< the width of a bracket that is narrow enough
+    const PixelGrid* grid;  ///< on which the rays are; nullptr: they are anywhere
 };
 
 /// What of a leaf counts.

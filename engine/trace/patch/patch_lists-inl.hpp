@@ -8,6 +8,7 @@
 #define ZEROSET_PATCH_LISTS_INL
 #endif
 
+#include "engine/trace/patch/patch_outline.hpp"
 #include "engine/trace/patch/patch_pieces-inl.hpp"
 
 #include <hwy/highway.h>
@@ -42,8 +43,15 @@ public:
         const LinearForm form(piece.sight, axes_);
         const double near = piece.sight.depths().near;
         std::size_t count = 0;
-        for (const TileRect& rect : pixels.rects)
-            count = list(form, rect, near, count);
+        if (rays_.grid == nullptr) {
+            for (const TileRect& rect : pixels.rects)
+                count = list(form, rect, near, count);
+        } else {
+            const PatchOutline outline(piece.sight, axes_.distance, *rays_.grid);
+            for (const TileRect& rect : pixels.rects)
+                count = gather(outline, outline.within(rect), near, count);
+            count = keep_met(form, count);
+        }
         count = list(form, pixels.others, near, count);
         repeat_last(0, count);
         return {.first = 0, .count = count};
@@ -62,7 +70,7 @@ public:
             const auto pixels = hn::LoadU(di, pixels_at(at));
             const LaneBits wanted = first_bits(rays.count - i) & nearer(near, pixels);
             if (wanted == 0) continue;
-            count += put(form, pair(u(at)), pair(v(at)), pixels, wanted, first + count);
+            count += put(form, lists(), pair(u(at)), pair(v(at)), pixels, wanted, first + count);
         }
         repeat_last(first, count);
         return {.first = first, .count = count};
@@ -169,9 +177,51 @@ private:
                                         });
                 if (wanted == 0) continue;
                 const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
-                count += put(form, pair(rays_.u + at), pair(rays_.v + at), pixels, wanted, count);
+                count += put(form, lists(), pair(rays_.u + at), pair(rays_.v + at), pixels, wanted, count);
             }
         }
+        return count;
+    }
+
+    /// Puts the pixels of an outline into the lists, whose reach is not before `near`.
+    std::size_t gather(const PatchOutline& outline, const TileRect& rect, double near,
+                       std::size_t count) {
+        if (rect.empty()) return count;
+        const auto index = [](int at) { return static_cast<std::size_t>(at); };
+        lists_.reserve(count, index(rect.end_row - rect.row) * index(rect.end_col - rect.col));
+        const auto lanes = hn::Iota(di, 0);
+        const Vector nearest = number(near);
+        const Lists to = lists();
+        const LeafRays from = rays_;
+        for (int row = rect.row; row < rect.end_row; ++row) {
+            const ColumnSpan span = outline.span(row, rect);
+            if (span.empty()) continue;
+            const std::size_t end_col = index(span.end_col);
+            for (std::size_t col = index(span.col); col < end_col; col += float_width) {
+                // No vector is read from behind the end of a row.
+                const std::size_t first = std::min(col, from.row_size - float_width);
+                const std::size_t at = index(row) * from.row_size + first;
+                const auto reach = pair(from.reach + at);
+                const LaneBits wanted = first_bits(end_col - first) & ~first_bits(col - first) &
+                                        both_halves([&](std::size_t i) HWY_ATTR {
+                                            return hn::Le(nearest, reach[i]);
+                                        });
+                const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
+                to.put(pair(from.u + at), pair(from.v + at), pixels, wanted, count);
+                count += static_cast<std::size_t>(std::popcount(wanted));
+            }
+        }
+        return count;
+    }
+
+    /// Of the first rays of the lists keeps those that a linear form does not reject; returns how
+    /// many.
+    std::size_t keep_met(const LinearForm& form, std::size_t rays) {
+        const Lists to = lists();
+        std::size_t count = 0;
+        for (std::size_t at = 0; at < rays; at += float_width)
+            count += put(form, to, pair(to.u + at), pair(to.v + at),
+                         hn::LoadU(di, to.pixel + at), first_bits(rays - at), count);
         return count;
     }
 
@@ -191,16 +241,48 @@ private:
             }
             const auto at = hn::Load(di, indices);
             const LaneBits wanted = first_bits(some) & nearer(near, at);
-            count += put(form, pair(us), pair(vs), at, wanted, count);
+            count += put(form, lists(), pair(us), pair(vs), at, wanted, count);
         }
         return count;
     }
 
+    /// Where the lists begin. Kept by value where rays are put: what is stored might change it
+    /// else, as far as compilers know.
+    struct Lists {
+        double *u, *v;
+        float *p, *q, *spread;
+        std::int32_t* pixel;
+
+        /// Puts the rays of some lanes there.
+        HWY_INLINE void put(const std::array<Vector, 2>& us, const std::array<Vector, 2>& vs,
+                            Pixels pixels, LaneBits wanted, std::size_t to) const {
+            const D d;
+            const Floats some = squeezed(hn::BitCast(df, pixels), lanes_at(df, wanted));
+            hn::StoreU(hn::BitCast(di, some), di, pixel + to);
+            constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
+            const auto lower = static_cast<std::size_t>(std::popcount(wanted & lower_bits));
+            const std::array halves{lanes_at(d, wanted & lower_bits),
+                                    lanes_at(d, wanted >> width)};
+            for (std::size_t i = 0; i < 2; ++i) {
+                hn::StoreU(squeezed(us[i], halves[i]), d, u + to + i * lower);
+                hn::StoreU(squeezed(vs[i], halves[i]), d, v + to + i * lower);
+            }
+        }
+    };
+    [[nodiscard]] Lists lists() {
+        return {.u = lists_.u.data(),
+                .v = lists_.v.data(),
+                .p = lists_.p.data(),
+                .q = lists_.q.data(),
+                .spread = lists_.spread.data(),
+                .pixel = lists_.pixel.data()};
+    }
+
     /// Puts those of some rays that are wanted and not rejected into the lists; returns how many.
-    HWY_INLINE std::size_t put(const LinearForm& form, const std::array<Vector, 2>& us,
-                               const std::array<Vector, 2>& vs, Pixels pixels, LaneBits wanted,
-                               std::size_t to) {
-        const D d;
+    static HWY_INLINE std::size_t put(const LinearForm& form, const Lists& lists,
+                                      const std::array<Vector, 2>& us,
+                                      const std::array<Vector, 2>& vs, Pixels pixels,
+                                      LaneBits wanted, std::size_t to) {
         const Zeros zeros = form.zeros(floats_of(us[0], us[1]), floats_of(vs[0], vs[1]));
         const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
         if (left_bits == 0) return 0;
@@ -212,19 +294,11 @@ private:
         const Floats spread = hn::MulAdd(sizes, float_number(0x1p-20), zeros.radius);
         const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
         const auto store = [&](Floats numbers, float* at)
-                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at); };
-        store(hn::IfThenElse(zeros.known, zeros.p, zero), p(to));
-        store(hn::IfThenElse(zeros.known, zeros.q, zero), q(to));
-        store(hn::IfThenElse(zeros.known, spread, unbounded), this->spread(to));
-        hn::StoreU(hn::BitCast(di, squeezed(hn::BitCast(df, pixels), left)), di, pixels_at(to));
-        constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
-        const auto lower = static_cast<std::size_t>(std::popcount(left_bits & lower_bits));
-        const std::array halves{lanes_at(d, left_bits & lower_bits),
-                                lanes_at(d, left_bits >> width)};
-        for (std::size_t i = 0; i < 2; ++i) {
-            hn::StoreU(squeezed(us[i], halves[i]), d, u(to + i * lower));
-            hn::StoreU(squeezed(vs[i], halves[i]), d, v(to + i * lower));
-        }
+                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at + to); };
+        store(hn::IfThenElse(zeros.known, zeros.p, zero), lists.p);
+        store(hn::IfThenElse(zeros.known, zeros.q, zero), lists.q);
+        store(hn::IfThenElse(zeros.known, spread, unbounded), lists.spread);
+        lists.put(us, vs, pixels, left_bits, to);
         return static_cast<std::size_t>(std::popcount(left_bits));
     }
 

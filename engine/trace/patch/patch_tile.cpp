@@ -1,5 +1,7 @@
 #include "engine/trace/patch/patch_tile.hpp"
 
+#include "engine/trace/patch/patch_outline.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,6 +62,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
       counters_(counters),
       room_(room),
       axes_(axes_of(rays)),
+      grid_{.u = rays.u(0.0), .v = rays.v(0.0), .pixel = rays.pixel()},
       tree_(tree_of(frame)),
       clip_(tree_.within(frame.scene.clip)),
       search_(tree_, frame.limit, counters) {
@@ -139,29 +142,8 @@ bool PatchTile::is_covered(const Rect& rect, double near) {
 
 PatchTile::Rect PatchTile::pixels_of(const Part& part) const {
     const Rect all{.col = 0, .row = 0, .end_col = cols_, .end_row = rows_};
-    const PatchSight& sight = part.sight;
-    const double near = axes_.distance + part.depths.near;
-    const double far = axes_.distance + part.depths.far;
-    if (wish_ == Wish::AnyHits || !(near > 0.0) || !(far < unbounded)) return all;
-    const glm::dvec3 spread = sight.spread();
-    const auto quotients = [&](double middle, double radius) {
-        const double lo = middle - radius;
-        const double hi = middle + radius;
-        return std::pair(std::min(lo / near, lo / far), std::max(hi / near, hi / far));
-    };
-    const auto [u_lo, u_hi] = quotients(sight.c.x, spread.x);
-    const auto [v_lo, v_hi] = quotients(sight.c.y, spread.y);
-    // More than rounding may shift a ray.
-    constexpr double spare = 0x1p-10;
-    const auto pixel = [&](double pixels, int size) {
-        return static_cast<int>(std::clamp(pixels, -1.0, static_cast<double>(size)));
-    };
-    const double per_pixel = 1.0 / rays_.pixel();
-    const auto from = [&](double pixels, int size) { return std::max(pixel(pixels, size), 0); };
-    return {.col = from(std::ceil((u_lo - rays_.u(0.0)) * per_pixel - spare), cols_),
-            .row = from(std::ceil((rays_.v(0.0) - v_hi) * per_pixel - spare), rows_),
-            .end_col = pixel(std::floor((u_hi - rays_.u(0.0)) * per_pixel + spare) + 1.0, cols_),
-            .end_row = pixel(std::floor((rays_.v(0.0) - v_lo) * per_pixel + spare) + 1.0, rows_)};
+    if (wish_ == Wish::AnyHits) return all;
+    return PatchOutline(part.sight, axes_.distance, grid_).within(all);
 }
 
 bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {

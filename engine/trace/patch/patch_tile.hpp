@@ -165,6 +165,7 @@ private:
     Counters& counters_;
     Room& room_;
     SightAxes axes_;
+    PixelGrid grid_;  ///< of FirstHits
     const PatchTree& tree_;
     Box clip_;            ///< what of the scene's clip box is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted

@@ -35,7 +35,8 @@ void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
                         .found = room_.found.data(),
                         .to = wish_ == Wish::AnyHits ? room_.to.data() : nullptr,
                         .row_size = tile_size,
-                        .tolerance = rays_.tolerance()};
+                        .tolerance = rays_.tolerance(),
+                        .grid = wish_ == Wish::FirstHits ? &grid_ : nullptr};
     const LeafSight leaf{.model = *part.node->model,
                          .box = part.node->box.grown(form_growth),
                          .value_error = part.sight.value_error};
