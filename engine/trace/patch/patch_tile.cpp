@@ -146,20 +146,40 @@ PatchTile::Rect PatchTile::pixels_of(const Part& part) const {
     return PatchOutline(part.sight, axes_.distance, grid_).within(all);
 }
 
-bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {
+PatchTile::Division PatchTile::division_of(const Part& part, const Rect& rect) const {
     const auto& [node, depths, sight] = part;
-    if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps)) return true;
+    if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps))
+        return Division::None;
     const glm::dvec3 spread = sight.spread();
     const double pixels = 2.0 * std::max(spread.x, spread.y) / pixel_at(sight.c.z);
-    if (pixels < least_pixels) return true;
-    if (!node->form.continuous || !is_fine(*node, sight)) return false;
-    if (node->model != nullptr && pixels < small_pixels) return true;
+    if (pixels < least_pixels) return Division::None;
+    if (!node->form.continuous || !is_fine(*node, sight)) return Division::Parts;
+    if (node->model != nullptr && pixels < small_pixels) return Division::None;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
-    const double most = node->model == nullptr  ? flat_norm
-                        : pixels < large_pixels ? small_model_norm
-                                                : model_norm;
-    return contraction_of(with_slopes, rays_of(rect)).norm <= most;
+    const double norm = contraction_of(with_slopes, rays_of(rect)).norm;
+    if (node->model == nullptr) return norm <= flat_norm ? Division::None : Division::Parts;
+    const auto most = [](double size) {
+        return size < large_pixels ? small_model_norm : model_norm;
+    };
+    if (norm <= most(pixels)) return Division::None;
+    // Quarters bend half as much.
+    return norm <= 2.0 * most(0.5 * pixels) ? Division::Quarters : Division::Parts;
+}
+
+PatchNode::Children* PatchTile::divided(PatchNode& node, Division division) {
+    if (division == Division::None) return nullptr;
+    const auto count_new = [&](const std::atomic<PatchNode::Children*>& at, auto make) {
+        const bool is_new = at.load(std::memory_order_acquire) == nullptr;
+        PatchNode::Children* const parts = make();
+        if (is_new && parts != nullptr) counters_.form += parts->nodes.size();
+        return parts;
+    };
+    if (division == Division::Quarters) {
+        if (auto* const quarters = count_new(node.quarters, [&] { return tree_.quarters(node); }))
+            return quarters;
+    }
+    return count_new(node.children, [&] { return tree_.parts(node); });
 }
 
 SightRays PatchTile::rays_of(const Rect& rect) const {
@@ -192,13 +212,8 @@ void PatchTile::visit(Part& part) {
     const Rect rect = pixels_of(part);
     if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
     add_value_error(part.sight, node.form);
-    if (!is_leaf(part, rect)) {
-        const bool is_new = node.children.load(std::memory_order_acquire) == nullptr;
-        if (PatchNode::Children* const parts = tree_.parts(node)) {
-            if (is_new) counters_.form += parts->nodes.size();
-            return visit_parts(*parts);
-        }
-    }
+    if (PatchNode::Children* const parts = divided(node, division_of(part, rect)))
+        return visit_parts(*parts);
     if (node.model == nullptr || !is_fine(node, part.sight)) {
         add_slopes(part.sight, node.form, axes_);
         return scan(part, rect);

@@ -118,8 +118,11 @@ private:
     /// Whether all pixels of a rectangle have hits before a depth.
     [[nodiscard]] bool is_covered(const Rect& rect, double near);
     [[nodiscard]] Rect pixels_of(const Part& part) const;
-    /// Whether a part is not to be divided, whose pixels are in a rectangle.
-    [[nodiscard]] bool is_leaf(const Part& part, const Rect& rect) const;
+    enum class Division : std::uint8_t { None, Quarters, Parts };
+    /// How a part is to be divided whose pixels are in a rectangle.
+    [[nodiscard]] Division division_of(const Part& part, const Rect& rect) const;
+    /// The parts of a node in such a division; nullptr: there are none.
+    PatchNode::Children* divided(PatchNode& node, Division division);
     /// Whether a node's model is so good that its hits are as narrow as they should be.
     [[nodiscard]] bool is_fine(const PatchNode& node, const PatchSight& sight) const;
     /// The rays of a rectangle's pixels; of AnyHits all rays.
