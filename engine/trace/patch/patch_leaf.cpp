@@ -50,11 +50,12 @@ private:
     /// Goes on with those of some rays that may meet a piece.
     void trace_listed(Piece& piece, const Range& some) {
         if (some.count == 0) return;
-        piece.contraction = contraction_of(piece.sight, lists_.bounds_of(some));
+        const SightRays around = lists_.bounds_of(some);
+        piece.contraction = contraction_of(piece.sight, around);
         Range open = some;
         if (piece.contraction.norm <= bent_norm) {
             const FloatTerms floats(piece);
-            open.count = solve_bent(piece, floats, some);
+            open.count = solve_bent(Newton(piece, floats, axes_, rays_.tolerance, around), piece.first_degree, some);
             if (open.count == 0) return;
             if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
         }
@@ -81,9 +82,8 @@ private:
 
     /// Solves the rays of a piece in float. Those that are left come first afterwards; returns how
     /// many.
-    std::size_t solve_bent(const Piece& piece, const FloatTerms& floats, const Range& rays) {
-        const Newton newton(piece, floats, axes_, rays_.tolerance);
-        return with_degree(piece.first_degree, [&](auto degree) HWY_ATTR {
+    std::size_t solve_bent(const Newton& newton, int first_degree, const Range& rays) {
+        return with_degree(first_degree, [&](auto degree) HWY_ATTR {
             return solve_bent_by<degree()>(newton, rays);
         });
     }
