@@ -85,8 +85,8 @@ protected:
 /// The rays of a tile, in rows of so many; what is behind `reach` is not wanted, and is changed by
 /// hits.
 struct LeafRays {
-    const double* u;
-    const double* v;
+    const double* u;  ///< of each ray, or, with a grid, of each column
+    const double* v;  ///< of each ray, or row
     double* reach;
     LeafFound* found;
     double* to;  ///< where any hit will do: set to -inf, as the reach, where one is proved; else

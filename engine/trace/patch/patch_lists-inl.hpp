@@ -9,7 +9,7 @@
 #endif
 
 #include "engine/trace/patch/patch_outline.hpp"
-#include "engine/trace/patch/patch_pieces-inl.hpp"
+#include "engine/trace/patch/patch_squares-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -40,7 +40,7 @@ public:
 
     /// Lists the rays through some pixels that may meet a piece.
     Range list(const Piece& piece, const LeafPixels& pixels) {
-        const LinearForm form(piece.sight, axes_);
+        const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
         std::size_t count = 0;
         if (rays_.grid == nullptr) {
@@ -60,7 +60,7 @@ public:
     /// Lists those rays again, behind them, that the piece's linear form does not reject, with
     /// where it has their zeros.
     Range list(const Piece& piece, const Range& rays) {
-        const LinearForm form(piece.sight, axes_);
+        const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
         const std::size_t first = rays.first + rays.count;
         lists_.reserve(first, rays.count);
@@ -159,7 +159,7 @@ private:
         return nearer(std::array{number(near), number(near)}, pixels);
     }
 
-    std::size_t list(const LinearForm& form, const TileRect& rect, double near, std::size_t count) {
+    std::size_t list(const QuadraticForm& form, const TileRect& rect, double near, std::size_t count) {
         const auto index = [](int at) { return static_cast<std::size_t>(at); };
         const std::size_t end_col = index(rect.end_col);
         const std::size_t end_row = index(rect.end_row);
@@ -196,6 +196,7 @@ private:
         for (int row = rect.row; row < rect.end_row; ++row) {
             const ColumnSpan span = outline.span(row, rect);
             if (span.empty()) continue;
+            const Vector v = number(from.v[row]);
             const std::size_t end_col = index(span.end_col);
             for (std::size_t col = index(span.col); col < end_col; col += float_width) {
                 // No vector is read from behind the end of a row.
@@ -207,7 +208,7 @@ private:
                                             return hn::Le(nearest, reach[i]);
                                         });
                 const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
-                to.put(pair(from.u + at), pair(from.v + at), pixels, wanted, count);
+                to.put(pair(from.u + first), {v, v}, pixels, wanted, count);
                 count += static_cast<std::size_t>(std::popcount(wanted));
             }
         }
@@ -216,7 +217,7 @@ private:
 
     /// Of the first rays of the lists keeps those that a linear form does not reject; returns how
     /// many.
-    std::size_t keep_met(const LinearForm& form, std::size_t rays) {
+    std::size_t keep_met(const QuadraticForm& form, std::size_t rays) {
         const Lists to = lists();
         std::size_t count = 0;
         for (std::size_t at = 0; at < rays; at += float_width)
@@ -225,7 +226,7 @@ private:
         return count;
     }
 
-    std::size_t list(const LinearForm& form, std::span<const std::size_t> pixels, double near,
+    std::size_t list(const QuadraticForm& form, std::span<const std::size_t> pixels, double near,
                      std::size_t count) {
         HWY_ALIGN std::int32_t indices[float_width] = {};
         HWY_ALIGN double us[float_width] = {};
@@ -236,8 +237,8 @@ private:
             for (std::size_t lane = 0; lane < some; ++lane) {
                 const std::size_t pixel = pixels[i + lane];
                 indices[lane] = static_cast<std::int32_t>(pixel);
-                us[lane] = rays_.u[pixel];
-                vs[lane] = rays_.v[pixel];
+                us[lane] = rays_.u[rays_.grid == nullptr ? pixel : pixel % rays_.row_size];
+                vs[lane] = rays_.v[rays_.grid == nullptr ? pixel : pixel / rays_.row_size];
             }
             const auto at = hn::Load(di, indices);
             const LaneBits wanted = first_bits(some) & nearer(near, at);
@@ -279,7 +280,7 @@ private:
     }
 
     /// Puts those of some rays that are wanted and not rejected into the lists; returns how many.
-    static HWY_INLINE std::size_t put(const LinearForm& form, const Lists& lists,
+    static HWY_INLINE std::size_t put(const QuadraticForm& form, const Lists& lists,
                                       const std::array<Vector, 2>& us,
                                       const std::array<Vector, 2>& vs, Pixels pixels,
                                       LaneBits wanted, std::size_t to) {

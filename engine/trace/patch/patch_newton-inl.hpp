@@ -168,7 +168,6 @@ public:
             .first1 = {beside(rays.u[0], constant[0]), beside(rays.u[1], constant[0])},
             .first2 = {beside(rays.v[0], constant[1]), beside(rays.v[1], constant[1])}};
         Place at{.p = clamped(rays.p), .q = clamped(rays.q)};
-        step<2>(search, at);
         step<std::min(degree, 3)>(search, at);
         NewtonEnd end;
         constexpr int most_tests = 3;

@@ -71,7 +71,6 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
     room_.rest.clear();
     room_.best.resize(tile_pixels);
     room_.found.assign(tile_pixels, LeafFound{.normal = {}, .state = RayState::Open});
-    room_.reach = room_.to;
     find_bounds();
     const DepthRange range =
         rays_.depths(0.5 * (bounds_.u_lo + bounds_.u_hi), 0.5 * (bounds_.v_lo + bounds_.v_hi),
@@ -95,6 +94,7 @@ void PatchTile::find_bounds() {
                    .u_hi = rays_.u(cols_ - 1),
                    .v_lo = rays_.v(rows_ - 1),
                    .v_hi = rays_.v(0.0)};
+        if (room_.to.empty()) open_blocks();
         find_reaches();
         limit_ = *std::ranges::max_element(block_reach_);
         return;
@@ -110,6 +110,15 @@ void PatchTile::find_bounds() {
             widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
             widen(bounds_, room_.u[pixel], room_.v[pixel]);
         }
+    }
+}
+
+void PatchTile::open_blocks() {
+    changed_blocks_ = 0;
+    block_reach_.fill(-unbounded);
+    for (int row = 0; row * block < rows_; ++row) {
+        for (int col = 0; col * block < cols_; ++col)
+            block_reach_[static_cast<std::size_t>(row * (tile_size / block) + col)] = unbounded;
     }
 }
 
@@ -274,7 +283,7 @@ void PatchTile::search_rest() {
         const PatchQuest quest{.axes = axes_,
                                .ray = ray,
                                .from = std::max(range.enter_lo, rays_.first_depth()),
-                               .to = std::min(range.exit_hi, room_.to[rest.pixel]),
+                               .to = std::min(range.exit_hi, room_.limit(rest.pixel)),
                                .tolerance = rays_.tolerance(),
                                .pixel = 0.5 * pixel_at(rest.near),
                                .clip = clip_,

@@ -50,15 +50,20 @@ public:
         PatchNode* node;
         double near;
     };
-    /// What a thread keeps from tile to tile. Of each ray, in rows of tile_size: where it is, as
-    /// TileRays has it; the depth behind which nothing is wanted on it, -inf where it is not wanted
-    /// itself; and what was found.
+    /// What a thread keeps from tile to tile. Numbers of each ray are in rows of tile_size.
     struct Room {
-        std::vector<double> u, v, to;
+        /// Where rays are, as TileRays has it: of FirstHits each column's u and each row's v.
+        std::vector<double> u, v;
+        /// The depth behind which nothing is wanted on a ray, -inf where it is not wanted itself.
+        /// Empty: all is wanted, of FirstHits on all pixels of the tile.
+        std::vector<double> to;
         std::vector<double> reach;     ///< of the first hit so far, or `to`: what is nearer counts
         std::vector<LeafFound> found;  ///< whose depths are in `reach`
         std::vector<PatchHit> best;    ///< of RayState::Kept
 
+        [[nodiscard]] double limit(std::size_t pixel) const {
+            return to.empty() ? std::numeric_limits<double>::infinity() : to[pixel];
+        }
         [[nodiscard]] PatchHit hit(std::size_t pixel) const {
             const LeafFound& leaf = found[pixel];
             if (leaf.state == RayState::Open) return {};
@@ -70,7 +75,7 @@ public:
         void set(std::size_t pixel, const PatchHit& hit) {
             best[pixel] = hit;
             found[pixel].state = RayState::Kept;
-            reach[pixel] = std::min(hit.s, to[pixel]);
+            reach[pixel] = std::min(hit.s, limit(pixel));
         }
         LeafLists lists;
         std::vector<TileRect> rects;
@@ -88,7 +93,7 @@ public:
         AnyHits,    ///< of rays anywhere in the image plane
     };
 
-    /// `room`: with its rays; `rays`: of a tile of so many pixels.
+    /// `room`: with its rays and reaches; `rays`: of a tile of so many pixels.
     PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, int rows, Wish wish,
               Counters& counters, Room& room);
     /// Fills room.best.
@@ -106,6 +111,8 @@ private:
     using Order = std::array<std::pair<double, std::size_t>, PatchForms::at_once>;
 
     void find_bounds();
+    /// Sets block_reach_ where all is wanted.
+    void open_blocks();
     /// Makes block_reach_ know new hits.
     void find_reaches();
     /// Marks the blocks of a rectangle: there are new hits in them.
@@ -158,7 +165,8 @@ private:
         return rays_.pixel() * std::max(axes_.distance + s, 0.0);
     }
     [[nodiscard]] SightRay ray_of(std::size_t pixel) const {
-        return {.u = room_.u[pixel], .v = room_.v[pixel]};
+        if (wish_ == Wish::AnyHits) return {.u = room_.u[pixel], .v = room_.v[pixel]};
+        return {.u = room_.u[pixel % tile_size], .v = room_.v[pixel / tile_size]};
     }
 
     const TraceFrame& frame_;
