@@ -38,10 +38,21 @@ public:
         flip_ = glm::dot(glm::cross(axes.right, axes.up), axes.forward) < 0.0 ? -1.0F : 1.0F;
     }
 
-    void trace(Piece& piece, const LeafPixels& pixels) {
+    void trace(const LeafSight& leaf, const LeafPixels& pixels) {
+        // Many parts are hidden in all their pixels: nothing else is done for these.
+        const bool is_outlined = pixels.outline != nullptr;
+        const std::size_t gathered = is_outlined ? lists_.gather(pixels, leaf.near) : 0;
+        if (is_outlined && gathered == 0 && pixels.others.empty()) return;
+        Piece piece;
+        turn(leaf.model, axes_, piece.terms);
+        piece.degree = patch_degree;
+        measure(piece);
+        piece.value_error = leaf.value_error;
+        piece.box = leaf.box;
+        piece.halvings = 0;
         lower_degree(piece, rays_.tolerance);
         see(piece);
-        trace_listed(piece, lists_.list(piece, pixels));
+        trace_listed(piece, lists_.list(piece, pixels, gathered));
     }
 
     [[nodiscard]] const LeafCount& count() const { return count_; }
@@ -299,14 +310,8 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
 LeafCount trace(const LeafSight& leaf, const SightAxes& axes, const LeafRays& rays,
                 const LeafPixels& pixels, const LeafClip& clip, LeafLists& lists,
                 LeafTaker& taker) {
-    Piece piece;
-    turn(leaf.model, axes, piece.terms);
-    piece.degree = patch_degree;
-    piece.value_error = leaf.value_error;
-    piece.box = leaf.box;
-    piece.halvings = 0;
     LeafTracer tracer(axes, rays, clip, lists, taker);
-    tracer.trace(piece, pixels);
+    tracer.trace(leaf, pixels);
     return tracer.count();
 }
 

@@ -20,6 +20,7 @@ using SightTerms = std::array<std::array<double, 4>, patch_terms>;
 /// A part of the patch as a tile's rays see it, by its model.
 struct LeafSight {
     const PatchModel& model;
+    double near;         ///< it is not nearer than this
     UvBox box;           ///< that p and q in [-1, 1] run over
     double value_error;  ///< of each of (a, b, s), as long as no term is left out
 };
@@ -115,9 +116,12 @@ struct LeafLists {
     void reserve(std::size_t first, std::size_t more);
 };
 
+class PatchOutline;
+
 /// Pixels of a tile: those in rectangles, and others.
 struct LeafPixels {
     std::span<const TileRect> rects;
+    const PatchOutline* outline;  ///< of LeafRays::grid: beside it they are not asked about
     std::span<const std::size_t> others;
 };
 

@@ -38,19 +38,24 @@ public:
     RayLists(const SightAxes& axes, const LeafRays& rays, LeafLists& lists)
         : axes_(axes), rays_(rays), lists_(lists) {}
 
-    /// Lists the rays through some pixels that may meet a piece.
-    Range list(const Piece& piece, const LeafPixels& pixels) {
+    /// Puts the rays of pixels of an outline into the lists, on which something is wanted behind
+    /// `near`; returns how many.
+    std::size_t gather(const LeafPixels& pixels, double near) {
+        std::size_t count = 0;
+        for (const TileRect& rect : pixels.rects)
+            count = gather(*pixels.outline, rect, near, count);
+        return count;
+    }
+
+    /// Lists the rays through some pixels that may meet a piece; of an outline the first
+    /// `gathered` ones of the lists.
+    Range list(const Piece& piece, const LeafPixels& pixels, std::size_t gathered) {
         const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
-        std::size_t count = 0;
-        if (rays_.grid == nullptr) {
+        std::size_t count = keep_met(form, gathered);
+        if (pixels.outline == nullptr) {
             for (const TileRect& rect : pixels.rects)
                 count = list(form, rect, near, count);
-        } else {
-            const PatchOutline outline(piece.sight, axes_.distance, *rays_.grid);
-            for (const TileRect& rect : pixels.rects)
-                count = gather(outline, outline.within(rect), near, count);
-            count = keep_met(form, count);
         }
         count = list(form, pixels.others, near, count);
         repeat_last(0, count);

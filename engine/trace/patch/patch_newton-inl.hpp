@@ -54,7 +54,7 @@ struct NewtonBounds {
             V4 all[3] = {hn::Zero(d4), hn::Zero(d4), hn::Zero(d4)};
             double power = 1.0;  // newton_limit^(n - 1)
             for (int n = 1; n <= piece.first_degree; ++n, power *= newton_limit) {
-                const V4 size = size_of_degree(piece.terms, n, k);
+                const V4 size = hn::Load(d4, piece.sizes[static_cast<std::size_t>(n)].data() + k);
                 const auto add = [&](V4& to, double factor)
                                      HWY_ATTR { to = hn::MulAdd(size, hn::Set(d4, factor), to); };
                 if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);

@@ -1,11 +1,11 @@
 #include "engine/trace/patch/patch_tile.hpp"
 
-#include "engine/trace/patch/patch_outline.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace zeroset {
 namespace {
@@ -149,10 +149,9 @@ bool PatchTile::is_covered(const Rect& rect, double near) {
     return true;
 }
 
-PatchTile::Rect PatchTile::pixels_of(const Part& part) const {
+PatchTile::Rect PatchTile::pixels_of(const PatchOutline* outline) const {
     const Rect all{.col = 0, .row = 0, .end_col = cols_, .end_row = rows_};
-    if (wish_ == Wish::AnyHits) return all;
-    return PatchOutline(part.sight, axes_.distance, grid_).within(all);
+    return outline == nullptr ? all : outline->within(all);
 }
 
 PatchTile::Division PatchTile::division_of(const Part& part, const Rect& rect) const {
@@ -218,7 +217,10 @@ bool PatchTile::look_at(PatchNode& node, Part& part) const {
 void PatchTile::visit(Part& part) {
     if (frame_.stopped() || is_hidden(part.depths)) return;
     PatchNode& node = *part.node;
-    const Rect rect = pixels_of(part);
+    std::optional<PatchOutline> outline;
+    if (wish_ == Wish::FirstHits) outline.emplace(part.sight, axes_.distance, grid_);
+    const PatchOutline* const seen = outline ? &*outline : nullptr;
+    const Rect rect = pixels_of(seen);
     if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
     add_value_error(part.sight, node.form);
     if (PatchNode::Children* const parts = divided(node, division_of(part, rect)))
@@ -229,7 +231,7 @@ void PatchTile::visit(Part& part) {
     }
     room_.rects.clear();
     for_each_rect(part.sight, rect, [&](const Rect& some) { room_.rects.push_back(some); });
-    trace_model(part, {.rects = room_.rects, .others = {}});
+    trace_model(part, {.rects = room_.rects, .outline = seen, .others = {}});
 }
 
 std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,

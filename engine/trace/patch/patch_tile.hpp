@@ -3,6 +3,7 @@
 #include "engine/trace/patch/patch_found.hpp"
 #include "engine/trace/patch/patch_leaf.hpp"
 #include "engine/trace/patch/patch_look.hpp"
+#include "engine/trace/patch/patch_outline.hpp"
 #include "engine/trace/patch/patch_search.hpp"
 #include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -124,7 +125,8 @@ private:
     [[nodiscard]] bool is_hidden(const SightDepths& depths) const;
     /// Whether all pixels of a rectangle have hits before a depth.
     [[nodiscard]] bool is_covered(const Rect& rect, double near);
-    [[nodiscard]] Rect pixels_of(const Part& part) const;
+    /// The pixels of an outline; all where there is none.
+    [[nodiscard]] Rect pixels_of(const PatchOutline* outline) const;
     enum class Division : std::uint8_t { None, Quarters, Parts };
     /// How a part is to be divided whose pixels are in a rectangle.
     [[nodiscard]] Division division_of(const Part& part, const Rect& rect) const;
