@@ -46,18 +46,26 @@ struct FloatTerms {
     }
 };
 
-/// The terms of a coordinate from degree 2 on, and the slopes of all terms.
-template <int degree>
+/// The terms of a coordinate from a degree on, 2 or 3, and the slopes of all terms.
+template <int degree, int first = 2>
 HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Floats q) {
     const auto term = [&](int i, int j)
                           HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
+    Floats low_p = hn::Set(df, f.by_p[k]);
+    Floats low_q = hn::Set(df, f.by_q[k]);
+    if constexpr (first == 3) {
+        const Floats pp = term(2, 0);
+        const Floats qq = term(0, 2);
+        low_p = hn::MulAdd(hn::Add(pp, pp), p, hn::MulAdd(term(1, 1), q, low_p));
+        low_q = hn::MulAdd(hn::Add(qq, qq), q, hn::MulAdd(term(1, 1), p, low_q));
+        if constexpr (degree < first) return {.value = hn::Zero(df), .by_p = low_p, .by_q = low_q};
+    }
     FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
     for (int i = degree - 1; i >= 0; --i) {
         // The terms with p^i, and their slope by q.
         Floats row = term(i, degree - i);
         Floats by_q = row;
-        // Those below degree 2 are not there.
-        const int lowest = std::max(0, 2 - i);
+        const int lowest = std::max(0, first - i);
         for (int j = degree - i - 1; j >= 1; --j) {
             row = j >= lowest ? hn::MulAdd(row, q, term(i, j)) : hn::Mul(row, q);
             by_q = hn::MulAdd(by_q, q, row);
@@ -67,8 +75,8 @@ HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Float
         all.value = hn::MulAdd(all.value, p, row);
         all.by_q = i == degree - 1 ? by_q : hn::MulAdd(all.by_q, p, by_q);
     }
-    all.by_p = hn::Add(all.by_p, hn::Set(df, f.by_p[k]));
-    all.by_q = hn::Add(all.by_q, hn::Set(df, f.by_q[k]));
+    all.by_p = hn::Add(all.by_p, low_p);
+    all.by_q = hn::Add(all.by_q, low_q);
     return all;
 }
 

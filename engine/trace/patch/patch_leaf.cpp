@@ -95,10 +95,11 @@ private:
     /// many.
     std::size_t solve_bent(const Newton& newton, int first_degree, const Range& rays) {
         return with_degree(first_degree, [&](auto degree) HWY_ATTR {
-            return solve_bent_by<degree()>(newton, rays);
+            return newton.with_squares() ? solve_bent_by<degree(), true>(newton, rays)
+                                         : solve_bent_by<degree(), false>(newton, rays);
         });
     }
-    template <int degree>
+    template <int degree, bool with_squares>
     std::size_t solve_bent_by(const Newton& newton, const Range& rays);
     /// As above in double, where Krawczyk's test contracts.
     std::size_t solve(const Piece& piece, const FloatTerms& floats, const Range& rays) {
@@ -115,6 +116,9 @@ private:
     [[nodiscard]] Mask in_box(Vector u, Vector v, Vector s) const;
     void put_normals(const FloatSlopes& a, const FloatSlopes& b, const FloatSlopes& s,
                      LeafFound* found) const;
+    /// Puts hits that count.
+    void put_found(const LeafFound* found, const double* s, const std::int32_t* pixels,
+                   LaneBits hits);
     /// Takes the certain hits of Newton's method that count.
     void take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at, LaneBits hits);
 
@@ -166,7 +170,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     return left;
 }
 
-template <int degree>
+template <int degree, bool with_squares>
 std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
     count_.evaluations += rays.count;
     std::size_t left = 0;
@@ -177,7 +181,7 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
                               .p = hn::LoadU(df, lists_.p(at)),
                               .q = hn::LoadU(df, lists_.q(at)),
                               .spread = hn::LoadU(df, lists_.spread(at))};
-        const NewtonEnd end = newton.solve<degree>(some);
+        const NewtonEnd end = newton.solve<degree, with_squares>(some);
         const LaneBits real = RayLists::first_bits(rays.count - i);
         const LaneBits found = real & lanes_of(df, end.found);
         if (found != 0) take_found(some, end, at, found);
@@ -202,6 +206,8 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
     LeafFound found[2 * width];
     put_normals(end.at_a, end.at_b, end.at_s, found);
+    if (clip_.window != LeafWindow::Judged && rays_.to == nullptr)
+        return put_found(found, s, lists_.pixels_at(at), hits);
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
@@ -219,6 +225,18 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
         if (rays_.to == nullptr || found[lane].state != RayState::Proved) continue;
         rays_.reach[pixel] = -unbounded;
         rays_.to[pixel] = -unbounded;
+    }
+}
+
+inline void LeafTracer::put_found(const LeafFound* found, const double* s,
+                                  const std::int32_t* pixels, LaneBits hits) {
+    LeafFound* const to_found = rays_.found;
+    double* const to_reach = rays_.reach;
+    for (; hits != 0; hits &= hits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
+        const auto pixel = static_cast<std::size_t>(pixels[lane]);
+        to_found[pixel] = found[lane];
+        to_reach[pixel] = s[lane];
     }
 }
 

@@ -113,6 +113,7 @@ public:
     float* p(std::size_t i) { return lists_.p.data() + i; }
     float* q(std::size_t i) { return lists_.q.data() + i; }
     float* spread(std::size_t i) { return lists_.spread.data() + i; }
+    std::int32_t* pixels_at(std::size_t i) { return lists_.pixel.data() + i; }
     [[nodiscard]] std::size_t pixel(std::size_t i) const {
         return static_cast<std::size_t>(lists_.pixel[i]);
     }
@@ -140,8 +141,6 @@ public:
 private:
     static constexpr hn::RebindToSigned<decltype(df)> di{};
     using Pixels = hn::Vec<hn::RebindToSigned<decltype(df)>>;
-
-    std::int32_t* pixels_at(std::size_t i) { return lists_.pixel.data() + i; }
 
     /// Lanes of the upper half, and those of the lower one before.
     template <class Call>

@@ -31,6 +31,8 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// Where Newton's method may go, and bounds of polynomials hold: |p|, |q| <= newton_limit.
 constexpr double newton_limit = 1.125;
+/// Terms of degree 2 that are larger, relative to the tolerance, are added in double.
+constexpr double most_in_float = 0x1p16;
 /// More than what rounding takes from a place as floats, or from Y g relative to its terms.
 constexpr double rounding_of_places = 0x1p-21;
 
@@ -45,10 +47,8 @@ struct NewtonBounds {
     /// rounded n + 6 times at most, each time by 2^-23 of it.
     double error[4];
 
-    /// Whether the terms of degree 2 are added in double: such pieces may be large.
-    static constexpr bool is_square(int degree) { return degree <= 2; }
-
-    explicit NewtonBounds(const Piece& piece) {
+    /// `with_squares`: those of degree 2 are added in double.
+    NewtonBounds(const Piece& piece, bool with_squares) {
         const D4 d4;
         for (std::size_t k = 0; k < 4; k += step4) {
             V4 all[3] = {hn::Zero(d4), hn::Zero(d4), hn::Zero(d4)};
@@ -60,7 +60,7 @@ struct NewtonBounds {
                 if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
                 // Products with the second derivatives are rounded, too.
                 add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
-                if (n > 2 || (n == 2 && !is_square(piece.first_degree)))
+                if (n > 2 || (n == 2 && !with_squares))
                     add(all[1], 0x1p-23 * (n + 7));
                 add(all[2], 0x1p-20 * n * (n + 2) * power);
             }
@@ -120,7 +120,8 @@ public:
     HWY_INLINE Newton(const Piece& piece, const FloatTerms& floats, const SightAxes& axes,
                       double tolerance, const SightRays& rays)
         : piece_(piece), floats_(floats), distance_(axes.distance) {
-        const NewtonBounds bounds(piece);
+        with_squares_ = needs_squares(piece, tolerance);
+        const NewtonBounds bounds(piece, with_squares_);
         const PatchSight& sight = piece.sight;
         const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
         const double error = sight.value_error + piece.first_error;
@@ -154,7 +155,10 @@ public:
         is_within_ = is_within(box.u, box.u_radius) && is_within(box.v, box.v_radius);
     }
 
-    template <int degree>
+    /// Whether the terms of degree 2 have to be added in double: those of large pieces.
+    [[nodiscard]] bool with_squares() const { return with_squares_; }
+
+    template <int degree, bool with_squares>
     HWY_INLINE NewtonEnd solve(const NewtonRays& rays) const {
         // What is constant on a ray is large: in double.
         const auto& constant = piece_.terms[0];
@@ -172,13 +176,11 @@ public:
         NewtonEnd end;
         constexpr int most_tests = 3;
         for (int tests = 1;; ++tests) {
-            end.at_a = high_terms_of<degree>(floats_, 0, at.p, at.q);
-            end.at_b = high_terms_of<degree>(floats_, 1, at.p, at.q);
-            end.at_s = high_terms_of<degree>(floats_, 2, at.p, at.q);
-            constexpr bool is_square = NewtonBounds::is_square(degree);
-            const Low low = low_terms<is_square>(search, at);
-            if constexpr (is_square)
-                end.at_a.value = end.at_b.value = end.at_s.value = hn::Zero(df);
+            constexpr int first = with_squares ? 3 : 2;
+            end.at_a = high_terms_of<degree, first>(floats_, 0, at.p, at.q);
+            end.at_b = high_terms_of<degree, first>(floats_, 1, at.p, at.q);
+            end.at_s = high_terms_of<degree, first>(floats_, 2, at.p, at.q);
+            const Low low = low_terms<with_squares>(search, at);
             const Slopes2 slopes(end.at_a, end.at_b, end.at_s, search.u, search.v);
             Step by = step_from(search, at, low, slopes, end);
             Proof proof = test(by, at, end);
@@ -230,6 +232,11 @@ private:
         FloatMask may_help;  ///< a better place may settle a ray that is open
         Floats radius;       ///< of all zeros about where the step leads
     };
+
+    static bool needs_squares(const Piece& piece, double tolerance) {
+        const auto& sizes = piece.sizes[2];
+        return std::max({sizes[0], sizes[1], sizes[2]}) > most_in_float * tolerance;
+    }
 
     /// A float that is not below a number, in upward rounding.
     static float float_above(double number) { return static_cast<float>(number * (1.0 + 0x1p-22)); }
@@ -406,6 +413,7 @@ private:
     Bounds lost_, flat_, bend_;  ///< of errors, k0 and K / 2; bend_.by without the terms of degree 2
     float s_lost_, s_bend_;      ///< of s alone
     float tolerance_;
+    bool with_squares_;
     bool is_within_;  ///< the piece does not touch the ends of the ranges
 };
 
