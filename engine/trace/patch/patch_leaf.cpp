@@ -66,7 +66,8 @@ private:
         Range open = some;
         if (piece.contraction.norm <= bent_norm) {
             const FloatTerms floats(piece);
-            open.count = solve_bent(Newton(piece, floats, axes_, rays_.tolerance, around), piece.first_degree, some);
+            open.count = solve_bent(Newton(piece, floats, axes_, rays_.tolerance, around),
+                                    piece.first_degree, some);
             if (open.count == 0) return;
             if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
         }

@@ -163,7 +163,8 @@ private:
         return nearer(std::array{number(near), number(near)}, pixels);
     }
 
-    std::size_t list(const QuadraticForm& form, const TileRect& rect, double near, std::size_t count) {
+    std::size_t list(const QuadraticForm& form, const TileRect& rect, double near,
+                     std::size_t count) {
         const auto index = [](int at) { return static_cast<std::size_t>(at); };
         const std::size_t end_col = index(rect.end_col);
         const std::size_t end_row = index(rect.end_row);
@@ -181,7 +182,8 @@ private:
                                         });
                 if (wanted == 0) continue;
                 const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
-                count += put(form, lists(), pair(rays_.u + at), pair(rays_.v + at), pixels, wanted, count);
+                count += put(form, lists(), pair(rays_.u + at), pair(rays_.v + at), pixels, wanted,
+                             count);
             }
         }
         return count;
@@ -207,12 +209,11 @@ private:
                 const std::size_t first = std::min(col, from.row_size - float_width);
                 const std::size_t at = index(row) * from.row_size + first;
                 const auto reach = pair(from.reach + at);
-                const LaneBits wanted = first_bits(end_col - first) & ~first_bits(col - first) &
-                                        both_halves([&](std::size_t i) HWY_ATTR {
-                                            return hn::Le(nearest, reach[i]);
-                                        });
+                const LaneBits wanted =
+                    first_bits(end_col - first) & ~first_bits(col - first) &
+                    both_halves([&](std::size_t i) HWY_ATTR { return hn::Le(nearest, reach[i]); });
                 const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
-                to.put(pair(from.u + first), {v, v}, pixels, wanted, count);
+                to.put_of_row(pair(from.u + first), v, pixels, wanted, count);
                 count += static_cast<std::size_t>(std::popcount(wanted));
             }
         }
@@ -225,8 +226,8 @@ private:
         const Lists to = lists();
         std::size_t count = 0;
         for (std::size_t at = 0; at < rays; at += float_width)
-            count += put(form, to, pair(to.u + at), pair(to.v + at),
-                         hn::LoadU(di, to.pixel + at), first_bits(rays - at), count);
+            count += put(form, to, pair(to.u + at), pair(to.v + at), hn::LoadU(di, to.pixel + at),
+                         first_bits(rays - at), count);
         return count;
     }
 
@@ -261,17 +262,31 @@ private:
         /// Puts the rays of some lanes there.
         HWY_INLINE void put(const std::array<Vector, 2>& us, const std::array<Vector, 2>& vs,
                             Pixels pixels, LaneBits wanted, std::size_t to) const {
-            const D d;
+            put_pixels(pixels, wanted, to);
+            put_halves(us, wanted, u + to);
+            put_halves(vs, wanted, v + to);
+        }
+        /// Those of rays that have the same v.
+        HWY_INLINE void put_of_row(const std::array<Vector, 2>& us, Vector v_of_all, Pixels pixels,
+                                   LaneBits wanted, std::size_t to) const {
+            put_pixels(pixels, wanted, to);
+            put_halves(us, wanted, u + to);
+            hn::StoreU(v_of_all, D(), v + to);
+            hn::StoreU(v_of_all, D(), v + to + width);
+        }
+
+    private:
+        HWY_INLINE void put_pixels(Pixels pixels, LaneBits wanted, std::size_t to) const {
             const Floats some = squeezed(hn::BitCast(df, pixels), lanes_at(df, wanted));
             hn::StoreU(hn::BitCast(di, some), di, pixel + to);
+        }
+        static HWY_INLINE void put_halves(const std::array<Vector, 2>& numbers, LaneBits wanted,
+                                          double* to) {
+            const D d;
             constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
             const auto lower = static_cast<std::size_t>(std::popcount(wanted & lower_bits));
-            const std::array halves{lanes_at(d, wanted & lower_bits),
-                                    lanes_at(d, wanted >> width)};
-            for (std::size_t i = 0; i < 2; ++i) {
-                hn::StoreU(squeezed(us[i], halves[i]), d, u + to + i * lower);
-                hn::StoreU(squeezed(vs[i], halves[i]), d, v + to + i * lower);
-            }
+            hn::StoreU(squeezed(numbers[0], lanes_at(d, wanted & lower_bits)), d, to);
+            hn::StoreU(squeezed(numbers[1], lanes_at(d, wanted >> width)), d, to + lower);
         }
     };
     [[nodiscard]] Lists lists() {

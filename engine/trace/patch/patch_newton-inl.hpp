@@ -17,6 +17,7 @@
 #define ZEROSET_PATCH_NEWTON_INL
 #endif
 
+#include "engine/trace/patch/patch_bounds-inl.hpp"
 #include "engine/trace/patch/patch_floats-inl.hpp"
 
 #include <hwy/highway.h>
@@ -29,47 +30,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Where Newton's method may go, and bounds of polynomials hold: |p|, |q| <= newton_limit.
-constexpr double newton_limit = 1.125;
 /// Terms of degree 2 that are larger, relative to the tolerance, are added in double.
 constexpr double most_in_float = 0x1p16;
 /// More than what rounding takes from a place as floats, or from Y g relative to its terms.
 constexpr double rounding_of_places = 0x1p-21;
-
-/// Bounds for the polynomials of a piece in each of (a, b, s), by the sums of the sizes of their
-/// terms of each degree. In upward rounding.
-struct NewtonBounds {
-    /// Of the sum of second derivatives, but for those of the terms of degree 2, and of what
-    /// rounding in float makes of the slopes.
-    double bend[4], slope_error[4];
-    double square[4];  ///< of the second derivatives of the terms of degree 2
-    /// Of what rounding in float makes of terms where |p|, |q| <= 1. One of degree n is
-    /// rounded n + 6 times at most, each time by 2^-23 of it.
-    double error[4];
-
-    /// `with_squares`: those of degree 2 are added in double.
-    NewtonBounds(const Piece& piece, bool with_squares) {
-        const D4 d4;
-        for (std::size_t k = 0; k < 4; k += step4) {
-            V4 all[3] = {hn::Zero(d4), hn::Zero(d4), hn::Zero(d4)};
-            double power = 1.0;  // newton_limit^(n - 1)
-            for (int n = 1; n <= piece.first_degree; ++n, power *= newton_limit) {
-                const V4 size = hn::Load(d4, piece.sizes[static_cast<std::size_t>(n)].data() + k);
-                const auto add = [&](V4& to, double factor)
-                                     HWY_ATTR { to = hn::MulAdd(size, hn::Set(d4, factor), to); };
-                if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
-                // Products with the second derivatives are rounded, too.
-                add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
-                if (n > 2 || (n == 2 && !with_squares))
-                    add(all[1], 0x1p-23 * (n + 7));
-                add(all[2], 0x1p-20 * n * (n + 2) * power);
-            }
-            hn::StoreU(all[0], d4, bend + k);
-            hn::StoreU(all[1], d4, error + k);
-            hn::StoreU(all[2], d4, slope_error + k);
-        }
-    }
-};
 
 /// The rays that are solved at once, twice as many as vectors of doubles have numbers.
 struct NewtonRays {
@@ -337,8 +301,8 @@ private:
         };
         const Floats zero = hn::Zero(df);
         const Floats tiny = float_number(rounding_of_places);
-        by.lost = outside_more(by.out, most(lost_, hn::Mul(hn::Abs(by.g1), tiny),
-                                            hn::Mul(hn::Abs(by.g2), tiny)));
+        by.lost = outside_more(
+            by.out, most(lost_, hn::Mul(hn::Abs(by.g1), tiny), hn::Mul(hn::Abs(by.g2), tiny)));
         by.flat = most(flat_, zero, zero);
         // g'' of the terms of degree 2 is known with its sign.
         Floats bend_p = most(bend_, zero, zero);
@@ -369,8 +333,8 @@ private:
         const Floats limit = hn::Add(proof.radius, float_number(inner));
         const auto to = hn::Max(hn::Abs(hn::Add(at.p, by.p)), hn::Abs(hn::Add(at.q, by.q)));
         end.none = hn::And(is_known, hn::Gt(to, limit));
-        const FloatMask is_one = hn::And(hn::And(is_known, hn::Le(reach, by.far)),
-                                         hn::Le(hn::Add(by.out, reach), one));
+        const FloatMask is_one =
+            hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(by.out, reach), one));
         const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
         const Floats s_radius = hn::MulAdd(hn::MulAdd(reach, set(s_bend_), set(flat_.by[2])), reach,
                                            hn::MulAdd(slope, within, set(s_lost_)));
@@ -410,8 +374,9 @@ private:
     const Piece& piece_;
     const FloatTerms& floats_;
     double distance_;
-    Bounds lost_, flat_, bend_;  ///< of errors, k0 and K / 2; bend_.by without the terms of degree 2
-    float s_lost_, s_bend_;      ///< of s alone
+    Bounds lost_, flat_,
+        bend_;               ///< of errors, k0 and K / 2; bend_.by without the terms of degree 2
+    float s_lost_, s_bend_;  ///< of s alone
     float tolerance_;
     bool with_squares_;
     bool is_within_;  ///< the piece does not touch the ends of the ranges

@@ -19,8 +19,8 @@ struct ColumnSpan {
 /// Where on a grid of pixels a part of the patch is seen, by its linear form: within a rectangle
 /// and between two pairs of parallels, the edges of the form. In upward rounding.
 ///
-/// With (u0, v0) the ray of the part's middle, of which W = distance + s is at least `least`, and any
-/// number m
+/// With (u0, v0) the ray of the part's middle, of which W = distance + s is at least `least`, and
+/// any number m
 ///   |a - u0 W + m (b - v0 W)| = W |u - u0 + m (v - v0)|
 /// has a linear form, so that |u - u0 + m (v - v0)| is at most the size of that over `least`.
 class PatchOutline {
@@ -32,7 +32,8 @@ public:
     /// Those of a row of it.
     [[nodiscard]] ColumnSpan span(int row, const TileRect& rect) const {
         const auto col = [&](const Edge& edge) { return edge.col + edge.by_row * row; };
-        const double from = std::max({col(first_[0]), col(first_[1]), static_cast<double>(rect.col)});
+        const double from =
+            std::max({col(first_[0]), col(first_[1]), static_cast<double>(rect.col)});
         const double to = std::min({col(end_[0]), col(end_[1]), static_cast<double>(rect.end_col)});
         return {.col = static_cast<int>(from), .end_col = static_cast<int>(std::max(to, 0.0))};
     }

@@ -4,7 +4,8 @@
 // With J and Q the linear and the quadratic terms of g, about the middle of what Q is, all others
 // within E, z the place and h = y - z for a zero y of g:
 //   (J + Q'(z)) h = -(g(z) of these terms) - Q(h) - (what is in E),
-// so that with |h| <= R, H the sum of the sizes of Q and M the norm of the inverse, zeros are within
+// so that with |h| <= R, H the sum of the sizes of Q and M the norm of the inverse, zeros are
+// within
 //   M (E + H R^2)
 // of where the step leads.
 
@@ -85,10 +86,8 @@ public:
         const Floats second = hn::Mul(g1_q, g2_p);
         const Floats determinant = hn::Sub(first, second);
         const Floats inverse = hn::Div(float_number(1.0), determinant);
-        const Floats to_p =
-            hn::MulAdd(hn::NegMulAdd(g2_q, g1, hn::Mul(g1_q, g2)), inverse, p);
-        const Floats to_q =
-            hn::MulAdd(hn::NegMulAdd(g1_p, g2, hn::Mul(g2_p, g1)), inverse, q);
+        const Floats to_p = hn::MulAdd(hn::NegMulAdd(g2_q, g1, hn::Mul(g1_q, g2)), inverse, p);
+        const Floats to_q = hn::MulAdd(hn::NegMulAdd(g1_p, g2, hn::Mul(g2_p, g1)), inverse, q);
         // All in sizes from here on.
         const auto sum = [](Floats a, Floats b)
                              HWY_ATTR { return hn::Add(hn::Abs(a), hn::Abs(b)); };

@@ -1,6 +1,5 @@
 #include "engine/trace/patch/patch_tile.hpp"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -56,8 +56,10 @@ TEST(PatchOutline, HoldsThePixelsThatSeeThePart) {
         const PatchOutline outline(sight, distance, grid);
         for (int k = 0; k < 20; ++k) {
             // A corner of the form now and then, and the nearest ray that is within its error.
-            const double p = k % 4 == 0 ? std::copysign(1.0, sights.number(1.0)) : sights.number(1.0);
-            const double q = k % 3 == 0 ? std::copysign(1.0, sights.number(1.0)) : sights.number(1.0);
+            const double p =
+                k % 4 == 0 ? std::copysign(1.0, sights.number(1.0)) : sights.number(1.0);
+            const double q =
+                k % 3 == 0 ? std::copysign(1.0, sights.number(1.0)) : sights.number(1.0);
             const glm::dvec3 at = sight.c + p * sight.kp + q * sight.kq;
             const double along = distance + at.z + sights.number(1.0) * sight.e.z;
             const auto col = static_cast<int>(std::lround((at.x / along - grid.u) / grid.pixel));

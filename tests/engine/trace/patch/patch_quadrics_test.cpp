@@ -47,7 +47,8 @@ struct Graph {
             return std::string(digits.data());
         };
         const auto linear = [&](int axis) {
-            return text(from[axis]) + "+" + text(along_u[axis]) + "*x+" + text(along_v[axis]) + "*y";
+            return text(from[axis]) + "+" + text(along_u[axis]) + "*x+" + text(along_v[axis]) +
+                   "*y";
         };
         return {linear(0), linear(1),
                 text(z[0]) + "*x^2+" + text(z[1]) + "*x*y+" + text(z[2]) + "*y^2+" + text(z[3]) +
