@@ -51,15 +51,15 @@ template <int degree, int first = 2>
 HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Floats q) {
     const auto term = [&](int i, int j)
                           HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
-    Floats low_p = hn::Set(df, f.by_p[k]);
-    Floats low_q = hn::Set(df, f.by_q[k]);
-    if constexpr (first == 3) {
-        const Floats pp = term(2, 0);
-        const Floats qq = term(0, 2);
-        low_p = hn::MulAdd(hn::Add(pp, pp), p, hn::MulAdd(term(1, 1), q, low_p));
-        low_q = hn::MulAdd(hn::Add(qq, qq), q, hn::MulAdd(term(1, 1), p, low_q));
-        if constexpr (degree < first) return {.value = hn::Zero(df), .by_p = low_p, .by_q = low_q};
-    }
+    // The slopes of the terms below the first degree.
+    const auto low = [&](const float* linear, Floats square, Floats at, Floats other) HWY_ATTR {
+        const Floats by = hn::Set(df, linear[k]);
+        if constexpr (first == 2) return by;
+        return hn::MulAdd(hn::Add(square, square), at, hn::MulAdd(term(1, 1), other, by));
+    };
+    const Floats low_p = low(f.by_p, term(2, 0), p, q);
+    const Floats low_q = low(f.by_q, term(0, 2), q, p);
+    if constexpr (degree < first) return {.value = hn::Zero(df), .by_p = low_p, .by_q = low_q};
     FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
     for (int i = degree - 1; i >= 0; --i) {
         // The terms with p^i, and their slope by q.

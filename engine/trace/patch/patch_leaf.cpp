@@ -119,7 +119,7 @@ private:
                      LeafFound* found) const;
     /// Puts hits that count.
     void put_found(const LeafFound* found, const double* s, const std::int32_t* pixels,
-                   LaneBits hits);
+                   LaneBits hits) const;
     /// Takes the certain hits of Newton's method that count.
     void take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at, LaneBits hits);
 
@@ -230,7 +230,7 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
 }
 
 inline void LeafTracer::put_found(const LeafFound* found, const double* s,
-                                  const std::int32_t* pixels, LaneBits hits) {
+                                  const std::int32_t* pixels, LaneBits hits) const {
     LeafFound* const to_found = rays_.found;
     double* const to_reach = rays_.reach;
     for (; hits != 0; hits &= hits - 1) {

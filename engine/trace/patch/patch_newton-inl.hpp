@@ -239,13 +239,13 @@ private:
                 const auto term = [&](int by_p, int by_q) HWY_ATTR {
                     return number(piece_.terms[patch_term(by_p, by_q)][k]);
                 };
-                Vector by_p = term(1, 0);
-                Vector by_q = term(0, 1);
-                if constexpr (with_squares) {
-                    by_p = hn::MulAdd(term(2, 0), ps[i], hn::MulAdd(term(1, 1), qs[i], by_p));
-                    by_q = hn::MulAdd(term(0, 2), qs[i], by_q);
-                }
-                return hn::MulAdd(by_p, ps[i], hn::MulAdd(by_q, qs[i], from));
+                const Vector p = ps[i];
+                const Vector q = qs[i];
+                if constexpr (!with_squares)
+                    return hn::MulAdd(term(1, 0), p, hn::MulAdd(term(0, 1), q, from));
+                const Vector by_p = hn::MulAdd(term(1, 1), q, term(1, 0));
+                const Vector by_q = hn::MulAdd(term(0, 2), q, term(0, 1));
+                return hn::MulAdd(hn::MulAdd(term(2, 0), p, by_p), p, hn::MulAdd(by_q, q, from));
             };
             low.s[i] = sum(2, hn::Zero(D()));
             low.g1[i] = hn::NegMulAdd(search.rays.u[i], low.s[i], sum(0, search.first1[i]));

@@ -20,8 +20,6 @@
 
 #include <hwy/highway.h>
 
-#include <limits>
-
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
@@ -53,77 +51,12 @@ public:
     /// As of the linear form, or better.
     HWY_INLINE Zeros zeros(Floats u, Floats v) const {
         Zeros zeros = linear_.zeros(u, v);
-        const auto of_u = [&](const LinearForm::Place& of)
-                              HWY_ATTR { return hn::NegMulAdd(u, of.z, of.x); };
-        const auto of_v = [&](const LinearForm::Place& of)
-                              HWY_ATTR { return hn::NegMulAdd(v, of.z, of.y); };
-        const Floats p = zeros.p;
-        const Floats q = zeros.q;
-        const Floats half = float_number(0.5);
-        const Floats pp = hn::Sub(hn::Mul(p, p), half);
-        const Floats pq = hn::Mul(p, q);
-        const Floats qq = hn::Sub(hn::Mul(q, q), half);
-        const auto value = [&](Floats by_pp, Floats by_pq, Floats by_qq) HWY_ATTR {
-            return hn::MulAdd(by_pp, pp, hn::MulAdd(by_pq, pq, hn::Mul(by_qq, qq)));
-        };
-        const Floats u_pp = of_u(by_pp_);
-        const Floats u_pq = of_u(by_pq_);
-        const Floats u_qq = of_u(by_qq_);
-        const Floats v_pp = of_v(by_pp_);
-        const Floats v_pq = of_v(by_pq_);
-        const Floats v_qq = of_v(by_qq_);
-        const Floats g1 = value(u_pp, u_pq, u_qq);
-        const Floats g2 = value(v_pp, v_pq, v_qq);
-        const auto slope = [&](Floats linear, Floats square, Floats at, Floats mixed,
-                               Floats other) HWY_ATTR {
-            return hn::MulAdd(hn::Add(square, square), at, hn::MulAdd(mixed, other, linear));
-        };
-        const Floats g1_p = slope(zeros.pp, u_pp, p, u_pq, q);
-        const Floats g1_q = slope(zeros.pq, u_qq, q, u_pq, p);
-        const Floats g2_p = slope(zeros.qp, v_pp, p, v_pq, q);
-        const Floats g2_q = slope(zeros.qq, v_qq, q, v_pq, p);
-        const Floats first = hn::Mul(g1_p, g2_q);
-        const Floats second = hn::Mul(g1_q, g2_p);
-        const Floats determinant = hn::Sub(first, second);
-        const Floats inverse = hn::Div(float_number(1.0), determinant);
-        const Floats to_p = hn::MulAdd(hn::NegMulAdd(g2_q, g1, hn::Mul(g1_q, g2)), inverse, p);
-        const Floats to_q = hn::MulAdd(hn::NegMulAdd(g1_p, g2, hn::Mul(g2_p, g1)), inverse, q);
-        // All in sizes from here on.
-        const auto sum = [](Floats a, Floats b)
-                             HWY_ATTR { return hn::Add(hn::Abs(a), hn::Abs(b)); };
-        const auto most_of = [&](const LinearForm::Place& of) HWY_ATTR {
-            return hn::Max(hn::MulAdd(hn::Abs(u), of.z, of.x), hn::MulAdd(hn::Abs(v), of.z, of.y));
-        };
-        const Floats norm = hn::Mul(hn::Max(sum(g2_q, g1_q), sum(g1_p, g2_p)), hn::Abs(inverse));
-        const Floats squares = most_of(squares_);
-        const Floats linear = hn::Max(sum(zeros.pp, zeros.pq), sum(zeros.qp, zeros.qq));
-        const Floats out = hn::Add(float_number(1.0), sum(p, q));
-        const Floats radius = zeros.radius;
-        // What rounding makes of the place, of the slopes and of the step, generously.
-        const Floats rounded = hn::MulAdd(
-            linear, zeros.lost,
-            hn::Mul(float_number(LinearForm::float_rounding),
-                    hn::MulAdd(hn::MulAdd(float_number(4.0), hn::Mul(squares, out), linear), radius,
-                               hn::Mul(hn::Mul(hn::Add(squares, squares), out), out))));
-        // And of the determinant, relative to it.
-        const Floats size = hn::Add(hn::Abs(first), hn::Abs(second));
-        const Floats lost = hn::Mul(hn::Mul(size, hn::Abs(inverse)),
-                                    float_number(2.0 * LinearForm::float_rounding));
-        const Floats terms =
-            hn::MulAdd(lost, hn::Max(hn::Abs(g1), hn::Abs(g2)),
-                       hn::MulAdd(hn::Mul(squares, radius), radius, most_of(rest_)));
-        const FloatMask is_safe =
-            hn::And(zeros.known,
-                    hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
-                            hn::Gt(hn::Abs(determinant), hn::Mul(float_number(0x1p-10), size))));
-        // The inverse is known to 2^-9.
-        const Floats better = hn::MulAdd(
-            hn::Mul(norm, float_number(1.0 + 0x1p-8)), hn::Add(terms, rounded),
-            hn::Mul(float_number(LinearForm::float_rounding), hn::Add(out, sum(to_p, to_q))));
-        const FloatMask is_better = hn::And(is_safe, hn::Lt(better, radius));
-        zeros.p = hn::IfThenElse(is_better, to_p, p);
-        zeros.q = hn::IfThenElse(is_better, to_q, q);
-        zeros.radius = hn::IfThenElse(is_better, better, radius);
+        const Step to = step(u, v, zeros);
+        const Floats better = radius(u, v, zeros, to);
+        const FloatMask is_better = hn::And(to.is_safe, hn::Lt(better, zeros.radius));
+        zeros.p = hn::IfThenElse(is_better, to.p, zeros.p);
+        zeros.q = hn::IfThenElse(is_better, to.q, zeros.q);
+        zeros.radius = hn::IfThenElse(is_better, better, zeros.radius);
         const Floats limit = hn::Add(zeros.radius, float_number(inner));
         const FloatMask beyond = hn::Gt(hn::Max(hn::Abs(zeros.p), hn::Abs(zeros.q)), limit);
         zeros.none = hn::Or(zeros.none, hn::And(is_better, beyond));
@@ -131,6 +64,88 @@ public:
     }
 
 private:
+    /// Where a step leads.
+    struct Step {
+        Floats p, q;
+        Floats g;           ///< the larger size of g where it begins
+        Floats norm;        ///< M
+        Floats lost;        ///< a bound of the error of the determinant, relative to it
+        FloatMask is_safe;  ///< the inverse is known to 2^-9
+    };
+    /// The terms of degree 2 of one of g, about the middle of what p^2 and q^2 are.
+    struct Squares {
+        Floats pp, pq, qq;
+
+        HWY_INLINE Floats value(Floats p, Floats q) const {
+            const Floats half = float_number(0.5);
+            return hn::MulAdd(
+                pp, hn::Sub(hn::Mul(p, p), half),
+                hn::MulAdd(pq, hn::Mul(p, q), hn::Mul(qq, hn::Sub(hn::Mul(q, q), half))));
+        }
+        HWY_INLINE Floats by_p(Floats p, Floats q, Floats linear) const {
+            return hn::MulAdd(hn::Add(pp, pp), p, hn::MulAdd(pq, q, linear));
+        }
+        HWY_INLINE Floats by_q(Floats p, Floats q, Floats linear) const {
+            return hn::MulAdd(hn::Add(qq, qq), q, hn::MulAdd(pq, p, linear));
+        }
+    };
+
+    static HWY_INLINE Floats sum(Floats a, Floats b) { return hn::Add(hn::Abs(a), hn::Abs(b)); }
+    /// The larger one of bounds for g by those for (a, b, s).
+    static HWY_INLINE Floats most_of(const LinearForm::Place& of, Floats u, Floats v) {
+        return hn::Max(hn::MulAdd(hn::Abs(u), of.z, of.x), hn::MulAdd(hn::Abs(v), of.z, of.y));
+    }
+
+    HWY_INLINE Step step(Floats u, Floats v, const Zeros& at) const {
+        const auto of_u = [&](const LinearForm::Place& of)
+                              HWY_ATTR { return hn::NegMulAdd(u, of.z, of.x); };
+        const auto of_v = [&](const LinearForm::Place& of)
+                              HWY_ATTR { return hn::NegMulAdd(v, of.z, of.y); };
+        const Squares first{.pp = of_u(by_pp_), .pq = of_u(by_pq_), .qq = of_u(by_qq_)};
+        const Squares second{.pp = of_v(by_pp_), .pq = of_v(by_pq_), .qq = of_v(by_qq_)};
+        const Floats g1 = first.value(at.p, at.q);
+        const Floats g2 = second.value(at.p, at.q);
+        const Floats pp = first.by_p(at.p, at.q, at.pp);
+        const Floats pq = first.by_q(at.p, at.q, at.pq);
+        const Floats qp = second.by_p(at.p, at.q, at.qp);
+        const Floats qq = second.by_q(at.p, at.q, at.qq);
+        const Floats product = hn::Mul(pp, qq);
+        const Floats other = hn::Mul(pq, qp);
+        const Floats determinant = hn::Sub(product, other);
+        const Floats inverse = hn::Div(float_number(1.0), determinant);
+        const Floats size = sum(product, other);
+        const Floats is = hn::Abs(determinant);
+        return {.p = hn::MulAdd(hn::NegMulAdd(qq, g1, hn::Mul(pq, g2)), inverse, at.p),
+                .q = hn::MulAdd(hn::NegMulAdd(pp, g2, hn::Mul(qp, g1)), inverse, at.q),
+                .g = hn::Max(hn::Abs(g1), hn::Abs(g2)),
+                .norm = hn::Mul(hn::Mul(hn::Max(sum(qq, pq), sum(pp, qp)), hn::Abs(inverse)),
+                                float_number(1.0 + 0x1p-8)),
+                .lost = hn::Mul(hn::Mul(size, hn::Abs(inverse)),
+                                float_number(2.0 * LinearForm::float_rounding)),
+                // Products of small numbers may be 0.
+                .is_safe =
+                    hn::And(at.known, hn::And(hn::Gt(is, float_number(0x1p-80)),
+                                              hn::Gt(is, hn::Mul(float_number(0x1p-10), size))))};
+    }
+
+    /// How far zeros are from where a step leads at most.
+    HWY_INLINE Floats radius(Floats u, Floats v, const Zeros& from, const Step& to) const {
+        const Floats squares = most_of(squares_, u, v);
+        const Floats linear = hn::Max(sum(from.pp, from.pq), sum(from.qp, from.qq));
+        const Floats out = hn::Add(float_number(1.0), sum(from.p, from.q));
+        // What rounding makes of the place, of the slopes and of the step, generously.
+        const Floats sizes =
+            hn::MulAdd(hn::MulAdd(float_number(4.0), hn::Mul(squares, out), linear), from.radius,
+                       hn::Mul(hn::Mul(hn::Add(squares, squares), out), out));
+        const Floats tiny = float_number(LinearForm::float_rounding);
+        const Floats rounded = hn::MulAdd(linear, from.lost, hn::Mul(tiny, sizes));
+        const Floats terms = hn::MulAdd(
+            to.lost, to.g,
+            hn::MulAdd(hn::Mul(squares, from.radius), from.radius, most_of(rest_, u, v)));
+        return hn::MulAdd(to.norm, hn::Add(terms, rounded),
+                          hn::Mul(tiny, hn::Add(out, sum(to.p, to.q))));
+    }
+
     LinearForm linear_;
     LinearForm::Place by_pp_, by_pq_, by_qq_;
     LinearForm::Place rest_, squares_;  ///< bounds: of all other terms, of these
