@@ -85,55 +85,61 @@ std::vector<double> quadratic_roots(const Ray& ray, Function f) {
     return {middle + half * large / a, middle + half * c / large};
 }
 
+/// How a ray first meets a graph within what is shown.
+double first_root(const Graph& graph, const Ray& ray) {
+    double first = infinity;
+    if (!(ray.t_in < ray.t_out)) return first;
+    const auto height = [&](const glm::dvec3& at) { return graph.height(at); };
+    for (const double t : quadratic_roots(ray, height)) {
+        const glm::dvec2 at = graph.place(ray.at(t));
+        const bool is_inside = std::min(at.x, at.y) >= 0.0 && std::max(at.x, at.y) <= 1.0;
+        if (is_inside && t >= ray.t_in && t <= ray.t_out) first = std::min(first, t);
+    }
+    return first;
+}
+
+struct Counts {
+    int hits = 0, misses = 0, undecided = 0;
+};
+
+void expect_first_hits(const Graph& graph, const Camera& camera, const Box& clip, Counts& counts) {
+    const std::array<std::string, 3> texts = graph.texts();
+    SCOPED_TRACE(texts[0] + ", " + texts[1] + ", " + texts[2]);
+    Framebuffer frame(200, 150);
+    render_frame(patch_scene(texts, Way::ByModels, clip), camera, settings_at("beams", 22), frame);
+    for (int i = 0; i < frame.width * frame.height; ++i) {
+        const int col = i % frame.width;
+        const int row = i / frame.width;
+        const double expected = first_root(graph, Ray(camera, clip, col, row, frame, {}));
+        const std::size_t at = frame.index(col, row);
+        const auto found = static_cast<double>(frame.depth[at]);
+        if (frame.certificate[at] == Certificate::Undecided) {
+            ++counts.undecided;
+            continue;
+        }
+        const std::string where = std::to_string(col) + ", " + std::to_string(row);
+        EXPECT_EQ(std::isfinite(expected), std::isfinite(found)) << where;
+        if (!std::isfinite(expected) || !std::isfinite(found)) {
+            ++counts.misses;
+            continue;
+        }
+        EXPECT_NEAR(found, expected, 4e-6 * (1.0 + std::abs(expected))) << where;
+        ++counts.hits;
+    }
+}
+
 TEST(PatchQuadrics, HaveTheirFirstHits) {
     std::mt19937 numbers(20261127);
     const Box clip = Box::cube(1.6);
-    int hits = 0;
-    int misses = 0;
-    int undecided = 0;
+    Counts counts;
     for (int i = 0; i < 40; ++i) {
-        const Graph graph = Graph::random(numbers);
-        const std::array<std::string, 3> texts = graph.texts();
-        SCOPED_TRACE(texts[0] + ", " + texts[1] + ", " + texts[2]);
         Camera camera = default_camera(clip);
         camera.eye = {6.0 * std::cos(0.7 * i), 6.0 * std::sin(0.7 * i), i % 3 - 0.8};
-        Framebuffer frame(200, 150);
-        render_frame(patch_scene(texts, Way::ByModels, clip), camera, settings_at("beams", 22),
-                     frame);
-        for (int row = 0; row < frame.height; ++row) {
-            for (int col = 0; col < frame.width; ++col) {
-                const Ray ray(camera, clip, col, row, frame, {});
-                double expected = infinity;
-                if (ray.t_in < ray.t_out) {
-                    const auto height = [&](const glm::dvec3& at) { return graph.height(at); };
-                    for (const double t : quadratic_roots(ray, height)) {
-                        const glm::dvec2 at = graph.place(ray.at(t));
-                        const bool is_inside = std::min(at.x, at.y) >= 0.0 &&
-                                               std::max(at.x, at.y) <= 1.0 && t >= ray.t_in &&
-                                               t <= ray.t_out;
-                        if (is_inside) expected = std::min(expected, t);
-                    }
-                }
-                const std::size_t at = frame.index(col, row);
-                const auto found = static_cast<double>(frame.depth[at]);
-                if (frame.certificate[at] == Certificate::Undecided) {
-                    ++undecided;
-                    continue;
-                }
-                const std::string where = std::to_string(col) + ", " + std::to_string(row);
-                EXPECT_EQ(std::isfinite(expected), std::isfinite(found)) << where;
-                if (!std::isfinite(expected) || !std::isfinite(found)) {
-                    ++misses;
-                    continue;
-                }
-                EXPECT_NEAR(found, expected, 4e-6 * (1.0 + std::abs(expected))) << where;
-                ++hits;
-            }
-        }
+        expect_first_hits(Graph::random(numbers), camera, clip, counts);
     }
-    EXPECT_GT(hits, 40000);
-    EXPECT_GT(misses, 40000);
-    EXPECT_LT(undecided, 20);
+    EXPECT_GT(counts.hits, 40000);
+    EXPECT_GT(counts.misses, 40000);
+    EXPECT_LT(counts.undecided, 20);
 }
 
 /// Many small leaves, and the whole silhouette.
