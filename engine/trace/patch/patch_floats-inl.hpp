@@ -23,11 +23,10 @@ struct FloatSlopes {
     Floats value, by_p, by_q;
 };
 
-/// The terms of a piece in float: of (a, b, s). Those below degree 3 are 0 in `terms`.
+/// The terms of a piece in float: of (a, b, s). Those below degree 2 are 0 in `terms`.
 struct FloatTerms {
     float terms[patch_terms][4];
-    float by_p[4], by_q[4];              ///< p, q
-    float by_pp[4], by_pq[4], by_qq[4];  ///< p^2, p q, q^2
+    float by_p[4], by_q[4];  ///< p, q
 
     explicit FloatTerms(const Piece& piece) {
         const D4 d4;
@@ -36,39 +35,37 @@ struct FloatTerms {
             const auto put = [&](std::size_t i, float* to) HWY_ATTR {
                 hn::StoreU(hn::DemoteTo(f4, hn::Load(d4, piece.terms[i].data() + k)), f4, to + k);
             };
-            constexpr std::size_t first = patch_term(3, 0);
+            constexpr std::size_t first = patch_term(2, 0);
             for (std::size_t i = 0; i < first; ++i)
                 hn::StoreU(hn::Zero(f4), f4, terms[i] + k);
             put(patch_term(1, 0), by_p);
             put(patch_term(0, 1), by_q);
-            put(patch_term(2, 0), by_pp);
-            put(patch_term(1, 1), by_pq);
-            put(patch_term(0, 2), by_qq);
             for (std::size_t i = first; i < terms_of(piece.degree); ++i)
                 put(i, terms[i]);
         }
     }
 };
 
-/// The terms of a coordinate from degree 3 on, and the slopes of all terms.
-template <int degree>
+/// The terms of a coordinate from a degree on, 2 or 3, and the slopes of all terms.
+template <int degree, int first = 2>
 HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Floats q) {
-    const Floats pq = hn::Set(df, f.by_pq[k]);
-    const auto twice = [&](const float* from) HWY_ATTR { return hn::Set(df, 2.0F * from[k]); };
-    const FloatSlopes low{
-        .value = hn::Zero(df),
-        .by_p = hn::MulAdd(twice(f.by_pp), p, hn::MulAdd(pq, q, hn::Set(df, f.by_p[k]))),
-        .by_q = hn::MulAdd(twice(f.by_qq), q, hn::MulAdd(pq, p, hn::Set(df, f.by_q[k])))};
-    if constexpr (degree <= 2) return low;
     const auto term = [&](int i, int j)
                           HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
+    // The slopes of the terms below the first degree.
+    const auto low = [&](const float* linear, Floats square, Floats at, Floats other) HWY_ATTR {
+        const Floats by = hn::Set(df, linear[k]);
+        if constexpr (first == 2) return by;
+        return hn::MulAdd(hn::Add(square, square), at, hn::MulAdd(term(1, 1), other, by));
+    };
+    const Floats low_p = low(f.by_p, term(2, 0), p, q);
+    const Floats low_q = low(f.by_q, term(0, 2), q, p);
+    if constexpr (degree < first) return {.value = hn::Zero(df), .by_p = low_p, .by_q = low_q};
     FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
     for (int i = degree - 1; i >= 0; --i) {
         // The terms with p^i, and their slope by q.
         Floats row = term(i, degree - i);
         Floats by_q = row;
-        // Those below degree 3 are not there.
-        const int lowest = std::max(0, 3 - i);
+        const int lowest = std::max(0, first - i);
         for (int j = degree - i - 1; j >= 1; --j) {
             row = j >= lowest ? hn::MulAdd(row, q, term(i, j)) : hn::Mul(row, q);
             by_q = hn::MulAdd(by_q, q, row);
@@ -78,8 +75,8 @@ HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Float
         all.value = hn::MulAdd(all.value, p, row);
         all.by_q = i == degree - 1 ? by_q : hn::MulAdd(all.by_q, p, by_q);
     }
-    all.by_p = hn::Add(all.by_p, low.by_p);
-    all.by_q = hn::Add(all.by_q, low.by_q);
+    all.by_p = hn::Add(all.by_p, low_p);
+    all.by_q = hn::Add(all.by_q, low_q);
     return all;
 }
 
@@ -87,10 +84,8 @@ HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Float
 template <int degree>
 HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, Floats p, Floats q) {
     FloatSlopes all = high_terms_of<degree>(f, k, p, q);
-    const auto set = [&](const float* from) HWY_ATTR { return hn::Set(df, from[k]); };
-    const Floats by_p = hn::MulAdd(set(f.by_pp), p, hn::MulAdd(set(f.by_pq), q, set(f.by_p)));
-    const Floats by_q = hn::MulAdd(set(f.by_qq), q, set(f.by_q));
-    all.value = hn::Add(all.value, hn::MulAdd(by_p, p, hn::Mul(by_q, q)));
+    const Floats by_q = hn::Mul(hn::Set(df, f.by_q[k]), q);
+    all.value = hn::Add(all.value, hn::MulAdd(hn::Set(df, f.by_p[k]), p, by_q));
     return all;
 }
 

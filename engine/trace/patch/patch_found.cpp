@@ -17,8 +17,8 @@ namespace zeroset::HWY_NAMESPACE {
 /// TileRays::distance_at of some rays.
 HWY_INLINE Vector distances(const TileFound& tile, std::size_t at) {
     const D d;
-    const Vector u = hn::LoadU(d, tile.u + at);
-    const Vector v = hn::LoadU(d, tile.v + at);
+    const Vector u = hn::LoadU(d, tile.u + at % tile_size);
+    const Vector v = number(tile.v[at / tile_size]);
     const Vector slant = hn::Sqrt(hn::MulAdd(u, u, hn::MulAdd(v, v, number(1.0))));
     return hn::Mul(hn::Add(number(tile.look_distance), hn::LoadU(d, tile.reach + at)), slant);
 }

@@ -12,8 +12,8 @@ namespace zeroset {
 
 /// What leaves wrote down for the rays of a tile: `found`, and the depths in `reach`.
 struct TileFound {
-    const double* u;
-    const double* v;
+    const double* u;  ///< of each column
+    const double* v;  ///< of each row
     const double* reach;
     const LeafFound* found;
     double look_distance;

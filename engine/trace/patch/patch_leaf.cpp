@@ -38,10 +38,21 @@ public:
         flip_ = glm::dot(glm::cross(axes.right, axes.up), axes.forward) < 0.0 ? -1.0F : 1.0F;
     }
 
-    void trace(Piece& piece, const LeafPixels& pixels) {
+    void trace(const LeafSight& leaf, const LeafPixels& pixels) {
+        // Many parts are hidden in all their pixels: nothing else is done for these.
+        const bool is_outlined = pixels.outline != nullptr;
+        const std::size_t gathered = is_outlined ? lists_.gather(pixels, leaf.near) : 0;
+        if (is_outlined && gathered == 0 && pixels.others.empty()) return;
+        Piece piece;
+        turn(leaf.model, axes_, piece.terms);
+        piece.degree = patch_degree;
+        measure(piece);
+        piece.value_error = leaf.value_error;
+        piece.box = leaf.box;
+        piece.halvings = 0;
         lower_degree(piece, rays_.tolerance);
         see(piece);
-        trace_listed(piece, lists_.list(piece, pixels));
+        trace_listed(piece, lists_.list(piece, pixels, gathered));
     }
 
     [[nodiscard]] const LeafCount& count() const { return count_; }
@@ -50,11 +61,13 @@ private:
     /// Goes on with those of some rays that may meet a piece.
     void trace_listed(Piece& piece, const Range& some) {
         if (some.count == 0) return;
-        piece.contraction = contraction_of(piece.sight, lists_.bounds_of(some));
+        const SightRays around = lists_.bounds_of(some);
+        piece.contraction = contraction_of(piece.sight, around);
         Range open = some;
         if (piece.contraction.norm <= bent_norm) {
             const FloatTerms floats(piece);
-            open.count = solve_bent(piece, floats, some);
+            open.count = solve_bent(Newton(piece, floats, axes_, rays_.tolerance, around),
+                                    piece.first_degree, some);
             if (open.count == 0) return;
             if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
         }
@@ -81,13 +94,13 @@ private:
 
     /// Solves the rays of a piece in float. Those that are left come first afterwards; returns how
     /// many.
-    std::size_t solve_bent(const Piece& piece, const FloatTerms& floats, const Range& rays) {
-        const Newton newton(piece, floats, axes_, rays_.tolerance);
-        return with_degree(piece.first_degree, [&](auto degree) HWY_ATTR {
-            return solve_bent_by<degree()>(newton, rays);
+    std::size_t solve_bent(const Newton& newton, int first_degree, const Range& rays) {
+        return with_degree(first_degree, [&](auto degree) HWY_ATTR {
+            return newton.with_squares() ? solve_bent_by<degree(), true>(newton, rays)
+                                         : solve_bent_by<degree(), false>(newton, rays);
         });
     }
-    template <int degree>
+    template <int degree, bool with_squares>
     std::size_t solve_bent_by(const Newton& newton, const Range& rays);
     /// As above in double, where Krawczyk's test contracts.
     std::size_t solve(const Piece& piece, const FloatTerms& floats, const Range& rays) {
@@ -104,6 +117,9 @@ private:
     [[nodiscard]] Mask in_box(Vector u, Vector v, Vector s) const;
     void put_normals(const FloatSlopes& a, const FloatSlopes& b, const FloatSlopes& s,
                      LeafFound* found) const;
+    /// Puts hits that count.
+    void put_found(const LeafFound* found, const double* s, const std::int32_t* pixels,
+                   LaneBits hits) const;
     /// Takes the certain hits of Newton's method that count.
     void take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at, LaneBits hits);
 
@@ -155,7 +171,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     return left;
 }
 
-template <int degree>
+template <int degree, bool with_squares>
 std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
     count_.evaluations += rays.count;
     std::size_t left = 0;
@@ -166,7 +182,7 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
                               .p = hn::LoadU(df, lists_.p(at)),
                               .q = hn::LoadU(df, lists_.q(at)),
                               .spread = hn::LoadU(df, lists_.spread(at))};
-        const NewtonEnd end = newton.solve<degree>(some);
+        const NewtonEnd end = newton.solve<degree, with_squares>(some);
         const LaneBits real = RayLists::first_bits(rays.count - i);
         const LaneBits found = real & lanes_of(df, end.found);
         if (found != 0) take_found(some, end, at, found);
@@ -191,6 +207,8 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
     LeafFound found[2 * width];
     put_normals(end.at_a, end.at_b, end.at_s, found);
+    if (clip_.window != LeafWindow::Judged && rays_.to == nullptr)
+        return put_found(found, s, lists_.pixels_at(at), hits);
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
@@ -208,6 +226,18 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
         if (rays_.to == nullptr || found[lane].state != RayState::Proved) continue;
         rays_.reach[pixel] = -unbounded;
         rays_.to[pixel] = -unbounded;
+    }
+}
+
+inline void LeafTracer::put_found(const LeafFound* found, const double* s,
+                                  const std::int32_t* pixels, LaneBits hits) const {
+    LeafFound* const to_found = rays_.found;
+    double* const to_reach = rays_.reach;
+    for (; hits != 0; hits &= hits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
+        const auto pixel = static_cast<std::size_t>(pixels[lane]);
+        to_found[pixel] = found[lane];
+        to_reach[pixel] = s[lane];
     }
 }
 
@@ -299,14 +329,8 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
 LeafCount trace(const LeafSight& leaf, const SightAxes& axes, const LeafRays& rays,
                 const LeafPixels& pixels, const LeafClip& clip, LeafLists& lists,
                 LeafTaker& taker) {
-    Piece piece;
-    turn(leaf.model, axes, piece.terms);
-    piece.degree = patch_degree;
-    piece.value_error = leaf.value_error;
-    piece.box = leaf.box;
-    piece.halvings = 0;
     LeafTracer tracer(axes, rays, clip, lists, taker);
-    tracer.trace(piece, pixels);
+    tracer.trace(leaf, pixels);
     return tracer.count();
 }
 

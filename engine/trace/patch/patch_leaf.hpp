@@ -20,8 +20,14 @@ using SightTerms = std::array<std::array<double, 4>, patch_terms>;
 /// A part of the patch as a tile's rays see it, by its model.
 struct LeafSight {
     const PatchModel& model;
+    double near;         ///< it is not nearer than this
     UvBox box;           ///< that p and q in [-1, 1] run over
     double value_error;  ///< of each of (a, b, s), as long as no term is left out
+};
+
+/// Where rays through pixels are: that of a pixel at (u + col pixel, v - row pixel).
+struct PixelGrid {
+    double u, v, pixel;
 };
 
 /// Some pixels of a tile: up to, but not including, the last ones.
@@ -80,14 +86,15 @@ protected:
 /// The rays of a tile, in rows of so many; what is behind `reach` is not wanted, and is changed by
 /// hits.
 struct LeafRays {
-    const double* u;
-    const double* v;
+    const double* u;  ///< of each ray, or, with a grid, of each column
+    const double* v;  ///< of each ray, or row
     double* reach;
     LeafFound* found;
     double* to;  ///< where any hit will do: set to -inf, as the reach, where one is proved; else
                  ///< nullptr
     std::size_t row_size;
-    double tolerance;  ///< the width of a bracket that is narrow enough
+    double tolerance;       ///< the width of a bracket that is narrow enough
+    const PixelGrid* grid;  ///< on which the rays are; nullptr: they are anywhere
 };
 
 /// What of a leaf counts.
@@ -109,9 +116,12 @@ struct LeafLists {
     void reserve(std::size_t first, std::size_t more);
 };
 
+class PatchOutline;
+
 /// Pixels of a tile: those in rectangles, and others.
 struct LeafPixels {
     std::span<const TileRect> rects;
+    const PatchOutline* outline;  ///< of LeafRays::grid: beside it they are not asked about
     std::span<const std::size_t> others;
 };
 

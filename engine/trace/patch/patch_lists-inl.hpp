@@ -8,7 +8,8 @@
 #define ZEROSET_PATCH_LISTS_INL
 #endif
 
-#include "engine/trace/patch/patch_pieces-inl.hpp"
+#include "engine/trace/patch/patch_outline.hpp"
+#include "engine/trace/patch/patch_squares-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -37,13 +38,25 @@ public:
     RayLists(const SightAxes& axes, const LeafRays& rays, LeafLists& lists)
         : axes_(axes), rays_(rays), lists_(lists) {}
 
-    /// Lists the rays through some pixels that may meet a piece.
-    Range list(const Piece& piece, const LeafPixels& pixels) {
-        const LinearForm form(piece.sight, axes_);
-        const double near = piece.sight.depths().near;
+    /// Puts the rays of pixels of an outline into the lists, on which something is wanted behind
+    /// `near`; returns how many.
+    std::size_t gather(const LeafPixels& pixels, double near) {
         std::size_t count = 0;
         for (const TileRect& rect : pixels.rects)
-            count = list(form, rect, near, count);
+            count = gather(*pixels.outline, rect, near, count);
+        return count;
+    }
+
+    /// Lists the rays through some pixels that may meet a piece; of an outline the first
+    /// `gathered` ones of the lists.
+    Range list(const Piece& piece, const LeafPixels& pixels, std::size_t gathered) {
+        const QuadraticForm form(piece, axes_);
+        const double near = piece.sight.depths().near;
+        std::size_t count = keep_met(form, gathered);
+        if (pixels.outline == nullptr) {
+            for (const TileRect& rect : pixels.rects)
+                count = list(form, rect, near, count);
+        }
         count = list(form, pixels.others, near, count);
         repeat_last(0, count);
         return {.first = 0, .count = count};
@@ -52,7 +65,7 @@ public:
     /// Lists those rays again, behind them, that the piece's linear form does not reject, with
     /// where it has their zeros.
     Range list(const Piece& piece, const Range& rays) {
-        const LinearForm form(piece.sight, axes_);
+        const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
         const std::size_t first = rays.first + rays.count;
         lists_.reserve(first, rays.count);
@@ -62,7 +75,7 @@ public:
             const auto pixels = hn::LoadU(di, pixels_at(at));
             const LaneBits wanted = first_bits(rays.count - i) & nearer(near, pixels);
             if (wanted == 0) continue;
-            count += put(form, pair(u(at)), pair(v(at)), pixels, wanted, first + count);
+            count += put(form, lists(), pair(u(at)), pair(v(at)), pixels, wanted, first + count);
         }
         repeat_last(first, count);
         return {.first = first, .count = count};
@@ -100,6 +113,7 @@ public:
     float* p(std::size_t i) { return lists_.p.data() + i; }
     float* q(std::size_t i) { return lists_.q.data() + i; }
     float* spread(std::size_t i) { return lists_.spread.data() + i; }
+    std::int32_t* pixels_at(std::size_t i) { return lists_.pixel.data() + i; }
     [[nodiscard]] std::size_t pixel(std::size_t i) const {
         return static_cast<std::size_t>(lists_.pixel[i]);
     }
@@ -128,8 +142,6 @@ private:
     static constexpr hn::RebindToSigned<decltype(df)> di{};
     using Pixels = hn::Vec<hn::RebindToSigned<decltype(df)>>;
 
-    std::int32_t* pixels_at(std::size_t i) { return lists_.pixel.data() + i; }
-
     /// Lanes of the upper half, and those of the lower one before.
     template <class Call>
     static HWY_INLINE LaneBits both_halves(Call call) {
@@ -151,7 +163,8 @@ private:
         return nearer(std::array{number(near), number(near)}, pixels);
     }
 
-    std::size_t list(const LinearForm& form, const TileRect& rect, double near, std::size_t count) {
+    std::size_t list(const QuadraticForm& form, const TileRect& rect, double near,
+                     std::size_t count) {
         const auto index = [](int at) { return static_cast<std::size_t>(at); };
         const std::size_t end_col = index(rect.end_col);
         const std::size_t end_row = index(rect.end_row);
@@ -169,13 +182,56 @@ private:
                                         });
                 if (wanted == 0) continue;
                 const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
-                count += put(form, pair(rays_.u + at), pair(rays_.v + at), pixels, wanted, count);
+                count += put(form, lists(), pair(rays_.u + at), pair(rays_.v + at), pixels, wanted,
+                             count);
             }
         }
         return count;
     }
 
-    std::size_t list(const LinearForm& form, std::span<const std::size_t> pixels, double near,
+    /// Puts the pixels of an outline into the lists, whose reach is not before `near`.
+    std::size_t gather(const PatchOutline& outline, const TileRect& rect, double near,
+                       std::size_t count) {
+        if (rect.empty()) return count;
+        const auto index = [](int at) { return static_cast<std::size_t>(at); };
+        lists_.reserve(count, index(rect.end_row - rect.row) * index(rect.end_col - rect.col));
+        const auto lanes = hn::Iota(di, 0);
+        const Vector nearest = number(near);
+        const Lists to = lists();
+        const LeafRays from = rays_;
+        for (int row = rect.row; row < rect.end_row; ++row) {
+            const ColumnSpan span = outline.span(row, rect);
+            if (span.empty()) continue;
+            const Vector v = number(from.v[row]);
+            const std::size_t end_col = index(span.end_col);
+            for (std::size_t col = index(span.col); col < end_col; col += float_width) {
+                // No vector is read from behind the end of a row.
+                const std::size_t first = std::min(col, from.row_size - float_width);
+                const std::size_t at = index(row) * from.row_size + first;
+                const auto reach = pair(from.reach + at);
+                const LaneBits wanted =
+                    first_bits(end_col - first) & ~first_bits(col - first) &
+                    both_halves([&](std::size_t i) HWY_ATTR { return hn::Le(nearest, reach[i]); });
+                const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
+                to.put_of_row(pair(from.u + first), v, pixels, wanted, count);
+                count += static_cast<std::size_t>(std::popcount(wanted));
+            }
+        }
+        return count;
+    }
+
+    /// Of the first rays of the lists keeps those that a linear form does not reject; returns how
+    /// many.
+    std::size_t keep_met(const QuadraticForm& form, std::size_t rays) {
+        const Lists to = lists();
+        std::size_t count = 0;
+        for (std::size_t at = 0; at < rays; at += float_width)
+            count += put(form, to, pair(to.u + at), pair(to.v + at), hn::LoadU(di, to.pixel + at),
+                         first_bits(rays - at), count);
+        return count;
+    }
+
+    std::size_t list(const QuadraticForm& form, std::span<const std::size_t> pixels, double near,
                      std::size_t count) {
         HWY_ALIGN std::int32_t indices[float_width] = {};
         HWY_ALIGN double us[float_width] = {};
@@ -186,21 +242,67 @@ private:
             for (std::size_t lane = 0; lane < some; ++lane) {
                 const std::size_t pixel = pixels[i + lane];
                 indices[lane] = static_cast<std::int32_t>(pixel);
-                us[lane] = rays_.u[pixel];
-                vs[lane] = rays_.v[pixel];
+                us[lane] = rays_.u[rays_.grid == nullptr ? pixel : pixel % rays_.row_size];
+                vs[lane] = rays_.v[rays_.grid == nullptr ? pixel : pixel / rays_.row_size];
             }
             const auto at = hn::Load(di, indices);
             const LaneBits wanted = first_bits(some) & nearer(near, at);
-            count += put(form, pair(us), pair(vs), at, wanted, count);
+            count += put(form, lists(), pair(us), pair(vs), at, wanted, count);
         }
         return count;
     }
 
+    /// Where the lists begin. Kept by value where rays are put: what is stored might change it
+    /// else, as far as compilers know.
+    struct Lists {
+        double *u, *v;
+        float *p, *q, *spread;
+        std::int32_t* pixel;
+
+        /// Puts the rays of some lanes there.
+        HWY_INLINE void put(const std::array<Vector, 2>& us, const std::array<Vector, 2>& vs,
+                            Pixels pixels, LaneBits wanted, std::size_t to) const {
+            put_pixels(pixels, wanted, to);
+            put_halves(us, wanted, u + to);
+            put_halves(vs, wanted, v + to);
+        }
+        /// Those of rays that have the same v.
+        HWY_INLINE void put_of_row(const std::array<Vector, 2>& us, Vector v_of_all, Pixels pixels,
+                                   LaneBits wanted, std::size_t to) const {
+            put_pixels(pixels, wanted, to);
+            put_halves(us, wanted, u + to);
+            hn::StoreU(v_of_all, D(), v + to);
+            hn::StoreU(v_of_all, D(), v + to + width);
+        }
+
+    private:
+        HWY_INLINE void put_pixels(Pixels pixels, LaneBits wanted, std::size_t to) const {
+            const Floats some = squeezed(hn::BitCast(df, pixels), lanes_at(df, wanted));
+            hn::StoreU(hn::BitCast(di, some), di, pixel + to);
+        }
+        static HWY_INLINE void put_halves(const std::array<Vector, 2>& numbers, LaneBits wanted,
+                                          double* to) {
+            const D d;
+            constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
+            const auto lower = static_cast<std::size_t>(std::popcount(wanted & lower_bits));
+            hn::StoreU(squeezed(numbers[0], lanes_at(d, wanted & lower_bits)), d, to);
+            hn::StoreU(squeezed(numbers[1], lanes_at(d, wanted >> width)), d, to + lower);
+        }
+    };
+    [[nodiscard]] Lists lists() {
+        return {.u = lists_.u.data(),
+                .v = lists_.v.data(),
+                .p = lists_.p.data(),
+                .q = lists_.q.data(),
+                .spread = lists_.spread.data(),
+                .pixel = lists_.pixel.data()};
+    }
+
     /// Puts those of some rays that are wanted and not rejected into the lists; returns how many.
-    HWY_INLINE std::size_t put(const LinearForm& form, const std::array<Vector, 2>& us,
-                               const std::array<Vector, 2>& vs, Pixels pixels, LaneBits wanted,
-                               std::size_t to) {
-        const D d;
+    static HWY_INLINE std::size_t put(const QuadraticForm& form, const Lists& lists,
+                                      const std::array<Vector, 2>& us,
+                                      const std::array<Vector, 2>& vs, Pixels pixels,
+                                      LaneBits wanted, std::size_t to) {
         const Zeros zeros = form.zeros(floats_of(us[0], us[1]), floats_of(vs[0], vs[1]));
         const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
         if (left_bits == 0) return 0;
@@ -212,19 +314,11 @@ private:
         const Floats spread = hn::MulAdd(sizes, float_number(0x1p-20), zeros.radius);
         const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
         const auto store = [&](Floats numbers, float* at)
-                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at); };
-        store(hn::IfThenElse(zeros.known, zeros.p, zero), p(to));
-        store(hn::IfThenElse(zeros.known, zeros.q, zero), q(to));
-        store(hn::IfThenElse(zeros.known, spread, unbounded), this->spread(to));
-        hn::StoreU(hn::BitCast(di, squeezed(hn::BitCast(df, pixels), left)), di, pixels_at(to));
-        constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
-        const auto lower = static_cast<std::size_t>(std::popcount(left_bits & lower_bits));
-        const std::array halves{lanes_at(d, left_bits & lower_bits),
-                                lanes_at(d, left_bits >> width)};
-        for (std::size_t i = 0; i < 2; ++i) {
-            hn::StoreU(squeezed(us[i], halves[i]), d, u(to + i * lower));
-            hn::StoreU(squeezed(vs[i], halves[i]), d, v(to + i * lower));
-        }
+                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at + to); };
+        store(hn::IfThenElse(zeros.known, zeros.p, zero), lists.p);
+        store(hn::IfThenElse(zeros.known, zeros.q, zero), lists.q);
+        store(hn::IfThenElse(zeros.known, spread, unbounded), lists.spread);
+        lists.put(us, vs, pixels, left_bits, to);
         return static_cast<std::size_t>(std::popcount(left_bits));
     }
 

@@ -120,7 +120,8 @@ private:
 std::uint32_t look(const PartForms& forms, const PartWindow& window, SeenParts& seen) {
     PartLook parts(forms, window, seen);
     std::uint32_t bits = 0;
-    for (std::size_t first = 0; first < PatchForms::at_once; first += width)
+    // Lanes behind the last known part are not of use.
+    for (std::size_t first = 0; forms.known >> first != 0; first += width)
         bits |= bits_of(D(), parts.look(first)) << first;
     return bits & forms.known;
 }

@@ -17,6 +17,7 @@
 #define ZEROSET_PATCH_NEWTON_INL
 #endif
 
+#include "engine/trace/patch/patch_bounds-inl.hpp"
 #include "engine/trace/patch/patch_floats-inl.hpp"
 
 #include <hwy/highway.h>
@@ -29,43 +30,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Where Newton's method may go, and bounds of polynomials hold: |p|, |q| <= newton_limit.
-constexpr double newton_limit = 1.125;
+/// Terms of degree 2 that are larger, relative to the tolerance, are added in double.
+constexpr double most_in_float = 0x1p16;
 /// More than what rounding takes from a place as floats, or from Y g relative to its terms.
 constexpr double rounding_of_places = 0x1p-21;
-
-/// Bounds for the polynomials of a piece in each of (a, b, s), by the sums of the sizes of their
-/// terms of each degree. In upward rounding.
-struct NewtonBounds {
-    /// Of the sum of second derivatives, but for those of the terms of degree 2, and of what
-    /// rounding in float makes of the slopes.
-    double bend[4], slope_error[4];
-    double square[4];  ///< of the second derivatives of the terms of degree 2
-    /// Of what rounding makes of the terms from degree 3 on, where |p|, |q| <= 1. A term of degree
-    /// n is rounded n + 8 times at most, each time by 2^-23 of it.
-    double error[4];
-
-    explicit NewtonBounds(const Piece& piece) {
-        const D4 d4;
-        for (std::size_t k = 0; k < 4; k += step4) {
-            V4 all[3] = {hn::Zero(d4), hn::Zero(d4), hn::Zero(d4)};
-            double power = 1.0;  // newton_limit^(n - 1)
-            for (int n = 1; n <= piece.first_degree; ++n, power *= newton_limit) {
-                const V4 size = size_of_degree(piece.terms, n, k);
-                const auto add = [&](V4& to, double factor)
-                                     HWY_ATTR { to = hn::MulAdd(size, hn::Set(d4, factor), to); };
-                if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
-                // Products with the second derivatives are rounded, too.
-                add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
-                if (n > 2) add(all[1], 0x1p-23 * (n + 8));
-                add(all[2], 0x1p-20 * n * (n + 2) * power);
-            }
-            hn::StoreU(all[0], d4, bend + k);
-            hn::StoreU(all[1], d4, error + k);
-            hn::StoreU(all[2], d4, slope_error + k);
-        }
-    }
-};
 
 /// The rays that are solved at once, twice as many as vectors of doubles have numbers.
 struct NewtonRays {
@@ -79,7 +47,7 @@ struct NewtonEnd {
     FloatMask none;   ///< no zero within `inner`
     FloatMask found;  ///< one, in the unit square, and its depth is known well enough
     std::array<Vector, 2> s;
-    FloatSlopes at_a, at_b, at_s;  ///< where the search ended: terms from degree 3 on, all slopes
+    FloatSlopes at_a, at_b, at_s;  ///< where the search ended: terms of high degree, all slopes
 };
 
 /// The inverse of a matrix.
@@ -98,6 +66,10 @@ struct Inverse2 {
     [[nodiscard]] HWY_INLINE Floats q(Floats x1, Floats x2) const {
         return hn::NegMulAdd(qp, x1, hn::Mul(qq, x2));
     }
+    /// Its norm.
+    [[nodiscard]] HWY_INLINE Floats norm() const {
+        return hn::Max(hn::Add(hn::Abs(pp), hn::Abs(pq)), hn::Add(hn::Abs(qp), hn::Abs(qq)));
+    }
     /// The larger number of its sizes times (x1, x2).
     [[nodiscard]] HWY_INLINE Floats most(Floats x1, Floats x2) const {
         return hn::Max(hn::MulAdd(hn::Abs(pp), x1, hn::Mul(hn::Abs(pq), x2)),
@@ -108,23 +80,49 @@ struct Inverse2 {
 /// Newton's method for rays on a piece.
 class Newton {
 public:
+    /// `rays`: those around all that are solved.
     HWY_INLINE Newton(const Piece& piece, const FloatTerms& floats, const SightAxes& axes,
-                      double tolerance)
-        : piece_(piece),
-          floats_(floats),
-          distance_(axes.distance),
-          tolerance_(tolerance),
-          bounds_(piece) {
+                      double tolerance, const SightRays& rays)
+        : piece_(piece), floats_(floats), distance_(axes.distance) {
+        with_squares_ = needs_squares(piece, tolerance);
+        const NewtonBounds bounds(piece, with_squares_);
         const PatchSight& sight = piece.sight;
         const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
         const double error = sight.value_error + piece.first_error;
-        error_[0] = error + bounds_.error[0] + rounding * most.x;
-        error_[1] = error + bounds_.error[1] + rounding * most.y;
-        error_[2] = error + bounds_.error[2] + rounding * (distance_ + most.z);
-        s_error_ = error + bounds_.error[2] + rounding * most.z;
+        const Sizes lost{error + bounds.error[0] + rounding * most.x,
+                         error + bounds.error[1] + rounding * most.y,
+                         error + bounds.error[2] + rounding * (distance_ + most.z)};
+        const Sizes flat{bounds.slope_error[0], bounds.slope_error[1], bounds.slope_error[2]};
+        const Sizes bend{0.5 * bounds.bend[0], 0.5 * bounds.bend[1], 0.5 * bounds.bend[2]};
+        const double u = std::abs(rays.middle.u) + rays.u_radius;
+        const double v = std::abs(rays.middle.v) + rays.v_radius;
+        const auto most_of = [&](const Sizes& of) {
+            return float_above(std::max(of[0] + u * of[2], of[1] + v * of[2]));
+        };
+        const auto set = [&](Bounds& to, const Sizes& of) {
+            for (std::size_t k = 0; k < 3; ++k)
+                to.by[k] = float_above(of[k]);
+            to.all = most_of(of);
+        };
+        set(lost_, lost);
+        set(flat_, flat);
+        set(bend_, bend);
+        const auto square = [&](std::size_t k) { return bend[k] + 0.5 * bounds.square[k]; };
+        bend_.all = most_of({square(0), square(1), square(2)});
+        s_lost_ = float_above(error + bounds.error[2] + rounding * most.z);
+        s_bend_ = float_above(square(2));
+        tolerance_ = static_cast<float>(tolerance * (1.0 - 0x1p-20));
+        const auto is_within = [](double middle, double radius) {
+            return middle - radius > 0x1p-40 && middle + radius < 1.0 - 0x1p-40;
+        };
+        const UvBox& box = piece.box;
+        is_within_ = is_within(box.u, box.u_radius) && is_within(box.v, box.v_radius);
     }
 
-    template <int degree>
+    /// Whether the terms of degree 2 have to be added in double: those of large pieces.
+    [[nodiscard]] bool with_squares() const { return with_squares_; }
+
+    template <int degree, bool with_squares>
     HWY_INLINE NewtonEnd solve(const NewtonRays& rays) const {
         // What is constant on a ray is large: in double.
         const auto& constant = piece_.terms[0];
@@ -139,16 +137,21 @@ public:
             .first2 = {beside(rays.v[0], constant[1]), beside(rays.v[1], constant[1])}};
         Place at{.p = clamped(rays.p), .q = clamped(rays.q)};
         step<std::min(degree, 3)>(search, at);
-        step<std::min(degree, 4)>(search, at);
         NewtonEnd end;
         constexpr int most_tests = 3;
         for (int tests = 1;; ++tests) {
-            end.at_a = high_terms_of<degree>(floats_, 0, at.p, at.q);
-            end.at_b = high_terms_of<degree>(floats_, 1, at.p, at.q);
-            end.at_s = high_terms_of<degree>(floats_, 2, at.p, at.q);
-            const Low low = low_terms(search, at);
-            const Step by = step_from(search, at, low, end);
-            const Proof proof = test(by, at, end);
+            constexpr int first = with_squares ? 3 : 2;
+            end.at_a = high_terms_of<degree, first>(floats_, 0, at.p, at.q);
+            end.at_b = high_terms_of<degree, first>(floats_, 1, at.p, at.q);
+            end.at_s = high_terms_of<degree, first>(floats_, 2, at.p, at.q);
+            const Low low = low_terms<with_squares>(search, at);
+            const Slopes2 slopes(end.at_a, end.at_b, end.at_s, search.u, search.v);
+            Step by = step_from(search, at, low, slopes, end);
+            Proof proof = test(by, at, end);
+            if (!hn::AllTrue(df, hn::Or(end.none, end.found))) {
+                bound_closely(search, slopes, by);
+                proof = test(by, at, end);
+            }
             if (tests < most_tests && !hn::AllFalse(df, proof.may_help)) {
                 at = {.p = moved(at.p, by.p), .q = moved(at.q, by.q)};
                 continue;
@@ -159,6 +162,12 @@ public:
     }
 
 private:
+    using Sizes = std::array<double, 3>;
+    /// Of something in each of (a, b, s), and of the larger one of g.
+    struct Bounds {
+        float by[3];
+        float all;
+    };
     /// Rays and what is constant on them: g but for the other terms.
     struct Search {
         const NewtonRays& rays;
@@ -168,13 +177,15 @@ private:
     struct Place {
         Floats p, q;
     };
-    /// The terms up to degree 2: of s, without the constant, and of g.
+    /// The terms of degree 1, or up to 2: of s, without the constant, and of g.
     struct Low {
         std::array<Vector, 2> s, g1, g2;
     };
     /// A step of Newton's method, and bounds of what it leaves.
     struct Step {
         Floats p, q;
+        Floats g1, g2;
+        Floats out;       ///< the larger size of where it begins
         Floats lost;      ///< what errors of g make of it
         Floats flat;      ///< k0
         Floats bend;      ///< K / 2
@@ -185,6 +196,15 @@ private:
         FloatMask may_help;  ///< a better place may settle a ray that is open
         Floats radius;       ///< of all zeros about where the step leads
     };
+
+    static bool needs_squares(const Piece& piece, double tolerance) {
+        const auto& sizes = piece.sizes[2];
+        return std::max({sizes[0], sizes[1], sizes[2]}) > most_in_float * tolerance;
+    }
+
+    /// A float that is not below a number, in upward rounding.
+    static float float_above(double number) { return static_cast<float>(number * (1.0 + 0x1p-22)); }
+    static HWY_INLINE Floats set(float number) { return hn::Set(df, number); }
 
     static HWY_INLINE Floats clamped(Floats at) {
         const Floats limit = float_number(newton_limit);
@@ -209,6 +229,7 @@ private:
         at = {.p = moved(at.p, by.step_p(g1, g2)), .q = moved(at.q, by.step_q(g1, g2))};
     }
 
+    template <bool with_squares>
     HWY_INLINE Low low_terms(const Search& search, const Place& at) const {
         const auto ps = doubles_of(at.p);
         const auto qs = doubles_of(at.q);
@@ -218,10 +239,13 @@ private:
                 const auto term = [&](int by_p, int by_q) HWY_ATTR {
                     return number(piece_.terms[patch_term(by_p, by_q)][k]);
                 };
-                const Vector by_p =
-                    hn::MulAdd(term(2, 0), ps[i], hn::MulAdd(term(1, 1), qs[i], term(1, 0)));
-                const Vector by_q = hn::MulAdd(term(0, 2), qs[i], term(0, 1));
-                return hn::MulAdd(by_p, ps[i], hn::MulAdd(by_q, qs[i], from));
+                const Vector p = ps[i];
+                const Vector q = qs[i];
+                if constexpr (!with_squares)
+                    return hn::MulAdd(term(1, 0), p, hn::MulAdd(term(0, 1), q, from));
+                const Vector by_p = hn::MulAdd(term(1, 1), q, term(1, 0));
+                const Vector by_q = hn::MulAdd(term(0, 2), q, term(0, 1));
+                return hn::MulAdd(hn::MulAdd(term(2, 0), p, by_p), p, hn::MulAdd(by_q, q, from));
             };
             low.s[i] = sum(2, hn::Zero(D()));
             low.g1[i] = hn::NegMulAdd(search.rays.u[i], low.s[i], sum(0, search.first1[i]));
@@ -230,52 +254,68 @@ private:
         return low;
     }
 
+    /// By one norm of Y and bounds for all rays.
     HWY_INLINE Step step_from(const Search& search, const Place& at, const Low& low,
-                              const NewtonEnd& end) const {
-        const Floats g1 = hn::Add(floats_of(low.g1[0], low.g1[1]),
-                                  hn::NegMulAdd(search.u, end.at_s.value, end.at_a.value));
-        const Floats g2 = hn::Add(floats_of(low.g2[0], low.g2[1]),
-                                  hn::NegMulAdd(search.v, end.at_s.value, end.at_b.value));
-        const Slopes2 slopes(end.at_a, end.at_b, end.at_s, search.u, search.v);
+                              const Slopes2& slopes, const NewtonEnd& end) const {
         const Inverse2 y(slopes);
-        /// |Y| times bounds for the coordinates.
-        const auto most = [&](const double* of, Floats more1, Floats more2) HWY_ATTR {
-            const Floats along = float_number(of[2]);
-            return y.most(
-                hn::Add(more1, hn::MulAdd(hn::Abs(search.u), along, float_number(of[0]))),
-                hn::Add(more2, hn::MulAdd(hn::Abs(search.v), along, float_number(of[1]))));
-        };
-        const Floats zero = hn::Zero(df);
         const Floats one = float_number(1.0);
         const Floats tiny = float_number(rounding_of_places);
-        const Floats out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
         Step by{};
+        by.g1 = hn::Add(floats_of(low.g1[0], low.g1[1]),
+                        hn::NegMulAdd(search.u, end.at_s.value, end.at_a.value));
+        by.g2 = hn::Add(floats_of(low.g2[0], low.g2[1]),
+                        hn::NegMulAdd(search.v, end.at_s.value, end.at_b.value));
+        by.out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
         // Beyond, rounding upward makes a finite number of an infinite one below 0.
         by.usual = hn::Lt(hn::Abs(slopes.inverse), float_number(0x1p120));
-        by.p = hn::Neg(y.p(g1, g2));
-        by.q = hn::Neg(y.q(g1, g2));
-        by.lost = most(error_, hn::Mul(hn::Abs(g1), tiny), hn::Mul(hn::Abs(g2), tiny));
-        // Outside of the box rounding makes more.
+        by.p = hn::Neg(y.p(by.g1, by.g2));
+        by.q = hn::Neg(y.q(by.g1, by.g2));
+        const Floats norm = y.norm();
+        const Floats size = hn::Max(hn::Abs(by.g1), hn::Abs(by.g2));
+        by.lost = outside_more(by.out, hn::Mul(norm, hn::MulAdd(size, tiny, set(lost_.all))));
+        by.flat = hn::Mul(norm, set(flat_.all));
+        by.bend = hn::Mul(norm, set(bend_.all));
+        const Floats moved_by =
+            hn::Max(hn::Abs(hn::Sub(at.p, search.rays.p)), hn::Abs(hn::Sub(at.q, search.rays.q)));
+        by.far = hn::Min(hn::Add(search.rays.spread, hn::MulAdd(moved_by, tiny, moved_by)),
+                         hn::Add(one, by.out));
+        return by;
+    }
+    /// Outside of the box rounding makes more.
+    static HWY_INLINE Floats outside_more(Floats out, Floats lost) {
         constexpr double most_power = 2.3;  // newton_limit^patch_degree
-        by.lost =
-            hn::IfThenElse(hn::Gt(out, one), hn::Mul(by.lost, float_number(most_power)), by.lost);
-        by.flat = most(bounds_.slope_error, zero, zero);
+        return hn::IfThenElse(hn::Gt(out, float_number(1.0)),
+                              hn::Mul(lost, float_number(most_power)), lost);
+    }
+
+    /// Sets the bounds of a step by Y itself and what is known of each ray.
+    HWY_INLINE void bound_closely(const Search& search, const Slopes2& slopes, Step& by) const {
+        const Inverse2 y(slopes);
+        const Floats u_size = hn::Abs(search.u);
+        const Floats v_size = hn::Abs(search.v);
+        /// |Y| times bounds for the coordinates.
+        const auto most = [&](const Bounds& of, Floats more1, Floats more2) HWY_ATTR {
+            const Floats along = set(of.by[2]);
+            return y.most(hn::Add(more1, hn::MulAdd(u_size, along, set(of.by[0]))),
+                          hn::Add(more2, hn::MulAdd(v_size, along, set(of.by[1]))));
+        };
+        const Floats zero = hn::Zero(df);
+        const Floats tiny = float_number(rounding_of_places);
+        by.lost = outside_more(
+            by.out, most(lost_, hn::Mul(hn::Abs(by.g1), tiny), hn::Mul(hn::Abs(by.g2), tiny)));
+        by.flat = most(flat_, zero, zero);
         // g'' of the terms of degree 2 is known with its sign.
-        Floats bend_p = hn::Mul(most(bounds_.bend, zero, zero), float_number(0.5));
+        Floats bend_p = most(bend_, zero, zero);
         Floats bend_q = bend_p;
-        for (const float* const term : {floats_.by_pp, floats_.by_pq, floats_.by_qq}) {
-            const Floats s2 = hn::Set(df, term[2]);
-            const Floats h1 = hn::NegMulAdd(search.u, s2, hn::Set(df, term[0]));
-            const Floats h2 = hn::NegMulAdd(search.v, s2, hn::Set(df, term[1]));
+        for (const std::size_t i : {patch_term(2, 0), patch_term(1, 1), patch_term(0, 2)}) {
+            const float* const term = floats_.terms[i];
+            const Floats s2 = set(term[2]);
+            const Floats h1 = hn::NegMulAdd(search.u, s2, set(term[0]));
+            const Floats h2 = hn::NegMulAdd(search.v, s2, set(term[1]));
             bend_p = hn::Add(bend_p, hn::Abs(y.p(h1, h2)));
             bend_q = hn::Add(bend_q, hn::Abs(y.q(h1, h2)));
         }
         by.bend = hn::Max(bend_p, bend_q);
-        const Floats moved_by =
-            hn::Max(hn::Abs(hn::Sub(at.p, search.rays.p)), hn::Abs(hn::Sub(at.q, search.rays.q)));
-        by.far = hn::Min(hn::Add(search.rays.spread, hn::MulAdd(moved_by, tiny, moved_by)),
-                         hn::Add(one, out));
-        return by;
     }
 
     /// What is known of the zeros by a step.
@@ -290,21 +330,15 @@ private:
             hn::Add(hn::MulAdd(by.bend, reach, by.flat), float_number(0x1p-20)), reach, by.lost);
         Proof proof{};
         proof.radius = hn::Add(within, float_number(rounding_of_places));
-        const auto beyond = [&](Floats to) HWY_ATTR {
-            return hn::Gt(hn::Sub(hn::Abs(to), proof.radius), float_number(inner));
-        };
-        end.none =
-            hn::And(is_known, hn::Or(beyond(hn::Add(at.p, by.p)), beyond(hn::Add(at.q, by.q))));
-        const Floats out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
+        const Floats limit = hn::Add(proof.radius, float_number(inner));
+        const auto to = hn::Max(hn::Abs(hn::Add(at.p, by.p)), hn::Abs(hn::Add(at.q, by.q)));
+        end.none = hn::And(is_known, hn::Gt(to, limit));
         const FloatMask is_one =
-            hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(out, reach), one));
+            hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(by.out, reach), one));
         const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
-        const Floats s_radius =
-            hn::MulAdd(hn::MulAdd(reach, float_number(0.5 * (bounds_.bend[2] + bounds_.square[2])),
-                                  float_number(bounds_.slope_error[2])),
-                       reach, hn::MulAdd(slope, within, float_number(s_error_)));
-        const FloatMask narrow =
-            hn::Le(hn::Add(s_radius, s_radius), float_number(tolerance_ * (1.0 - 0x1p-20)));
+        const Floats s_radius = hn::MulAdd(hn::MulAdd(reach, set(s_bend_), set(flat_.by[2])), reach,
+                                           hn::MulAdd(slope, within, set(s_lost_)));
+        const FloatMask narrow = hn::Le(hn::Add(s_radius, s_radius), set(tolerance_));
         end.found = hn::And(hn::AndNot(end.none, is_one), narrow);
         // It may where the step is what makes the radius.
         proof.may_help =
@@ -314,10 +348,12 @@ private:
 
     HWY_INLINE void finish(const Step& by, const Place& at, const Low& low, const Proof& proof,
                            NewtonEnd& end) const {
-        const UvBox& box = piece_.box;
-        end.found = hn::And(
-            end.found, hn::And(in_unit(hn::Add(at.p, by.p), proof.radius, box.u, box.u_radius),
-                               in_unit(hn::Add(at.q, by.q), proof.radius, box.v, box.v_radius)));
+        if (!is_within_) {
+            const UvBox& box = piece_.box;
+            const FloatMask in_p = in_unit(hn::Add(at.p, by.p), proof.radius, box.u, box.u_radius);
+            const FloatMask in_q = in_unit(hn::Add(at.q, by.q), proof.radius, box.v, box.v_radius);
+            end.found = hn::And(end.found, hn::And(in_p, in_q));
+        }
         const auto further = doubles_of(
             hn::MulAdd(end.at_s.by_p, by.p, hn::MulAdd(end.at_s.by_q, by.q, end.at_s.value)));
         for (std::size_t i = 0; i < 2; ++i)
@@ -337,10 +373,13 @@ private:
 
     const Piece& piece_;
     const FloatTerms& floats_;
-    double distance_, tolerance_;
-    NewtonBounds bounds_;
-    double error_[3];  ///< of g, by that of a, of b, and of how far along the ray
-    double s_error_;
+    double distance_;
+    Bounds lost_, flat_,
+        bend_;               ///< of errors, k0 and K / 2; bend_.by without the terms of degree 2
+    float s_lost_, s_bend_;  ///< of s alone
+    float tolerance_;
+    bool with_squares_;
+    bool is_within_;  ///< the piece does not touch the ends of the ranges
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

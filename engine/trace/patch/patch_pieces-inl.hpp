@@ -28,9 +28,13 @@ constexpr std::size_t step4 = hn::MaxLanes(D4());
 /// How many terms polynomials of a degree have.
 constexpr std::size_t terms_of(int degree) { return patch_term(0, degree) + 1; }
 
+/// Sums of the sizes of the terms of each degree, in a coordinate each.
+using DegreeSizes = std::array<std::array<double, 4>, std::size_t{patch_degree} + 1>;
+
 /// A box in (p, q) of a leaf, with its polynomials up to a degree; the other terms are not set.
 struct Piece {
     HWY_ALIGN SightTerms terms;
+    HWY_ALIGN DegreeSizes sizes;
     int degree;
     double value_error;
     int first_degree;    ///< of what is tried first
@@ -52,13 +56,17 @@ HWY_INLINE auto with_degree(int degree, Call call) {
     return call(std::integral_constant<int, patch_degree>());
 }
 
-/// Sums of the sizes of the terms of each degree, in a coordinate each.
-HWY_INLINE V4 size_of_degree(const SightTerms& terms, int degree, std::size_t k) {
+/// Sets the sizes of terms up to a degree.
+inline void measure(Piece& piece) {
     const D4 d4;
-    V4 size = hn::Zero(d4);
-    for (std::size_t i = patch_term(degree, 0); i < terms_of(degree); ++i)
-        size = hn::Add(size, hn::Abs(hn::LoadU(d4, terms[i].data() + k)));
-    return size;
+    for (std::size_t k = 0; k < 4; k += step4) {
+        for (int degree = 0; degree <= piece.degree; ++degree) {
+            V4 size = hn::Zero(d4);
+            for (std::size_t i = patch_term(degree, 0); i < terms_of(degree); ++i)
+                size = hn::Add(size, hn::Abs(hn::Load(d4, piece.terms[i].data() + k)));
+            hn::Store(size, d4, piece.sizes[static_cast<std::size_t>(degree)].data() + k);
+        }
+    }
 }
 
 /// Terms of high degree make no more than these of the error of depths when they are left out: of
@@ -68,16 +76,13 @@ constexpr double left_out_first = 0x1p-4;
 
 /// Lowers a degree as long as the terms that leaves out make no more than `most`; returns what they
 /// make.
-inline double lowered(const SightTerms& terms, int& degree, double most) {
-    const D4 d4;
-    HWY_ALIGN double sizes[4] = {};
+inline double lowered(const DegreeSizes& sizes, int& degree, double most) {
+    std::array<double, 3> sum{};
     double left = 0.0;
     for (; degree > 2; --degree) {
-        for (std::size_t k = 0; k < 4; k += step4) {
-            const V4 more = size_of_degree(terms, degree, k);
-            hn::Store(hn::Add(hn::Load(d4, sizes + k), more), d4, sizes + k);
-        }
-        const double all = std::max({sizes[0], sizes[1], sizes[2]});
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[k] += sizes[static_cast<std::size_t>(degree)][k];
+        const double all = std::max({sum[0], sum[1], sum[2]});
         if (!(all <= most)) break;
         left = all;
     }
@@ -86,9 +91,9 @@ inline double lowered(const SightTerms& terms, int& degree, double most) {
 
 /// Leaves out terms of high degree, whose sizes go to the error.
 inline void lower_degree(Piece& piece, double tolerance) {
-    piece.value_error += lowered(piece.terms, piece.degree, left_out * tolerance);
+    piece.value_error += lowered(piece.sizes, piece.degree, left_out * tolerance);
     piece.first_degree = piece.degree;
-    piece.first_error = lowered(piece.terms, piece.first_degree, left_out_first * tolerance);
+    piece.first_error = lowered(piece.sizes, piece.first_degree, left_out_first * tolerance);
 }
 
 /// The polynomials of a model in the axes of a view.
@@ -149,10 +154,11 @@ inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
         halve_terms<degree()>(whole.terms, along_p, sign, half.terms);
         return static_cast<int>(degree);
     });
+    measure(half);
     double size = 0.0;
-    for (std::size_t i = 0; i < terms_of(half.degree); ++i) {
-        const auto& term = whole.terms[i];
-        size += std::abs(term[0]) + std::abs(term[1]) + std::abs(term[2]);
+    for (int n = 0; n <= whole.degree; ++n) {
+        const auto& sizes = whole.sizes[static_cast<std::size_t>(n)];
+        size += sizes[0] + sizes[1] + sizes[2];
     }
     half.value_error = whole.value_error + 0x1p-48 * size;
     half.halvings = whole.halvings + 1;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace zeroset {
 namespace {
@@ -60,6 +61,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
       counters_(counters),
       room_(room),
       axes_(axes_of(rays)),
+      grid_{.u = rays.u(0.0), .v = rays.v(0.0), .pixel = rays.pixel()},
       tree_(tree_of(frame)),
       clip_(tree_.within(frame.scene.clip)),
       search_(tree_, frame.limit, counters) {
@@ -68,7 +70,6 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
     room_.rest.clear();
     room_.best.resize(tile_pixels);
     room_.found.assign(tile_pixels, LeafFound{.normal = {}, .state = RayState::Open});
-    room_.reach = room_.to;
     find_bounds();
     const DepthRange range =
         rays_.depths(0.5 * (bounds_.u_lo + bounds_.u_hi), 0.5 * (bounds_.v_lo + bounds_.v_hi),
@@ -92,6 +93,7 @@ void PatchTile::find_bounds() {
                    .u_hi = rays_.u(cols_ - 1),
                    .v_lo = rays_.v(rows_ - 1),
                    .v_hi = rays_.v(0.0)};
+        if (room_.to.empty()) open_blocks();
         find_reaches();
         limit_ = *std::ranges::max_element(block_reach_);
         return;
@@ -107,6 +109,15 @@ void PatchTile::find_bounds() {
             widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
             widen(bounds_, room_.u[pixel], room_.v[pixel]);
         }
+    }
+}
+
+void PatchTile::open_blocks() {
+    changed_blocks_ = 0;
+    block_reach_.fill(-unbounded);
+    for (int row = 0; row * block < rows_; ++row) {
+        for (int col = 0; col * block < cols_; ++col)
+            block_reach_[static_cast<std::size_t>(row * (tile_size / block) + col)] = unbounded;
     }
 }
 
@@ -137,47 +148,45 @@ bool PatchTile::is_covered(const Rect& rect, double near) {
     return true;
 }
 
-PatchTile::Rect PatchTile::pixels_of(const Part& part) const {
+PatchTile::Rect PatchTile::pixels_of(const PatchOutline* outline) const {
     const Rect all{.col = 0, .row = 0, .end_col = cols_, .end_row = rows_};
-    const PatchSight& sight = part.sight;
-    const double near = axes_.distance + part.depths.near;
-    const double far = axes_.distance + part.depths.far;
-    if (wish_ == Wish::AnyHits || !(near > 0.0) || !(far < unbounded)) return all;
-    const glm::dvec3 spread = sight.spread();
-    const auto quotients = [&](double middle, double radius) {
-        const double lo = middle - radius;
-        const double hi = middle + radius;
-        return std::pair(std::min(lo / near, lo / far), std::max(hi / near, hi / far));
-    };
-    const auto [u_lo, u_hi] = quotients(sight.c.x, spread.x);
-    const auto [v_lo, v_hi] = quotients(sight.c.y, spread.y);
-    // More than rounding may shift a ray.
-    constexpr double spare = 0x1p-10;
-    const auto pixel = [&](double pixels, int size) {
-        return static_cast<int>(std::clamp(pixels, -1.0, static_cast<double>(size)));
-    };
-    const double per_pixel = 1.0 / rays_.pixel();
-    const auto from = [&](double pixels, int size) { return std::max(pixel(pixels, size), 0); };
-    return {.col = from(std::ceil((u_lo - rays_.u(0.0)) * per_pixel - spare), cols_),
-            .row = from(std::ceil((rays_.v(0.0) - v_hi) * per_pixel - spare), rows_),
-            .end_col = pixel(std::floor((u_hi - rays_.u(0.0)) * per_pixel + spare) + 1.0, cols_),
-            .end_row = pixel(std::floor((rays_.v(0.0) - v_lo) * per_pixel + spare) + 1.0, rows_)};
+    return outline == nullptr ? all : outline->within(all);
 }
 
-bool PatchTile::is_leaf(const Part& part, const Rect& rect) const {
+PatchTile::Division PatchTile::division_of(const Part& part, const Rect& rect) const {
     const auto& [node, depths, sight] = part;
-    if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps)) return true;
+    if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps))
+        return Division::None;
     const glm::dvec3 spread = sight.spread();
     const double pixels = 2.0 * std::max(spread.x, spread.y) / pixel_at(sight.c.z);
-    if (pixels < least_pixels) return true;
-    if (!node->form.continuous || !is_fine(*node, sight)) return false;
-    if (node->model != nullptr && pixels < small_pixels) return true;
+    if (pixels < least_pixels) return Division::None;
+    if (!node->form.continuous || !is_fine(*node, sight)) return Division::Parts;
+    if (node->model != nullptr && pixels < small_pixels) return Division::None;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
-    const double most = node->model == nullptr  ? flat_norm
-                        : pixels < large_pixels ? small_model_norm
-                                                : model_norm;
-    return contraction_of(with_slopes, rays_of(rect)).norm <= most;
+    const double norm = contraction_of(with_slopes, rays_of(rect)).norm;
+    if (node->model == nullptr) return norm <= flat_norm ? Division::None : Division::Parts;
+    const auto most = [](double size) {
+        return size < large_pixels ? small_model_norm : model_norm;
+    };
+    if (norm <= most(pixels)) return Division::None;
+    // Quarters bend half as much.
+    return norm <= 2.0 * most(0.5 * pixels) ? Division::Quarters : Division::Parts;
+}
+
+PatchNode::Children* PatchTile::divided(PatchNode& node, Division division) {
+    if (division == Division::None) return nullptr;
+    const auto count_new = [&](const std::atomic<PatchNode::Children*>& at, auto make) {
+        const bool is_new = at.load(std::memory_order_acquire) == nullptr;
+        PatchNode::Children* const parts = make();
+        if (is_new && parts != nullptr) counters_.form += parts->nodes.size();
+        return parts;
+    };
+    if (division == Division::Quarters) {
+        if (auto* const quarters = count_new(node.quarters, [&] { return tree_.quarters(node); }))
+            return quarters;
+    }
+    return count_new(node.children, [&] { return tree_.parts(node); });
 }
 
 SightRays PatchTile::rays_of(const Rect& rect) const {
@@ -207,23 +216,21 @@ bool PatchTile::look_at(PatchNode& node, Part& part) const {
 void PatchTile::visit(Part& part) {
     if (frame_.stopped() || is_hidden(part.depths)) return;
     PatchNode& node = *part.node;
-    const Rect rect = pixels_of(part);
+    std::optional<PatchOutline> outline;
+    if (wish_ == Wish::FirstHits) outline.emplace(part.sight, axes_.distance, grid_);
+    const PatchOutline* const seen = outline ? &*outline : nullptr;
+    const Rect rect = pixels_of(seen);
     if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
     add_value_error(part.sight, node.form);
-    if (!is_leaf(part, rect)) {
-        const bool is_new = node.children.load(std::memory_order_acquire) == nullptr;
-        if (PatchNode::Children* const parts = tree_.parts(node)) {
-            if (is_new) counters_.form += parts->nodes.size();
-            return visit_parts(*parts);
-        }
-    }
+    if (PatchNode::Children* const parts = divided(node, division_of(part, rect)))
+        return visit_parts(*parts);
     if (node.model == nullptr || !is_fine(node, part.sight)) {
         add_slopes(part.sight, node.form, axes_);
         return scan(part, rect);
     }
     room_.rects.clear();
     for_each_rect(part.sight, rect, [&](const Rect& some) { room_.rects.push_back(some); });
-    trace_model(part, {.rects = room_.rects, .others = {}});
+    trace_model(part, {.rects = room_.rects, .outline = seen, .others = {}});
 }
 
 std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
@@ -277,7 +284,7 @@ void PatchTile::search_rest() {
         const PatchQuest quest{.axes = axes_,
                                .ray = ray,
                                .from = std::max(range.enter_lo, rays_.first_depth()),
-                               .to = std::min(range.exit_hi, room_.to[rest.pixel]),
+                               .to = std::min(range.exit_hi, room_.limit(rest.pixel)),
                                .tolerance = rays_.tolerance(),
                                .pixel = 0.5 * pixel_at(rest.near),
                                .clip = clip_,

@@ -3,6 +3,7 @@
 #include "engine/trace/patch/patch_found.hpp"
 #include "engine/trace/patch/patch_leaf.hpp"
 #include "engine/trace/patch/patch_look.hpp"
+#include "engine/trace/patch/patch_outline.hpp"
 #include "engine/trace/patch/patch_search.hpp"
 #include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -50,15 +51,20 @@ public:
         PatchNode* node;
         double near;
     };
-    /// What a thread keeps from tile to tile. Of each ray, in rows of tile_size: where it is, as
-    /// TileRays has it; the depth behind which nothing is wanted on it, -inf where it is not wanted
-    /// itself; and what was found.
+    /// What a thread keeps from tile to tile. Numbers of each ray are in rows of tile_size.
     struct Room {
-        std::vector<double> u, v, to;
+        /// Where rays are, as TileRays has it: of FirstHits each column's u and each row's v.
+        std::vector<double> u, v;
+        /// The depth behind which nothing is wanted on a ray, -inf where it is not wanted itself.
+        /// Empty: all is wanted, of FirstHits on all pixels of the tile.
+        std::vector<double> to;
         std::vector<double> reach;     ///< of the first hit so far, or `to`: what is nearer counts
         std::vector<LeafFound> found;  ///< whose depths are in `reach`
         std::vector<PatchHit> best;    ///< of RayState::Kept
 
+        [[nodiscard]] double limit(std::size_t pixel) const {
+            return to.empty() ? std::numeric_limits<double>::infinity() : to[pixel];
+        }
         [[nodiscard]] PatchHit hit(std::size_t pixel) const {
             const LeafFound& leaf = found[pixel];
             if (leaf.state == RayState::Open) return {};
@@ -70,7 +76,7 @@ public:
         void set(std::size_t pixel, const PatchHit& hit) {
             best[pixel] = hit;
             found[pixel].state = RayState::Kept;
-            reach[pixel] = std::min(hit.s, to[pixel]);
+            reach[pixel] = std::min(hit.s, limit(pixel));
         }
         LeafLists lists;
         std::vector<TileRect> rects;
@@ -88,7 +94,7 @@ public:
         AnyHits,    ///< of rays anywhere in the image plane
     };
 
-    /// `room`: with its rays; `rays`: of a tile of so many pixels.
+    /// `room`: with its rays and reaches; `rays`: of a tile of so many pixels.
     PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, int rows, Wish wish,
               Counters& counters, Room& room);
     /// Fills room.best.
@@ -106,6 +112,8 @@ private:
     using Order = std::array<std::pair<double, std::size_t>, PatchForms::at_once>;
 
     void find_bounds();
+    /// Sets block_reach_ where all is wanted.
+    void open_blocks();
     /// Makes block_reach_ know new hits.
     void find_reaches();
     /// Marks the blocks of a rectangle: there are new hits in them.
@@ -117,9 +125,13 @@ private:
     [[nodiscard]] bool is_hidden(const SightDepths& depths) const;
     /// Whether all pixels of a rectangle have hits before a depth.
     [[nodiscard]] bool is_covered(const Rect& rect, double near);
-    [[nodiscard]] Rect pixels_of(const Part& part) const;
-    /// Whether a part is not to be divided, whose pixels are in a rectangle.
-    [[nodiscard]] bool is_leaf(const Part& part, const Rect& rect) const;
+    /// The pixels of an outline; all where there is none.
+    [[nodiscard]] Rect pixels_of(const PatchOutline* outline) const;
+    enum class Division : std::uint8_t { None, Quarters, Parts };
+    /// How a part is to be divided whose pixels are in a rectangle.
+    [[nodiscard]] Division division_of(const Part& part, const Rect& rect) const;
+    /// The parts of a node in such a division; nullptr: there are none.
+    PatchNode::Children* divided(PatchNode& node, Division division);
     /// Whether a node's model is so good that its hits are as narrow as they should be.
     [[nodiscard]] bool is_fine(const PatchNode& node, const PatchSight& sight) const;
     /// The rays of a rectangle's pixels; of AnyHits all rays.
@@ -155,7 +167,8 @@ private:
         return rays_.pixel() * std::max(axes_.distance + s, 0.0);
     }
     [[nodiscard]] SightRay ray_of(std::size_t pixel) const {
-        return {.u = room_.u[pixel], .v = room_.v[pixel]};
+        if (wish_ == Wish::AnyHits) return {.u = room_.u[pixel], .v = room_.v[pixel]};
+        return {.u = room_.u[pixel % tile_size], .v = room_.v[pixel / tile_size]};
     }
 
     const TraceFrame& frame_;
@@ -165,6 +178,7 @@ private:
     Counters& counters_;
     Room& room_;
     SightAxes axes_;
+    PixelGrid grid_;  ///< of FirstHits
     const PatchTree& tree_;
     Box clip_;            ///< what of the scene's clip box is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted

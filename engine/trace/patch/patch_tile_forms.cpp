@@ -116,7 +116,7 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (!(test.s < best.s)) return true;
     const SightRay ray = ray_of(candidate.pixel);
     const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
-    if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.to[candidate.pixel]) ||
+    if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.limit(candidate.pixel)) ||
         test.s < rays_.first_depth())
         return true;
     changed_blocks_ = ~std::uint64_t{0};

@@ -35,8 +35,10 @@ void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
                         .found = room_.found.data(),
                         .to = wish_ == Wish::AnyHits ? room_.to.data() : nullptr,
                         .row_size = tile_size,
-                        .tolerance = rays_.tolerance()};
+                        .tolerance = rays_.tolerance(),
+                        .grid = wish_ == Wish::FirstHits ? &grid_ : nullptr};
     const LeafSight leaf{.model = *part.node->model,
+                         .near = part.depths.near,
                          .box = part.node->box.grown(form_growth),
                          .value_error = part.sight.value_error};
     const LeafClip clip{.window = window_of(part.node->form, part.depths),
@@ -78,7 +80,7 @@ void PatchTile::trace_parts(PatchNode& node, std::span<const std::size_t> pixels
         Part& part = parts[order[i].second];
         if (part.node->model != nullptr) {
             add_value_error(part.sight, part.node->form);
-            trace_model(part, {.rects = {}, .others = pixels});
+            trace_model(part, {.rects = {}, .outline = nullptr, .others = pixels});
             continue;
         }
         for (const std::size_t pixel : pixels)

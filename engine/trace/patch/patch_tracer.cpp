@@ -19,22 +19,24 @@ std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * t
 
 /// Sets the rays of a tile of the image.
 void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
-    room.u.resize(tile_pixels);
-    room.v.resize(tile_pixels);
-    room.to.assign(tile_pixels, -unbounded);
-    for (int row = 0; row < tile_size; ++row) {
-        const std::size_t first = index_of(0, row);
-        for (int col = 0; col < tile_size; ++col)
-            room.u[first + static_cast<std::size_t>(col)] = rays.u(col);
-        std::fill_n(room.v.begin() + static_cast<std::ptrdiff_t>(first), tile_size, rays.v(row));
-        if (row >= tile.rows) continue;
-        if (tile.limits == nullptr) {
-            std::fill_n(room.to.begin() + static_cast<std::ptrdiff_t>(first), tile.cols, unbounded);
-            continue;
-        }
-        for (int col = 0; col < tile.cols; ++col)
-            room.to[index_of(col, row)] = rays.limit(index_of(col, row));
+    room.u.resize(tile_size);
+    room.v.resize(tile_size);
+    for (int i = 0; i < tile_size; ++i) {
+        room.u[static_cast<std::size_t>(i)] = rays.u(i);
+        room.v[static_cast<std::size_t>(i)] = rays.v(i);
     }
+    room.to.clear();
+    room.reach.assign(tile_pixels, -unbounded);
+    for (int row = 0; row < tile.rows; ++row) {
+        const auto first = static_cast<std::ptrdiff_t>(index_of(0, row));
+        std::fill_n(room.reach.begin() + first, tile.cols, unbounded);
+    }
+    if (tile.limits == nullptr) return;
+    for (int row = 0; row < tile.rows; ++row) {
+        for (int col = 0; col < tile.cols; ++col)
+            room.reach[index_of(col, row)] = rays.limit(index_of(col, row));
+    }
+    room.to = room.reach;
 }
 
 /// Whether the rays of a tile of the image may meet the patch, as far as its largest parts tell.
@@ -109,7 +111,7 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
             if (found.state == RayState::Open || is_put) continue;
             put_hit(room.hit(pixel),
                     {.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
-                    rays, room.u[pixel], room.v[pixel], hits);
+                    rays, rays.u(col), rays.v(row), hits);
         }
     }
 }
@@ -122,6 +124,7 @@ void find_patch_blocks(const TraceFrame& frame, const TileRays& rays, std::span<
     room.u.assign(u.begin(), u.end());
     room.v.assign(v.begin(), v.end());
     room.to.assign(to.begin(), to.end());
+    room.reach = room.to;
     PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::AnyHits, counters, room).run();
     for (std::size_t i = 0; i < tile_pixels; ++i) {
         const PatchHit hit = room.hit(i);

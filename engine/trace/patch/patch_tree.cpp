@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <span>
 #include <utility>
 
 namespace zeroset {
@@ -30,18 +31,12 @@ std::vector<double> ends_read(const PatchCode& code, const Uniforms& uniforms) {
     return ends;
 }
 
-PatchForms::Boxes grown_boxes(const PatchForms::Boxes& boxes) {
-    PatchForms::Boxes grown = boxes;
-    for (UvBox& box : grown)
-        box = box.grown(form_growth);
-    return grown;
-}
-
+/// The parts of a box; the others are not set.
 PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
     PatchForms::Boxes parts{};
     const double u_radius = box.u_radius / static_cast<double>(division.cols);
     const double v_radius = box.v_radius / static_cast<double>(division.rows);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t i = 0; i < division.cols * division.rows; ++i) {
         const auto col = static_cast<double>(i % division.cols);
         const auto row = static_cast<double>(i / division.cols);
         parts[i] = {.u = box.u - box.u_radius + (2.0 * col + 1.0) * u_radius,
@@ -52,8 +47,20 @@ PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
     return parts;
 }
 
-PartForms forms_of(const std::array<PatchNode, PatchForms::at_once>& nodes) {
-    PartForms all;
+/// Sets the boxes of the parts of a node; returns what their forms are of.
+PatchForms::Boxes place_parts(const PatchNode& node, const Division& division,
+                              PatchNode::Children& parts) {
+    PatchForms::Boxes boxes = parts_of(node.box, division);
+    for (std::size_t i = 0; i < parts.nodes.size(); ++i) {
+        parts.nodes[i].box = boxes[i];
+        parts.nodes[i].level = node.level + 1;
+        boxes[i] = boxes[i].grown(form_growth);
+    }
+    return boxes;
+}
+
+PartForms forms_of(std::span<const PatchNode> nodes) {
+    PartForms all{};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const PatchForm& form = nodes[i].form;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -107,7 +114,16 @@ Division division_of(double width, double height) {
     return {.cols = 4, .rows = 4};
 }
 
-PatchNode::~PatchNode() { delete children.load(); }  // NOLINT(cppcoreguidelines-owning-memory)
+Division quarters_of(double width, double height) {
+    if (width > 4.0 * height) return {.cols = 4, .rows = 1};
+    if (height > 4.0 * width) return {.cols = 1, .rows = 4};
+    return {.cols = 2, .rows = 2};
+}
+
+PatchNode::~PatchNode() {
+    delete children.load();  // NOLINT(cppcoreguidelines-owning-memory)
+    delete quarters.load();  // NOLINT(cppcoreguidelines-owning-memory)
+}
 
 PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
     : box_(box_of(*code)), forms_(std::move(code), std::move(uniforms)) {
@@ -120,52 +136,77 @@ PatchTree::PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms)
     root_.form = forms.front();
 }
 
-void PatchTree::make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const {
-    auto models = std::make_unique_for_overwrite<PatchNode::Children::Models>();
-    const bool has_models = forms_.make_models(boxes, *models);
-    bool are_good = has_models;
-    for (std::size_t i = 0; i < boxes.size() && has_models; ++i) {
-        const PatchModel& model = (*models)[i];
+bool PatchTree::make_models(std::span<const UvBox> boxes, PatchNode::Children& parts) const {
+    parts.models.resize(boxes.size());
+    if (!forms_.make_models(boxes, parts.models)) {
+        parts.models.clear();
+        return false;
+    }
+    bool are_good = true;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const PatchModel& model = parts.models[i];
+        PatchNode& node = parts.nodes[i];
         if (model.known()) {
-            parts.nodes[i].form = form_of(model);
-            parts.nodes[i].model = &model;
+            node.form = form_of(model);
+            node.model = &model;
         }
-        are_good = are_good && model.known() && is_good(model, parts.nodes[i].form);
+        are_good = are_good && model.known() && is_good(model, node.form);
     }
-    if (!are_good) {
-        PatchForms::Forms forms;
-        forms_.evaluate(boxes, forms);
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            PatchNode& node = parts.nodes[i];
-            if (node.model != nullptr && !is_tighter(forms[i], node.form)) continue;
-            node.form = forms[i];
-            node.model = nullptr;
-        }
+    return are_good;
+}
+
+void PatchTree::make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const {
+    if (make_models(boxes, parts)) return;
+    PatchForms::Forms forms;
+    forms_.evaluate(boxes, forms);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        PatchNode& node = parts.nodes[i];
+        if (node.model != nullptr && !is_tighter(forms[i], node.form)) continue;
+        node.form = forms[i];
+        node.model = nullptr;
     }
-    if (has_models) parts.models = std::move(models);
+}
+
+PatchNode::Children* PatchTree::keep(std::atomic<PatchNode::Children*>& at,
+                                     std::unique_ptr<PatchNode::Children> made) const {
+    // Where two threads make the same parts, those of the first one count.
+    PatchNode::Children* before = nullptr;
+    if (!at.compare_exchange_strong(before, made.get(), std::memory_order_acq_rel)) return before;
+    nodes_ += made->nodes.size();
+    return made.release();
 }
 
 PatchNode::Children* PatchTree::parts(PatchNode& node) const {
     if (PatchNode::Children* const known = node.children.load(std::memory_order_acquire))
         return known;
     if (is_full()) return nullptr;
-    auto made = std::make_unique<PatchNode::Children>();
+    auto made = std::make_unique<PatchNode::Children>(PatchForms::at_once);
     const PatchForm& form = node.form;
     const Division division =
         division_of(length_of(form.du, form.du_radius), length_of(form.dv, form.dv_radius));
-    const PatchForms::Boxes boxes = parts_of(node.box, division);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        made->nodes[i].box = boxes[i];
-        made->nodes[i].level = node.level + 1;
-    }
-    make_forms(grown_boxes(boxes), *made);
+    make_forms(place_parts(node, division, *made), *made);
     made->forms = forms_of(made->nodes);
-    // Where two threads make the same parts, those of the first one count.
-    PatchNode::Children* before = nullptr;
-    if (!node.children.compare_exchange_strong(before, made.get(), std::memory_order_acq_rel))
-        return before;
-    nodes_ += boxes.size();
-    return made.release();
+    return keep(node.children, std::move(made));
+}
+
+PatchNode::Children* PatchTree::quarters(PatchNode& node) const {
+    const auto of_use = [](PatchNode::Children* some) {
+        return some->nodes.empty() ? nullptr : some;
+    };
+    if (PatchNode::Children* const known = node.quarters.load(std::memory_order_acquire))
+        return of_use(known);
+    if (is_full()) return nullptr;
+    auto made = std::make_unique<PatchNode::Children>(4);
+    const PatchForm& form = node.form;
+    const Division division =
+        quarters_of(length_of(form.du, form.du_radius), length_of(form.dv, form.dv_radius));
+    const PatchForms::Boxes boxes = place_parts(node, division, *made);
+    if (make_models(std::span(boxes).first(4), *made)) {
+        made->forms = forms_of(made->nodes);
+    } else {
+        made = std::make_unique<PatchNode::Children>(0);
+    }
+    return of_use(keep(node.quarters, std::move(made)));
 }
 
 Box PatchTree::within(const Box& clip) const {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -18,13 +19,15 @@ namespace zeroset {
 /// for: a root at the border of two boxes is inside of both.
 inline constexpr double form_growth = 1.0 + 0x1p-4;
 
-/// How a box is divided: `cols` x `rows` parts, sixteen of them.
+/// How a box is divided: `cols` x `rows` parts, sixteen of them, or four.
 struct Division {
     std::size_t cols, rows;
 };
 
 /// The division whose parts are about as wide as they are high.
 Division division_of(double width, double height);
+/// As above, into four parts.
+Division quarters_of(double width, double height);
 
 /// A part of the unit square.
 struct PatchNode {
@@ -35,6 +38,7 @@ struct PatchNode {
     const PatchModel* model = nullptr;  ///< what the form is of; nullptr: of S itself
     int level = 0;
     std::atomic<Children*> children = nullptr;
+    std::atomic<Children*> quarters = nullptr;  ///< another division; without nodes: none is of use
 
     PatchNode() = default;
     PatchNode(const PatchNode&) = delete;
@@ -51,11 +55,11 @@ struct PartForms {
 };
 
 struct PatchNode::Children {
-    using Models = std::array<PatchModel, PatchForms::at_once>;
+    std::vector<PatchNode> nodes;
+    std::vector<PatchModel> models;  ///< of the nodes that have one; else none
+    PartForms forms;                 ///< those of the nodes again
 
-    std::array<PatchNode, PatchForms::at_once> nodes;
-    std::unique_ptr<const Models> models;  ///< of the nodes that have one; else nullptr
-    PartForms forms;                       ///< those of the nodes again
+    explicit Children(std::size_t count) : nodes(count) {}
 };
 
 /// What is known of a patch for some values of the uniforms, whatever the view: a tree of boxes in
@@ -73,6 +77,9 @@ public:
     /// The sixteen parts of a node, in the world about as long as wide; nullptr where the tree has
     /// no room for more.
     PatchNode::Children* parts(PatchNode& node) const;
+    /// Four parts of a node, where all of them have good models; else nullptr. They are divided
+    /// anew: they have no parts in common with those above.
+    PatchNode::Children* quarters(PatchNode& node) const;
     /// Boxes in the world that hold the patch together, those of parts of parts. In upward
     /// rounding.
     [[nodiscard]] std::vector<Box> boxes() const;
@@ -83,7 +90,12 @@ public:
 private:
     static constexpr std::size_t most_nodes = std::size_t{1} << 18;
 
+    /// Keeps what was made, or returns what another thread made before.
+    PatchNode::Children* keep(std::atomic<PatchNode::Children*>& at,
+                              std::unique_ptr<PatchNode::Children> made) const;
     void make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const;
+    /// Sets those forms that models tell; returns whether all are good.
+    bool make_models(std::span<const UvBox> boxes, PatchNode::Children& parts) const;
 
     std::optional<Box> box_;
     PatchForms forms_;

@@ -93,12 +93,24 @@ HWY_INLINE Floats squeezed(Floats numbers, FloatMask wanted) {
 struct Zeros {
     FloatMask none, known;
     Floats p, q;
-    Floats radius;  ///< of both, where they are known
+    Floats radius;          ///< of both, where they are known
+    Floats lost;            ///< what of it rounding makes
+    Floats pp, pq, qp, qq;  ///< the slopes of g by the linear form
 };
 
 /// linear_zeros of a leaf in float, with its numbers in vectors. In upward rounding.
 class LinearForm {
 public:
+    struct Place {
+        Floats x, y, z;
+    };
+    static HWY_INLINE Place spread(const glm::dvec3& at) {
+        return {.x = float_number(at.x), .y = float_number(at.y), .z = float_number(at.z)};
+    }
+    /// More than what the rounding of some tens of operations may take from floats, relative to
+    /// the sizes that go in.
+    static constexpr double float_rounding = 0x1p-20;
+
     HWY_INLINE LinearForm(const PatchSight& sight, const SightAxes& axes)
         : c_(spread(sight.c)),
           kp_(spread(sight.kp)),
@@ -146,6 +158,12 @@ public:
         const Floats q_radius = radius(hn::Abs(qp), hn::Abs(pp), q1, q2);
         const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
         zeros.radius = hn::Max(p_radius, q_radius);
+        zeros.lost = hn::Mul(hn::Mul(lost, grow), hn::Max(hn::Add(hn::Abs(p1), hn::Abs(p2)),
+                                                          hn::Add(hn::Abs(q1), hn::Abs(q2))));
+        zeros.pp = pp;
+        zeros.pq = pq;
+        zeros.qp = qp;
+        zeros.qq = qq;
         // Products of small numbers may be 0.
         zeros.known =
             hn::And(hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
@@ -159,17 +177,6 @@ public:
     }
 
 private:
-    /// More than what the rounding of some tens of operations may take from floats, relative to
-    /// the sizes that go in.
-    static constexpr double float_rounding = 0x1p-20;
-
-    struct Place {
-        Floats x, y, z;
-    };
-    static HWY_INLINE Place spread(const glm::dvec3& at) {
-        return {.x = float_number(at.x), .y = float_number(at.y), .z = float_number(at.z)};
-    }
-
     Place c_, kp_, kq_, e_;
     Floats distance_;
 };

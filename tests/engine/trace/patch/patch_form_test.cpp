@@ -4,6 +4,7 @@
 #include "engine/kernel/patch_code.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/taylor/patch_models.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
 
 #include <gtest/gtest.h>
@@ -137,6 +138,42 @@ TEST(PatchTree, DividesAPartOnce) {
     for (const PatchNode& part : parts->nodes)
         area += 4.0 * part.box.u_radius * part.box.v_radius;
     EXPECT_EQ(area, 1.0);
+}
+
+TEST(PatchTree, DividesAPartIntoQuartersByModelsAlone) {
+    const UpwardRounding upward;
+    const PatchTree without(code_of(wavy), no_parameters());
+    EXPECT_EQ(without.quarters(without.root()), nullptr);
+    EXPECT_EQ(without.size(), 1U);
+
+    std::array<Expr, 3> graphs;
+    for (std::size_t i = 0; i < graphs.size(); ++i)
+        graphs[i] = parse(wavy[i]).value();
+    auto code = std::make_shared<PatchCode>(*code_of(wavy));
+    code->modeler = patch_modeler(graphs);
+    ASSERT_NE(code->modeler, nullptr);
+    const PatchTree tree(code, no_parameters());
+    PatchNode& part = tree.parts(tree.root())->nodes[5];
+    PatchNode::Children* const quarters = tree.quarters(part);
+    ASSERT_NE(quarters, nullptr);
+    EXPECT_EQ(tree.quarters(part), quarters);
+    ASSERT_EQ(quarters->nodes.size(), 4U);
+    EXPECT_EQ(tree.size(), 21U);
+    double area = 0.0;
+    for (const PatchNode& node : quarters->nodes) {
+        const UvBox& box = node.box;
+        area += 4.0 * box.u_radius * box.v_radius;
+        EXPECT_LE(std::abs(box.u - part.box.u) + box.u_radius, part.box.u_radius);
+        EXPECT_LE(std::abs(box.v - part.box.v) + box.v_radius, part.box.v_radius);
+        EXPECT_EQ(node.level, part.level + 1);
+        ASSERT_NE(node.model, nullptr);
+        const WideVector at = value_at_place(Wide{box.u}, Wide{box.v});
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto x = static_cast<double>(at.part[static_cast<std::size_t>(axis)]);
+            EXPECT_LE(std::abs(x - node.form.c[axis]), node.form.e[axis] * (1.0 + 0x1p-30));
+        }
+    }
+    EXPECT_EQ(area, 4.0 * part.box.u_radius * part.box.v_radius);
 }
 
 TEST(PatchTree, HoldsThePatchInItsBoxes) {
