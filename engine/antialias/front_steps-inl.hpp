@@ -229,7 +229,8 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
                               hn::Gt(length, times(most_rough_lengths, cell.fair)));
     const M<double> fits = hn::And(hn::Lt(cell.to, load(&fronts.end[i])),
                                    hn::Lt(width, times(most_fair_lengths, cell.fair)));
-    const V<double> longest = hn::Mul(cell.growth, length);
+    // Nearly precise is enough for roots of all rays.
+    const V<double> longest = hn::Mul(times(2.0, cell.growth), length);
     const M<double> stays_precise = hn::Le(hn::Sub(cell.root_to, cell.from), longest);
     const M<double> leaves =
         hn::AndNot(ends, hn::And(hn::And(begins, stays_precise), cell.precise));
