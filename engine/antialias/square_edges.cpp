@@ -33,6 +33,10 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareSt
     return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
 }
 
+bool is_nowhere_least_within(SquareStretches stretches) {
+    return std::ranges::none_of(stretches, [](const RayStretch& ray) { return ray.inner; });
+}
+
 EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
     const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
     if (at_walls && !front.kinked && square.level >= first_one_end_level) {
@@ -72,6 +76,12 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
     if (!fit && is_inside) {
         const auto thread = fit_thread(stretches, 0.5 * at.side, 2.0 * thinnest_thread / at.side);
         if (thread) return take_thread(square, stretches, samples, *thread);
+    }
+    // From end to end f may come to 0 and go away again, twice in a long stretch.
+    if (is_inside && at.level < first_one_slope_level && is_nowhere_least_within(stretches) &&
+        samples.roots() == 0) {
+        field_.divide(square);
+        return false;
     }
     const bool all = samples.roots() == square_ray_count;
     if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
