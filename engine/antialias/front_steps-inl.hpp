@@ -133,11 +133,11 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.precise = hn::And(known, hn::Le(form.error, most_error));
     verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
     // The error goes with the square of the length, or nearly so.
-    const V<double> most_precise = hn::IfThenElse(
-        hn::Gt(form.error, zero), hn::Sqrt(hn::Div(most_error, form.error)), number(most_growth));
-    verdict.growth = hn::IfThenElse(known, most_precise, one);
-    verdict.growth = hn::IfThenElse(verdict.rejected, hn::Max(hn::Div(size, most), verdict.growth),
-                                    verdict.growth);
+    const V<double> part = hn::Div(hn::IfThenElse(verdict.rejected, size, most_error),
+                                   hn::IfThenElse(verdict.rejected, most, form.error));
+    const hn::Rebind<float, Tag<double>> narrow;
+    const V<double> root = hn::PromoteTo(d<double>, hn::Sqrt(hn::DemoteTo(narrow, part)));
+    verdict.growth = hn::IfThenElse(verdict.rejected, part, hn::IfThenElse(known, root, one));
     // Where the linear part vanishes.
     const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
     const V<double> per_along = hn::Div(one, form.along);
@@ -231,9 +231,8 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
                                    hn::Lt(width, times(most_fair_lengths, cell.fair)));
     // Nearly precise is enough for roots of all rays.
     const V<double> longest = hn::Mul(times(2.0, cell.growth), length);
-    const M<double> stays_precise = hn::Le(hn::Sub(cell.root_to, cell.from), longest);
-    const M<double> leaves =
-        hn::AndNot(ends, hn::And(hn::And(begins, stays_precise), cell.precise));
+    const M<double> too_long = hn::Gt(hn::Sub(cell.root_to, cell.from), longest);
+    const M<double> leaves = hn::AndNot(hn::Or(ends, too_long), hn::And(begins, cell.precise));
     steps.lengthened = hn::And(hn::AndNot(steps.shortened, others),
                                hn::AndNot(marks.has(MarkWords::stretched), hn::And(leaves, fits)));
     steps.open = hn::AndNot(hn::Or(steps.shortened, steps.lengthened), others);
@@ -256,9 +255,14 @@ HWY_INLINE RootPart root_part_of(const FrontBlock& fronts, std::size_t i, const 
             .to = hn::IfThenElse(at_walls, cell.to, hn::Min(hn::Max(from, to), cell.to))};
 }
 
-/// Sets the marks of stretches and roots; returns which stretches end at the end of their cell.
-HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
-                               const CellSteps& steps, MarkWords& marks) {
+/// Stretches that end with their cells, and where.
+struct Closed {
+    M<double> lanes;
+    V<double> to;
+};
+/// Sets the marks of stretches and roots; returns which stretches end.
+HWY_INLINE Closed mark_open(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                            const CellSteps& steps, MarkWords& marks) {
     const V<double> open_from = load(&fronts.open_from[i]);
     const M<double> is_open = hn::Lt(open_from, hn::Inf(d<double>));
     const M<double> begins = hn::AndNot(is_open, steps.open);
@@ -271,7 +275,8 @@ HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerd
     marks.set(MarkWords::kinked, hn::Or(steps.open, steps.root_behind), kinked);
     const V<double> end = load(&fronts.end[i]);
     const M<double> last = hn::Or(hn::Ge(cell.to, end), hn::Lt(part.to, cell.to));
-    return hn::And(steps.open, hn::Or(marks.has(most_open_cells * MarkWords::one_cell), last));
+    const M<double> full = marks.has(most_open_cells * MarkWords::one_cell);
+    return {.lanes = hn::And(steps.open, hn::Or(full, last)), .to = part.to};
 }
 
 /// Takes what is known of the fronts' next cells; returns which fronts go on no more.
@@ -287,7 +292,7 @@ HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& 
         return hn::IfThenElse(lanes, yes, no);
     };
 
-    const M<double> closed = mark_open(fronts, i, cell, steps, marks);
+    const Closed closed = mark_open(fronts, i, cell, steps, marks);
     marks.set(MarkWords::stretched, hn::Or(hn::Or(steps.free, steps.open), steps.lengthened),
               steps.lengthened);
     marks.set(MarkWords::monotone, steps.rooted, cell.monotone);
@@ -314,12 +319,12 @@ HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& 
     next = where(steps.shortened, hn::Max(hn::Mul(shorter, length), cell.fair), next);
     next = where(steps.lengthened, past_roots, next);
     // Roots, and stretches that end; so far before the roots that the next cell holds them, too.
-    const M<double> edged = hn::Or(closed, hn::Or(steps.free_behind, steps.root_behind));
+    const M<double> edged = hn::Or(closed.lanes, hn::Or(steps.free_behind, steps.root_behind));
     const V<double> before_roots =
         hn::Max(cell.from, hn::Sub(cell.root_from, hn::Add(width, margin)));
     V<double> to = load(&fronts.to[i]);
     to = where(steps.rooted, cell.root_to, to);
-    to = where(closed, root_part_of(fronts, i, cell).to, to);
+    to = where(closed.lanes, closed.to, to);
     to = where(steps.free_behind, cell.from, to);
     to = where(steps.root_behind, before_roots, to);
     at = where(edged, load(&fronts.open_from[i]), at);
