@@ -48,7 +48,7 @@ struct CellVerdict {
     /// Where its linear part lets roots be, perhaps beyond the slab.
     V<double> root_from, root_to;
     V<double> turn;  ///< the width of the enclosure of normal . view, where roots end in the slab
-    /// How much longer the next cell may be: rejected, or precise, if f goes on as it does here.
+    /// How much longer a cell may be: rejected, or precise, if f goes on as it does here.
     V<double> growth;
     V<double> fair;  ///< the longest cell that is not halved
 };
@@ -101,6 +101,10 @@ private:
     Words added_ = hn::Zero(tag);
 };
 
+/// How much longer than the cell before it a cell is at most, and how much shorter.
+inline constexpr double most_growth = 4.0;
+inline constexpr double least_growth = 0.125;
+
 /// Where the next cells end.
 HWY_INLINE V<double> next_of(const FrontBlock& fronts, std::size_t i) {
     const V<double> to = hn::Add(load(&fronts.at[i]), load(&fronts.step[i]));
@@ -129,13 +133,11 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
     verdict.precise = hn::And(known, hn::Le(form.error, most_error));
     verdict.fair = hn::Mul(number(rules.fair_width), hn::Add(number(rules.distance), verdict.from));
     // The error goes with the square of the length, or nearly so.
-    const M<double> coarse = hn::AndNot(verdict.precise, known);
     const V<double> part = hn::Div(hn::IfThenElse(verdict.rejected, size, most_error),
                                    hn::IfThenElse(verdict.rejected, most, form.error));
-    const M<double> shorter = hn::AndNot(verdict.rejected, coarse);
-    verdict.growth = hn::IfThenElse(verdict.rejected, part, one);
-    if (!hn::AllFalse(d<double>, shorter))
-        verdict.growth = hn::IfThenElse(shorter, hn::Sqrt(part), verdict.growth);
+    const hn::Rebind<float, Tag<double>> narrow;
+    const V<double> root = hn::PromoteTo(d<double>, hn::Sqrt(hn::DemoteTo(narrow, part)));
+    verdict.growth = hn::IfThenElse(verdict.rejected, part, hn::IfThenElse(known, root, one));
     // Where the linear part vanishes.
     const M<double> sloped = hn::And(known, hn::Ne(form.along, zero));
     const V<double> per_along = hn::Div(one, form.along);
@@ -165,9 +167,6 @@ HWY_INLINE CellVerdict judge(const CellForm& form, const FrontRules& rules,
 }
 
 inline constexpr std::uint64_t most_open_cells = 8;  // a power of two
-/// How much longer than the cell before it a cell is at most, and how much shorter.
-inline constexpr double most_growth = 4.0;
-inline constexpr double least_growth = 0.125;
 /// In fair lengths: cells whose forms are not precise are not longer.
 inline constexpr double most_rough_lengths = 1.5;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
@@ -185,6 +184,18 @@ struct CellSteps {
     M<double> lengthened;   ///< all rays seem to leave it with a root
     M<double> open;         ///< it is left as a part of a stretch
 };
+
+/// A little before the first place where the cell may hold a root: all of it that lies before this
+/// is free. Not where rays enter the clip region, of which stretches begin outside.
+HWY_INLINE V<double> before_roots_of(const FrontBlock& fronts, std::size_t i,
+                                     const CellVerdict& cell, const FrontRules& rules) {
+    const V<double> width = hn::Sub(cell.root_to, cell.root_from);
+    const V<double> back = hn::MulAdd(number(1.0 / 32), width, number(rules.margin));
+    const V<double> last = hn::MulAdd(number(0.9), hn::Sub(cell.to, cell.from), cell.from);
+    const V<double> before = hn::Min(hn::Sub(cell.root_from, back), last);
+    return hn::IfThenElse(hn::Ge(before, load(&fronts.inside_from[i])), hn::Max(cell.from, before),
+                          cell.from);
+}
 
 HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
                               const MarkWords& marks, const FrontRules& rules) {
@@ -218,28 +229,54 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
                               hn::Gt(length, times(most_rough_lengths, cell.fair)));
     const M<double> fits = hn::And(hn::Lt(cell.to, load(&fronts.end[i])),
                                    hn::Lt(width, times(most_fair_lengths, cell.fair)));
-    const M<double> leaves = hn::AndNot(ends, hn::And(begins, cell.precise));
+    // Nearly precise is enough for roots of all rays.
+    const V<double> longest = hn::Mul(times(2.0, cell.growth), length);
+    const M<double> too_long = hn::Gt(hn::Sub(cell.root_to, cell.from), longest);
+    const M<double> leaves = hn::AndNot(hn::Or(ends, too_long), hn::And(begins, cell.precise));
     steps.lengthened = hn::And(hn::AndNot(steps.shortened, others),
                                hn::AndNot(marks.has(MarkWords::stretched), hn::And(leaves, fits)));
     steps.open = hn::AndNot(hn::Or(steps.shortened, steps.lengthened), others);
     return steps;
 }
 
-/// Sets the marks of stretches and roots; returns which stretches end at the end of their cell.
-HWY_INLINE M<double> mark_open(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
-                               const CellSteps& steps, MarkWords& marks) {
+/// What of a cell may hold roots. At walls of the clip region all of it: stretches of its rays
+/// that begin and end at walls tell more.
+struct RootPart {
+    V<double> from, to;
+};
+HWY_INLINE RootPart root_part_of(const FrontBlock& fronts, std::size_t i, const CellVerdict& cell) {
+    const V<double> begin = hn::Min(cell.from, load(&fronts.open_from[i]));
+    const M<double> at_walls = hn::Or(hn::Lt(begin, load(&fronts.inside_from[i])),
+                                      hn::Gt(cell.to, load(&fronts.inside_to[i])));
+    const V<double> width = hn::Sub(cell.root_to, cell.root_from);
+    const V<double> from = hn::Min(hn::Max(cell.from, cell.root_from), cell.to);
+    const V<double> to = hn::MulAdd(number(0.25), width, cell.root_to);
+    return {.from = hn::IfThenElse(at_walls, cell.from, from),
+            .to = hn::IfThenElse(at_walls, cell.to, hn::Min(hn::Max(from, to), cell.to))};
+}
+
+/// Stretches that end with their cells, and where.
+struct Closed {
+    M<double> lanes;
+    V<double> to;
+};
+/// Sets the marks of stretches and roots; returns which stretches end.
+HWY_INLINE Closed mark_open(FrontBlock& fronts, std::size_t i, const CellVerdict& cell,
+                            const CellSteps& steps, MarkWords& marks) {
     const V<double> open_from = load(&fronts.open_from[i]);
     const M<double> is_open = hn::Lt(open_from, hn::Inf(d<double>));
     const M<double> begins = hn::AndNot(is_open, steps.open);
-    store(hn::IfThenElse(begins, cell.from, open_from), &fronts.open_from[i]);
+    const RootPart part = root_part_of(fronts, i, cell);
+    store(hn::IfThenElse(begins, part.from, open_from), &fronts.open_from[i]);
     marks.count_cell(steps.open, begins);
     marks.set(MarkWords::continuous, steps.open,
               hn::And(cell.continuous, hn::Or(begins, marks.has(MarkWords::continuous))));
     const M<double> kinked = hn::Or(cell.kinked, hn::AndNot(begins, marks.has(MarkWords::kinked)));
     marks.set(MarkWords::kinked, hn::Or(steps.open, steps.root_behind), kinked);
     const V<double> end = load(&fronts.end[i]);
-    return hn::And(steps.open,
-                   hn::Or(marks.has(most_open_cells * MarkWords::one_cell), hn::Ge(cell.to, end)));
+    const M<double> last = hn::Or(hn::Ge(cell.to, end), hn::Lt(part.to, cell.to));
+    const M<double> full = marks.has(most_open_cells * MarkWords::one_cell);
+    return {.lanes = hn::And(steps.open, hn::Or(full, last)), .to = part.to};
 }
 
 /// Takes what is known of the fronts' next cells; returns which fronts go on no more.
@@ -247,6 +284,7 @@ HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& 
                           const FrontRules& rules) {
     MarkWords marks(hn::LoadU(MarkWords::tag, &fronts.marks[i]));
     const CellSteps steps = steps_of(fronts, i, cell, marks, rules);
+    const M<double> is_open = hn::Lt(load(&fronts.open_from[i]), hn::Inf(d<double>));
     const V<double> length = hn::Sub(cell.to, cell.from);
     const V<double> width = hn::Sub(cell.root_to, cell.root_from);
     const V<double> margin = number(rules.margin);
@@ -254,7 +292,7 @@ HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& 
         return hn::IfThenElse(lanes, yes, no);
     };
 
-    const M<double> closed = mark_open(fronts, i, cell, steps, marks);
+    const Closed closed = mark_open(fronts, i, cell, steps, marks);
     marks.set(MarkWords::stretched, hn::Or(hn::Or(steps.free, steps.open), steps.lengthened),
               steps.lengthened);
     marks.set(MarkWords::monotone, steps.rooted, cell.monotone);
@@ -262,26 +300,31 @@ HWY_INLINE M<double> step(FrontBlock& fronts, std::size_t i, const CellVerdict& 
 
     // Where the search goes on.
     const V<double> quarter = hn::Add(hn::Mul(number(0.25), width), margin);
-    const V<double> near = hn::Max(cell.from, hn::Sub(cell.root_from, quarter));
+    const V<double> before = before_roots_of(fronts, i, cell, rules);
+    const V<double> near =
+        where(steps.narrowed, hn::Max(cell.from, hn::Sub(cell.root_from, quarter)), before);
     V<double> at = where(hn::Or(steps.free, steps.open), cell.to, cell.from);
-    at = where(steps.narrowed, near, where(steps.rooted, cell.root_from, at));
+    const M<double> shorter_or_longer = hn::Or(steps.shortened, steps.lengthened);
+    const M<double> tried_again = hn::Or(hn::Or(steps.halved, steps.narrowed), shorter_or_longer);
+    at = where(hn::AndNot(is_open, tried_again), near, where(steps.rooted, cell.root_from, at));
     // How far.
     const V<double> longer = hn::Min(hn::Max(cell.growth, number(1.0)), number(most_growth));
-    const V<double> shorter = hn::Min(hn::Max(cell.growth, number(least_growth)), number(0.5));
+    const V<double> precise = hn::Mul(number(0.95), cell.growth);
+    const V<double> shorter = hn::Min(hn::Max(precise, number(least_growth)), number(0.6));
     const V<double> past_roots = hn::Sub(hn::Add(cell.root_to, quarter), near);
     V<double> next = load(&fronts.step[i]);
     next = where(steps.free, hn::Mul(longer, length), next);
     next = where(steps.halved, hn::Mul(number(0.5), length), next);
     next = where(steps.narrowed, past_roots, next);
     next = where(steps.shortened, hn::Max(hn::Mul(shorter, length), cell.fair), next);
-    next = where(steps.lengthened, hn::Add(hn::Sub(cell.root_to, cell.from), quarter), next);
+    next = where(steps.lengthened, past_roots, next);
     // Roots, and stretches that end; so far before the roots that the next cell holds them, too.
-    const M<double> edged = hn::Or(closed, hn::Or(steps.free_behind, steps.root_behind));
+    const M<double> edged = hn::Or(closed.lanes, hn::Or(steps.free_behind, steps.root_behind));
     const V<double> before_roots =
         hn::Max(cell.from, hn::Sub(cell.root_from, hn::Add(width, margin)));
     V<double> to = load(&fronts.to[i]);
     to = where(steps.rooted, cell.root_to, to);
-    to = where(closed, cell.to, to);
+    to = where(closed.lanes, closed.to, to);
     to = where(steps.free_behind, cell.from, to);
     to = where(steps.root_behind, before_roots, to);
     at = where(edged, load(&fronts.open_from[i]), at);

@@ -51,6 +51,9 @@ HWY_INLINE V<double> meeting_of_tangents(const Places& a, const Places& b) {
     return between(a, length, hn::Div(rise, hn::Mul(hn::Sub(a.slope, b.slope), length)));
 }
 
+/// How far the least f may be off, in parts of it.
+inline constexpr double most_error_of_least = 1.0 / 8192;
+
 /// The search in some stretches. Plain data, nothing of it set at first.
 class LeastSearch {
 public:
@@ -177,7 +180,10 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::
     store_in(is_hi, place.slope, hi_slope_ + i);
     const V<double> lower = hn::Mul(hn::Sub(load(hi_s_ + i), load(lo_s_ + i)),
                                     hn::Min(hn::Neg(load(lo_slope_ + i)), load(hi_slope_ + i)));
-    const M<double> still = hn::AndNot(hn::Le(lower, load(tolerance_ + i)), open);
+    // Near 0 it tells whether there is a root, and how wide a thread is.
+    const V<double> of_least = hn::Mul(number(most_error_of_least), hn::Abs(load(f_ + i)));
+    const M<double> still =
+        hn::AndNot(hn::Le(lower, hn::Max(load(tolerance_ + i), of_least)), open);
     store(flags(still), open_ + i);
     return !hn::AllFalse(d<double>, still);
 }

@@ -33,6 +33,15 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareSt
     return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
 }
 
+/// Whether f, which is above 0 where samples are, may come to 0 and go away again between the ends
+/// of long stretches: it is least at an end of each.
+bool may_hide_roots(const EdgeSamples& samples, SquareStretches stretches,
+                    const CoverSquare& square) {
+    const bool any_inner =
+        std::ranges::any_of(stretches, [](const RayStretch& ray) { return ray.inner; });
+    return square.level < first_one_slope_level && !any_inner && samples.roots() == 0;
+}
+
 EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
     const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
     if (at_walls && !front.kinked && square.level >= first_one_end_level) {
@@ -73,14 +82,17 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
         const auto thread = fit_thread(stretches, 0.5 * at.side, 2.0 * thinnest_thread / at.side);
         if (thread) return take_thread(square, stretches, samples, *thread);
     }
+    if (is_inside && may_hide_roots(samples, stretches, at)) {
+        field_.divide(square);
+        return false;
+    }
     const bool all = samples.roots() == square_ray_count;
     if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
         field_.leave_plain(square);
         return false;
     }
-    const bool kinked = front.kinked;
-    const bool creased = all && is_inside && (!fit || (kinked && is_all_below(samples)));
-    if (creased && at.level < last_color_level) {
+    const bool one_colored = fit && !(front.kinked && is_all_below(samples));
+    if (all && is_inside && !one_colored && at.level < last_color_level) {
         creases_.add(square, stretches, samples);
         return false;
     }

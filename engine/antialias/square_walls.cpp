@@ -8,6 +8,24 @@
 #include <span>
 
 namespace zeroset {
+namespace {
+
+/// Where the sheet is that all rays of a square meet, as f at the ends of their stretches tells: a
+/// depth at its middle, and how it changes over the square.
+std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
+    std::array<double, square_ray_count> depth{};
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        const double part = ray.near / (ray.near - ray.far);
+        if (ray.is_empty() || !(part >= 0.0 && part <= 1.0)) return std::nullopt;
+        depth[i] = ray.from + part * (ray.to - ray.from);
+    }
+    return LinearOnSquare{.value = depth[0],
+                          .by_x = 0.5 * (depth[2] + depth[4] - depth[1] - depth[3]),
+                          .by_y = 0.5 * (depth[3] + depth[4] - depth[1] - depth[2])};
+}
+
+}  // namespace
 
 auto SquareWalls::add(std::size_t square, SquareStretches stretches,
                       const std::optional<LinearOnSquare>& fit) -> Choice {
@@ -21,8 +39,12 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches,
     for (std::size_t i = 0; i < square_corners.size(); ++i)
         corners[i] = SquareField::stretch_of(at, front, square_corners[i]);
     field_.clip(front, corners);
+    const auto sheet = fit && front.at < front.inside_from ? sheet_of(stretches) : std::nullopt;
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
         outside_at[i] = corners[i].is_empty();
+        // Rays may enter behind the sheet.
+        if (sheet && corners[i].from > front.at && corners[i].from > sheet->at(square_corners[i]))
+            outside_at[i] = true;
         outside_count += outside_at[i] ? 1U : 0U;
     }
     if (outside_count == 0) return Choice::None;

@@ -129,6 +129,44 @@ TEST(Antialias, ShowsWhatLiesBetweenThePixels) {
               rows_with(picture_of(wire, Antialias::None)));
 }
 
+/// A picture from the suite's side.
+Framebuffer suite_picture_of(const char* text, double half_edge, int width, int height,
+                             Antialias antialias) {
+    Framebuffer frame(width, height);
+    TraceSettings settings;
+    settings.antialias = antialias;
+    render_frame(scene_of(text, Box::cube(half_edge)), suite_camera(half_edge), settings, frame);
+    return frame;
+}
+
+/// Rays enter the clip box behind the surface at a corner of pixels on the box's edges only.
+TEST(Antialias, IsNearToManyRaysWhereCornersOfPixelsEnterBehindASheet) {
+    const auto picture = [](Antialias antialias) {
+        return suite_picture_of("abs(x) + abs(y) - z", 2.0, 320, 180, antialias);
+    };
+    EXPECT_LE(far_pixels(picture(Antialias::Beams), picture(Antialias::Rays64)), 3U);
+}
+
+/// In the middle of this asterisk a sheet and its back lie close behind each other, in a long
+/// stretch of rays at whose both ends f has one sign.
+TEST(Antialias, LeavesNoHoleWhereASheetAndItsBackAreInOneStretch) {
+    const char* const asterisk =
+        "sin(3*atan2(y,x))*sin(4*acos(z/sqrt(x^2+y^2+z^2))) - sqrt(x^2+y^2+z^2)";
+    const auto picture = [&](Antialias antialias) {
+        return suite_picture_of(asterisk, 1.1, 500, 500, antialias);
+    };
+    const Framebuffer beams = picture(Antialias::Beams);
+    const Framebuffer rays = picture(Antialias::Rays16);
+    for (int row = 240; row < 260; ++row) {
+        for (int col = 240; col < 260; ++col) {
+            const std::size_t at = beams.index(col, row);
+            for (unsigned shift = 0; shift < 24; shift += 8)
+                EXPECT_NEAR(beams.color[at] >> shift & 255U, rays.color[at] >> shift & 255U, 60)
+                    << col << ", " << row;
+        }
+    }
+}
+
 /// Beyond the Roman surface an axis goes on as a line without width, here between two pixels.
 TEST(Antialias, LeavesNoGapInALineOnTheBorderOfPixels) {
     const Scene scene = scene_of("x^2*y^2 + y^2*z^2 + x^2*z^2 + x*y*z", Box::cube(1));
