@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds everything and runs all tests: ./test.sh [ARGS of ctest], e.g. ./test.sh -R interval
+# Builds everything and runs all tests: ./test.sh [ARGS of ctest], e.g. ./test.sh -R engine/tape
 set -euo pipefail
 # shellcheck source=scripts/build.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/scripts/build.sh"

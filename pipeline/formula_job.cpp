@@ -1,5 +1,7 @@
 #include "pipeline/formula_job.hpp"
 
+#include "pipeline/volume_source.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,6 +12,9 @@ namespace {
 class Preparer {
 public:
     FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
+        // Expressions of colours, too, may name files.
+        const std::uint64_t files = files_version();
+        files_changed_ |= std::exchange(files_, files) != files;
         SheetReading reading = reader_.read(sheet);
         FormulaResult result{.sheet = std::move(sheet),
                              .reading = std::move(reading),
@@ -42,10 +47,11 @@ private:
         if (result.contour_error) choice.lines = {};
         const bool has_contours = choice.lines.contours == Contours::Expression;
         const std::string contours = has_contours ? choice.lines.expression : "";
-        if (colors_ == nullptr || colors_->by != choice.by ||
+        if (colors_ == nullptr || files_changed_ || colors_->by != choice.by ||
             colors_->expression != choice.expression || colors_->contour_expression != contours) {
             auto colors = color_formulas(*last_, choice);
             if (colors) {
+                files_changed_ = false;
                 colors_ = std::make_shared<const ColorFormulas>(std::move(*colors));
             } else {
                 result.color_error = colors.error();
@@ -59,6 +65,8 @@ private:
     std::shared_ptr<const Formula> last_;
     std::shared_ptr<const ColorFormulas> colors_;  ///< made for `last_`
     Box region_;
+    std::uint64_t files_ = 0;     ///< files_version() at the last sheet
+    bool files_changed_ = false;  ///< since `colors_` were made
 };
 
 /// How long the first picture has all cores for itself before LLVM starts, unless it is done
@@ -99,9 +107,8 @@ FormulaJob::~FormulaJob() {
 void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice) {
     {
         const std::scoped_lock lock(mutex_);
-        newest_ = sheet;
-        newest_choice_ = choice;
-        pending_ = Request{.sheet = std::move(sheet), .region = region, .choice = choice};
+        pending_ = Request{
+            .number = ++newest_, .sheet = std::move(sheet), .region = region, .choice = choice};
         interpreted_.reset();
     }
     wake_.notify_all();
@@ -129,7 +136,7 @@ std::shared_ptr<const Formula> FormulaJob::take_double() {
 void FormulaJob::publish(FormulaResult result) {
     {
         const std::scoped_lock lock(mutex_);
-        if (result.sheet == newest_ && result.choice == newest_choice_) {
+        if (result.number == newest_) {
             if (result.formula && (*result.formula)->code == CodeState::InterpretedFirst) {
                 interpreted_ = result;
                 compile_at_ = Clock::now() + head_start(**result.formula);
@@ -151,7 +158,10 @@ void FormulaJob::prepare_sheets() {
             if (stop_) return;
             request = std::move(*std::exchange(pending_, std::nullopt));
         }
-        publish(preparer.prepare(std::move(request.sheet), request.region, request.choice));
+        FormulaResult result =
+            preparer.prepare(std::move(request.sheet), request.region, request.choice);
+        result.number = request.number;
+        publish(std::move(result));
     }
 }
 

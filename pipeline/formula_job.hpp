@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <expected>
 #include <functional>
 #include <memory>
@@ -26,6 +27,7 @@ struct FormulaResult {
     std::shared_ptr<const ColorFormulas> colors = {};
     std::optional<InputError> color_error = {};
     std::optional<InputError> contour_error = {};  ///< of the expression of the contour lines
+    std::uint64_t number = 0;                      ///< of the call of FormulaJob::submit
 };
 
 /// Reads and compiles the newest sheet in the background. The UI thread may call all members; none
@@ -56,6 +58,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     struct Request {
+        std::uint64_t number;
         Sheet sheet;
         Box region;
         ColorChoice choice = {};
@@ -75,8 +78,7 @@ private:
     std::shared_ptr<const Formula> deep_;       ///< the formula that waits for code in double
     std::shared_ptr<const Formula> double_;     ///< the formula whose code in double is ready
     std::optional<FormulaResult> finished_;
-    Sheet newest_;
-    ColorChoice newest_choice_;
+    std::uint64_t newest_ = 0;  ///< number of the newest call of submit
     bool stop_ = false;
     std::thread preparing_;
     std::thread compiling_;

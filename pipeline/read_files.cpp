@@ -7,14 +7,18 @@
 namespace zeroset {
 namespace {
 
-struct ReadFile {
+/// Something that was read from files.
+struct ReadThing {
     std::weak_ptr<const void> what;
-    FileStamp told;    ///< as it was when it was read, or at the last change that was told
-    FileStamp latest;  ///< as it was when it was looked at last
+    std::vector<FileStamp> told;    ///< as they were when read, or at the last change that was told
+    std::vector<FileStamp> latest;  ///< as they were when they were looked at last
 
-    /// Looks at the file.
+    /// Looks at the files.
     bool has_changed() {
-        const FileStamp before = std::exchange(latest, FileStamp::now(told.file));
+        std::vector<FileStamp> now;
+        for (const FileStamp& stamp : told)
+            now.push_back(FileStamp::now(stamp.file));
+        const std::vector<FileStamp> before = std::exchange(latest, std::move(now));
         if (latest == told || latest != before) return false;
         told = latest;
         return true;
@@ -23,7 +27,7 @@ struct ReadFile {
 
 struct ReadFiles {
     std::mutex mutex;
-    std::vector<ReadFile> files;
+    std::vector<ReadThing> things;
 };
 
 ReadFiles& read_files() {
@@ -36,19 +40,21 @@ ReadFiles& read_files() {
 void note_read_files(const std::shared_ptr<const void>& what, std::vector<FileStamp> files) {
     ReadFiles& known = read_files();
     const std::scoped_lock lock(known.mutex);
-    const auto is_known = [&](const ReadFile& file) { return file.what.lock() == what; };
-    if (std::ranges::any_of(known.files, is_known)) return;
-    for (FileStamp& stamp : files)
-        known.files.push_back({.what = what, .told = stamp, .latest = std::move(stamp)});
+    const auto is_known = [&](const ReadThing& thing) {
+        return thing.what.lock() == what &&
+               std::ranges::equal(thing.told, files, {}, &FileStamp::file, &FileStamp::file);
+    };
+    if (std::ranges::any_of(known.things, is_known)) return;
+    known.things.push_back({.what = what, .told = files, .latest = std::move(files)});
 }
 
 bool read_files_have_changed() {
     ReadFiles& known = read_files();
     const std::scoped_lock lock(known.mutex);
-    std::erase_if(known.files, [](const ReadFile& file) { return file.what.expired(); });
+    std::erase_if(known.things, [](const ReadThing& thing) { return thing.what.expired(); });
     bool has_changed = false;
-    for (ReadFile& file : known.files)
-        has_changed |= file.has_changed();
+    for (ReadThing& thing : known.things)
+        has_changed |= thing.has_changed();
     return has_changed;
 }
 

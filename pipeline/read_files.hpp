@@ -14,8 +14,8 @@ namespace zeroset {
 /// lives.
 void note_read_files(const std::shared_ptr<const void>& what, std::vector<FileStamp> files);
 
-/// Looks at all these files. True if one of them has changed since it was read and is as it was at
-/// the last call, so that no one is still writing it; of each change once.
+/// Looks at all these files. True if those of something have changed since it was read and all are
+/// as they were at the last call, so that no one is still writing them; of each change once.
 bool read_files_have_changed();
 
 }  // namespace zeroset

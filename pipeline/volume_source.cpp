@@ -267,6 +267,8 @@ private:
                                               .hint = {},
                                               .at = call.file.empty() ? call.text : call.file});
         }
+        // Of a file that has changed only the newest is kept.
+        std::erase_if(latest_, [&](const auto& old) { return old->text() == call.text; });
         latest_.push_back(*volume);
         if (latest_.size() > most_kept) latest_.pop_front();
         return std::move(*volume);

@@ -21,6 +21,10 @@ listed_sources() {
     fi
 }
 
+# In a shallow clone the commits to compare with are fetched; without them all files are read.
+if [[ $(git rev-parse --is-shallow-repository) == true ]]; then
+    git fetch --quiet --deepen=20 || true
+fi
 result=0
 git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 --dry-run --Werror || result=1
 git grep -lzE '^(#!.*[/ ](ba)?sh$|# shellcheck shell=)' | xargs -0 shellcheck || result=1

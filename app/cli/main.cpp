@@ -27,7 +27,7 @@ namespace {
 
 /// A subcommand draws no pages that are lost.
 bool end_if_lost(const void* address) noexcept {
-    if (fill_lost_pages(address)) end_on_lost_page();
+    if (is_mapped(address)) end_on_lost_page();
     return false;
 }
 

@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -58,8 +59,9 @@ LostPageHandler& lost_page_handler() {
 }
 
 void handle_lost_page(int signal, siginfo_t* info, void* /*context*/) {
-    if (lost_page_handler()(info->si_addr)) return;
-    ::signal(signal, SIG_DFL);  // the page is read again, and the process ends as if without this
+    if (info->si_code == BUS_ADRERR && lost_page_handler()(info->si_addr)) return;
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
 }
 
 }  // namespace
@@ -73,11 +75,14 @@ void on_lost_pages(bool (*handle)(const void* address)) {
 }
 
 void end_on_lost_page() {
+    static constinit std::atomic_flag ends;
+    while (ends.test_and_set())
+        ::pause();  // another thread ends the process
+    abandon_files();
     constexpr std::string_view text =
         "error: a file of samples has become shorter while it was read; try again once it is "
         "written\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-    abandon_files();
     std::_Exit(EXIT_FAILURE);
 }
 

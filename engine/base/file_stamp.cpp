@@ -13,7 +13,11 @@ FileStamp FileStamp::now(const std::filesystem::path& file) {
         if (!error) stamp.size = size;
         return stamp;
     }
-    for (const auto& entry : std::filesystem::directory_iterator(file, error)) {
+    // Not a range-for, whose step throws.
+    std::error_code failed;
+    for (std::filesystem::directory_iterator at(file, failed);
+         !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {
+        const std::filesystem::directory_entry& entry = *at;
         if (!entry.is_regular_file(error)) continue;
         const std::uint64_t size = entry.file_size(error);
         if (error) continue;

@@ -264,6 +264,25 @@ TEST_F(VolumeTexts, AChangeOfAFileIsToldOnceNoOneWritesAnyMore) {
     EXPECT_FALSE(look_for_changed_files()) << "no one looks at it any more";
 }
 
+TEST_F(VolumeTexts, AChangeOfSeveralFilesIsToldOnceAllOfThemRest) {
+    write("slices/s0.raw");
+    write("slices/s1.raw");
+    const std::string size = std::to_string(bytes_.size());
+    std::ofstream(folder_ / "slices" / "all.mhd")
+        << "ObjectType = Image\nNDims = 3\nDimSize = " << size << " 1 2\n"
+        << "ElementType = MET_UCHAR\nElementDataFile = s%d.raw 0 1 1\n";
+    const auto program = read_program("s = volume(\"slices/all.mhd\"); s(x, y, z) = 9");
+    ASSERT_TRUE(program.has_value()) << program.error().reason;
+    look_for_changed_files();
+    EXPECT_FALSE(look_for_changed_files());
+    std::filesystem::resize_file(folder_ / "slices" / "s0.raw", 7);
+    EXPECT_FALSE(look_for_changed_files());
+    std::filesystem::resize_file(folder_ / "slices" / "s1.raw", 7);
+    EXPECT_FALSE(look_for_changed_files()) << "one rests, the other was written just now";
+    EXPECT_TRUE(look_for_changed_files());
+    EXPECT_FALSE(look_for_changed_files());
+}
+
 TEST_F(VolumeTexts, AChangeOfAFileOfBallsIsToldToo) {
     std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n";
     const auto program = read_program("blobs(\"balls.xyz\") = 1");

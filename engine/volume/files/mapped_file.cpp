@@ -48,6 +48,17 @@ void give_slot_back(std::size_t slot) {
     places().at(slot).taken = false;
 }
 
+/// The end of the mapped file that has the address; 0 where none has.
+std::uintptr_t end_behind(const void* address) noexcept {
+    const auto at = reinterpret_cast<std::uintptr_t>(address);
+    for (const Place& place : places()) {
+        const std::uintptr_t end = place.end;
+        // The end that is still there: the place was not given to another file meanwhile.
+        if (at >= place.begin && at < end && place.end == end) return end;
+    }
+    return 0;
+}
+
 std::unexpected<std::string> cannot_open(int reason) {
     return std::unexpected("it cannot be read: " + std::generic_category().message(reason));
 }
@@ -77,19 +88,17 @@ MappedFile::~MappedFile() {
     if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
+bool is_mapped(const void* address) noexcept { return end_behind(address) != 0; }
+
 bool fill_lost_pages(const void* address) noexcept {
+    const std::uintptr_t end = end_behind(address);
+    if (end == 0) return false;
     const auto at = reinterpret_cast<std::uintptr_t>(address);
-    for (const Place& place : places()) {
-        const std::uintptr_t end = place.end;
-        if (at < place.begin || at >= end) continue;
-        const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-        const std::uintptr_t begin = at - at % page;
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): a page has no other name
-        void* const wanted = reinterpret_cast<void*>(begin);
-        return ::mmap(wanted, end - begin, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1,
-                      0) == wanted;
-    }
-    return false;
+    const std::uintptr_t begin = at - at % static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): a page has no other name
+    void* const wanted = reinterpret_cast<void*>(begin);
+    return ::mmap(wanted, end - begin, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) ==
+           wanted;
 }
 
 }  // namespace zeroset

@@ -30,6 +30,9 @@ private:
     std::size_t slot_;  ///< in the table of mapped files
 };
 
+/// Whether a mapped file has the address. For a handler of SIGBUS.
+bool is_mapped(const void* address) noexcept;
+
 /// Puts zeros from the page of `address` up to the end of the mapped file that has it, whose file
 /// has become shorter; false if no mapped file has it. For a handler of SIGBUS.
 bool fill_lost_pages(const void* address) noexcept;

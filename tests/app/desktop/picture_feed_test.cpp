@@ -144,6 +144,26 @@ TEST_F(PictureFeedTest, ReadsAFileAgainOnceItHasChanged) {
     use_volume_folder({});
 }
 
+TEST_F(PictureFeedTest, ReadsFilesAgainThatOnlyColoursName) {
+    const TestFolder folder;
+    use_volume_folder({.folder = folder.path()});
+    const auto colors_of = [&](const std::string& balls) {
+        std::ofstream(folder / "balls.xyz") << balls;
+        look_for_changed_files();
+        look_for_changed_files();
+        document_ = with_text("x = 0");
+        document_.coloring.by = ColorBy::Expression;
+        document_.coloring.expression = "blobs(\"balls.xyz\")";
+        feed_->read(document_);
+        follow_until([&] { return feed_->has_read(document_) && feed_->drawn(); });
+        return feed_->formula() == nullptr ? nullptr : &feed_->colors();
+    };
+    const auto* const first = colors_of("0 0 0 0.5\n");
+    ASSERT_NE(first, nullptr);
+    EXPECT_NE(colors_of("0 0 0 1.5\n"), first);
+    use_volume_folder({});
+}
+
 TEST_F(PictureFeedTest, DrawsAnotherViewOfTheSameText) {
     show("x = 0");
     document_.camera->eye *= 2.0;

@@ -54,7 +54,7 @@ TEST_F(LostPagesDeathTest, AreReadAsZerosWhereTheyAreFilled) {
 
 TEST_F(LostPagesDeathTest, EndTheProcessWithALineWhereThatIsWanted) {
     const auto end = [](const void* address) {
-        if (fill_lost_pages(address)) end_on_lost_page();
+        if (is_mapped(address)) end_on_lost_page();
         return false;
     };
     EXPECT_EXIT(read_what_is_lost(end), ::testing::ExitedWithCode(EXIT_FAILURE),
