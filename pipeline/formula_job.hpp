@@ -58,7 +58,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     struct Request {
-        std::uint64_t number;
+        std::uint64_t number = 0;
         Sheet sheet;
         Box region;
         ColorChoice choice = {};
