@@ -84,7 +84,8 @@ private:
     };
 
     [[nodiscard]] static std::size_t place_of(double pixel) {
-        const double at = std::min(std::max((pixel + 0.5) / side, 0.0), across - 1.0);
+        // What is no number, too, is put somewhere.
+        const double at = std::min(std::max(0.0, (pixel + 0.5) / side), across - 1.0);
         return static_cast<std::size_t>(static_cast<int>(at));
     }
     [[nodiscard]] static double off_middle(double pixel) {

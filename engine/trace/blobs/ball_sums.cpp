@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -46,8 +47,10 @@ void values_at(const BallForms& of, const BallBin& bin, BallPoints& points, std:
     using Vector = V<double>;
     const auto number = [](double a) { return hn::Set(d<double>, a); };
     const std::size_t some = std::min(lanes<double>, points.count - first);
-    double nearest = points.z[first];
-    double farthest = points.z[first];
+    // A lane that has no number takes no balls from the others.
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    double nearest = unbounded;
+    double farthest = -unbounded;
     for (std::size_t i = first; i < first + some; ++i) {
         nearest = std::min(nearest, points.z[i]);
         farthest = std::max(farthest, points.z[i]);

@@ -28,7 +28,7 @@ struct NewtonBounds {
     double bend[4], slope_error[4];
     double square[4];  ///< of the second derivatives of the terms of degree 2
     /// Of what rounding in float makes of terms where |p|, |q| <= 1. One of degree n is
-    /// rounded n + 6 times at most, each time by 2^-23 of it.
+    /// rounded 2 n + 7 times at most, each time by 2^-23 of it.
     double error[4];
 
     /// `with_squares`: those of degree 2 are added in double.
@@ -44,7 +44,8 @@ struct NewtonBounds {
                 if (n == 2) hn::StoreU(hn::Add(size, size), d4, square + k);
                 // Products with the second derivatives are rounded, too.
                 add(all[0], n * (n - 1) * power / newton_limit * (n == 2 ? 0x1p-19 : 1.0));
-                if (n > 2 || (n == 2 && !with_squares)) add(all[1], 0x1p-23 * (n + 7));
+                // Each product and sum is rounded twice where the machine has no fused ones.
+                if (n > 2 || (n == 2 && !with_squares)) add(all[1], 0x1p-23 * (2 * n + 8));
                 add(all[2], 0x1p-20 * n * (n + 2) * power);
             }
             hn::StoreU(all[0], d4, bend + k);

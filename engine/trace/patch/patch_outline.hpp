@@ -35,7 +35,9 @@ public:
         const double from =
             std::max({col(first_[0]), col(first_[1]), static_cast<double>(rect.col)});
         const double to = std::min({col(end_[0]), col(end_[1]), static_cast<double>(rect.end_col)});
-        return {.col = static_cast<int>(from), .end_col = static_cast<int>(std::max(to, 0.0))};
+        const double end = rect.end_col;
+        return {.col = static_cast<int>(std::min(end, from)),
+                .end_col = static_cast<int>(std::max(to, 0.0))};
     }
 
 private:

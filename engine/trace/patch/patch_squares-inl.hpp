@@ -122,10 +122,10 @@ private:
                                 float_number(1.0 + 0x1p-8)),
                 .lost = hn::Mul(hn::Mul(size, hn::Abs(inverse)),
                                 float_number(2.0 * LinearForm::float_rounding)),
-                // Products of small numbers may be 0.
-                .is_safe =
-                    hn::And(at.known, hn::And(hn::Gt(is, float_number(0x1p-80)),
-                                              hn::Gt(is, hn::Mul(float_number(0x1p-10), size))))};
+                // As of LinearForm::zeros.
+                .is_safe = hn::And(hn::And(at.known, hn::Lt(size, float_number(0x1p120))),
+                                   hn::And(hn::Gt(is, float_number(0x1p-80)),
+                                           hn::Gt(is, hn::Mul(float_number(0x1p-10), size))))};
     }
 
     /// How far zeros are from where a step leads at most.

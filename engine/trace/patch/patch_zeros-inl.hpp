@@ -164,11 +164,13 @@ public:
         zeros.pq = pq;
         zeros.qp = qp;
         zeros.qq = qq;
-        // Products of small numbers may be 0.
-        zeros.known =
-            hn::And(hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
-                            hn::Gt(hn::Abs(determinant), hn::Mul(float_number(0x1p-10), size))),
-                    hn::And(hn::Lt(p_radius, unbounded), hn::Lt(q_radius, unbounded)));
+        // Products of small numbers may be 0, those of large ones end below at the least finite
+        // one.
+        const FloatMask is_moderate = hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
+                                              hn::Lt(size, float_number(0x1p120)));
+        zeros.known = hn::And(hn::And(is_moderate, hn::Gt(hn::Abs(determinant),
+                                                          hn::Mul(float_number(0x1p-10), size))),
+                              hn::And(hn::Lt(p_radius, unbounded), hn::Lt(q_radius, unbounded)));
         const FloatMask beyond =
             hn::Or(hn::Gt(hn::Sub(hn::Abs(zeros.p), p_radius), float_number(inner)),
                    hn::Gt(hn::Sub(hn::Abs(zeros.q), q_radius), float_number(inner)));
