@@ -33,16 +33,10 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareSt
     return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
 }
 
-/// Whether f is the same at both ends, as where no ball is: they tell nothing of what is between.
-bool is_blank(const RayStretch& ray) {
-    return !ray.is_empty() && !ray.inner && ray.near == ray.far;
-}
-
 /// Whether f, which is above 0 where samples are, may come to 0 and go away again between the ends
-/// of long stretches: it is least at an end of each, or flat at both.
+/// of long stretches: it is least at an end of each.
 bool may_hide_roots(const EdgeSamples& samples, SquareStretches stretches,
                     const CoverSquare& square) {
-    if (std::ranges::any_of(stretches, is_blank)) return square.level < last_edge_level;
     const bool any_inner =
         std::ranges::any_of(stretches, [](const RayStretch& ray) { return ray.inner; });
     return square.level < first_one_slope_level && !any_inner && samples.roots() == 0;

@@ -195,7 +195,7 @@ class CompareTest(ProgramTest):
                          {"beams", "mrfro", "csg-by-roots"})
 
     def test_shadows_by_three_ways(self):
-        answer = json.loads(self.run_ok("compare", "florez-figure-5.13", "--size", 80, "--json",
+        answer = json.loads(self.run_ok("compare", "florez-figure-5.13", "--size", 240, "--json",
                                         "-").out)
         for beams, boxes, rays in zip(*[iter(answer["rows"])] * 3):
             self.assertEqual([row["way"] for row in (beams, boxes, rays)],
