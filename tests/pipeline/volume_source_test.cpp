@@ -267,9 +267,9 @@ TEST_F(VolumeTexts, AChangeOfAFileIsToldOnceNoOneWritesAnyMore) {
 TEST_F(VolumeTexts, AChangeOfSeveralFilesIsToldOnceAllOfThemRest) {
     write("slices/s0.raw");
     write("slices/s1.raw");
-    const std::string size = std::to_string(bytes_.size());
+    const std::string size = std::to_string(bytes_.size() / 2);
     std::ofstream(folder_ / "slices" / "all.mhd")
-        << "ObjectType = Image\nNDims = 3\nDimSize = " << size << " 1 2\n"
+        << "ObjectType = Image\nNDims = 3\nDimSize = " << size << " 2 2\n"
         << "ElementType = MET_UCHAR\nElementDataFile = s%d.raw 0 1 1\n";
     const auto program = read_program("s = volume(\"slices/all.mhd\"); s(x, y, z) = 9");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
