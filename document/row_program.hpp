@@ -22,7 +22,8 @@ struct RowProgram {
     std::vector<std::string> surface_texts = {};  ///< how each of these surfaces was read
 };
 
-/// Whether both are the same text, read of the same files as these were: its functions are the same.
+/// Whether both are the same text, read of the same files as these were: its functions are the
+/// same.
 bool same_functions(const RowProgram& a, const RowProgram& b);
 
 /// Reads the rows of a document as one text. Offsets of an error are in joined_rows(document).

@@ -16,6 +16,7 @@ struct ReadThing {
     /// Looks at the files.
     bool has_changed() {
         std::vector<FileStamp> now;
+        now.reserve(told.size());
         for (const FileStamp& stamp : told)
             now.push_back(FileStamp::now(stamp.file));
         const std::vector<FileStamp> before = std::exchange(latest, std::move(now));
