@@ -83,7 +83,7 @@ RowProgram row_program(std::string text, Program program, const Document& docume
     return rows;
 }
 
-/// Of all surfaces, one after the other.
+/// The fields that all surfaces of a program ask, surface by surface.
 std::vector<std::shared_ptr<const Field>> fields_in(const RowProgram& rows) {
     std::vector<std::shared_ptr<const Field>> fields;
     if (rows.program == nullptr) return fields;

@@ -239,8 +239,8 @@ HWY_INLINE CellSteps steps_of(const FrontBlock& fronts, std::size_t i, const Cel
     return steps;
 }
 
-/// What of a cell may hold roots. At walls of the clip region all of it: stretches of its rays
-/// that begin and end at walls tell more.
+/// The part of a cell that may hold roots. At walls of the clip region this is the whole cell, as
+/// stretches of its rays that begin and end at walls tell more.
 struct RootPart {
     V<double> from, to;
 };

@@ -23,7 +23,7 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real>
 using RayWord = hn::TFromD<hn::RebindToUnsigned<Tag<Real>>>;
 
-/// What is known of a ray, as bits.
+/// The state of a ray on its way to the light, as bits.
 struct RayMarks {
     static constexpr unsigned left = 1;      ///< the hit is behind what is searched next
     static constexpr unsigned positive = 2;  ///< f, at the end of what is searched next
@@ -75,7 +75,7 @@ struct RayRules {
     bool is_member;  ///< of a union: hits are where f is 0 or above
 };
 
-/// What some of the marks' bits say, lane by lane.
+/// Whether the marks of each lane have a bit.
 template <class Real>
 HWY_INLINE M<Real> has(hn::Vec<hn::RebindToUnsigned<Tag<Real>>> marks, unsigned bit) {
     const auto bits = hn::Set(du<Real>, static_cast<RayWord<Real>>(bit));
@@ -107,7 +107,8 @@ HWY_INLINE void place_cells(const RayBlock<Real>& rays, const RayRules<Real>& ru
     hn::StoreU(hn::Add(radius, hn::Set(d<Real>, rules.margin)), d<Real>, &cells.s_radius[i]);
 }
 
-/// What cells tell of their rays. Lanes are set in one of `free` and `dark`, or in none.
+/// Whether cells prove their rays free or dark. Lanes are set in one of `free` and `dark`, or in
+/// none.
 template <class Real>
 struct RayVerdict {
     M<Real> free;                ///< no root but the hits

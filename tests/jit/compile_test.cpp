@@ -59,6 +59,14 @@ std::vector<float> centres_and_errors(const KernelFunction<FormBatch>& form) {
     return result;
 }
 
+void expect_same_bits(const Kernel& a, const Kernel& b, const KernelBatch& batch,
+                      const std::string& text) {
+    EXPECT_EQ(centres_and_errors(a.in_float.form), centres_and_errors(b.in_float.form)) << text;
+    EXPECT_EQ(centres_and_errors(a.in_float.ray_form), centres_and_errors(b.in_float.ray_form))
+        << text;
+    EXPECT_EQ(batch.run(a), batch.run(b)) << text;
+}
+
 TEST(Jit, SharesTheCodeOfEqualGraphs) {
     const Kernel first = compiled(parsed("x^2 + y^2 + z^2 - 1.25"), 4);
     const Kernel second = compiled(parsed("x*x + y*y + z*z = 1.25"), 4);
@@ -112,11 +120,7 @@ TEST(Jit, MakesAFunctionWhenItIsCalledWithTheBitsOfThoseMadeAtOnce) {
         EXPECT_FALSE(jit::is_compiled(expr, {}));
         const Kernel at_once = test::compiled(expr, {});
         EXPECT_NE(on_call.in_float.form, at_once.in_float.form);
-        EXPECT_EQ(centres_and_errors(on_call.in_float.form),
-                  centres_and_errors(at_once.in_float.form));
-        EXPECT_EQ(centres_and_errors(on_call.in_float.ray_form),
-                  centres_and_errors(at_once.in_float.ray_form));
-        EXPECT_EQ(batch.run(on_call), batch.run(at_once)) << text;
+        expect_same_bits(on_call, at_once, batch, text);
     }
 }
 
@@ -129,11 +133,7 @@ TEST(Jit, HasTheSameBitsInHaste) {
         const Kernel thorough = test::compiled(expr, {});
         const Kernel hasty = test::compiled(expr, {.hasty = true});
         EXPECT_NE(hasty.in_float.form, thorough.in_float.form);
-        EXPECT_EQ(centres_and_errors(hasty.in_float.form),
-                  centres_and_errors(thorough.in_float.form));
-        EXPECT_EQ(centres_and_errors(hasty.in_float.ray_form),
-                  centres_and_errors(thorough.in_float.ray_form));
-        EXPECT_EQ(batch.run(hasty), batch.run(thorough)) << text;
+        expect_same_bits(hasty, thorough, batch, text);
     }
 }
 

@@ -8,10 +8,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace zeroset::test {
 
@@ -39,6 +42,21 @@ inline Scene patch_scene(const std::array<std::string, 3>& texts, Way way, const
     scene.region = region;
     scene.uniforms.set(0, 0.0);
     return scene;
+}
+
+/// The roots of a function that is quadratic on rays.
+inline std::vector<double> quadratic_roots(const Ray& ray, const std::function<double(double)>& f) {
+    const double middle = 0.5 * (ray.t_in + ray.t_out);
+    const double half = 0.5 * (ray.t_out - ray.t_in);
+    const double before = f(ray.t_in);
+    const double behind = f(ray.t_out);
+    const double c = f(middle);
+    const double a = 0.5 * (before + behind) - c;
+    const double b = 0.5 * (behind - before);
+    const double discriminant = b * b - 4.0 * a * c;
+    if (discriminant < 0.0) return {};
+    const double large = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    return {middle + half * large / a, middle + half * c / large};
 }
 
 }  // namespace zeroset::test

@@ -84,7 +84,7 @@ private:
     };
 
     [[nodiscard]] static std::size_t place_of(double pixel) {
-        // What is no number, too, is put somewhere.
+        // std::max in this order gives 0 for NaN, so that each place has a bin.
         const double at = std::min(std::max(0.0, (pixel + 0.5) / side), across - 1.0);
         return static_cast<std::size_t>(static_cast<int>(at));
     }

@@ -9,9 +9,9 @@
 // So the sum is a constant, a linear and a quadratic form, and a rest of third order; bends of
 // balls that cancel each other do so here, too.
 //
-// What is proved: places and directions are known to an error, `CellReach::off`, by which the cell
-// is taken to be larger; each result is rounded a few times, which `rounding_` bounds by its size.
-// Included once for each instruction set, after Highway.
+// The enclosures are proved as follows: places and directions are known to an error,
+// `CellReach::off`, by which the cell is taken to be larger; each result is rounded a few times,
+// which `rounding_` bounds by its size. Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BALL_FORMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZEROSET_BALL_FORMS_INL
@@ -199,13 +199,14 @@ private:
             *sum = zero();
     }
 
-    /// What is quadratic in the place: its middle, how far it is from that, and its slope by es.
+    /// The terms that are quadratic in the place: their middle, how far they are from it, and their
+    /// slope by es.
     struct Bends {
         Vector middle, error, turn;
     };
     HWY_INLINE Bends bends() const {
         const Vector half = number(0.5);
-        // Of eu es and ev es, rays that part add some.
+        // Rays that part add to the terms in eu es and ev es.
         const Vector tilt = hn::Div(reach_.way_s, reach_.w);
         const Vector round_s = hn::Mul(round_, reach_.way_s);
         const Vector square =

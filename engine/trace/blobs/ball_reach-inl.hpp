@@ -32,7 +32,7 @@ struct CellReach {
     struct Place {
         Vector x, y, z;
     };
-    /// What is known of q on the cell.
+    /// Bounds of q, the square of the way from a ball times its per_square, on the cell.
     struct Squares {
         Vector middle, lo, hi;
         Vector linear_u, linear_v, linear_s;

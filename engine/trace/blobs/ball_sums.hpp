@@ -26,7 +26,7 @@ struct BallForm {
     double slope_lo = 0, slope_hi = 0;  ///< of its slope along the rays
 };
 
-/// What is common to the cells of a tile.
+/// The numbers that the enclosures of all cells of a tile share.
 struct BallForms {
     BlobKind kind;
     double level;

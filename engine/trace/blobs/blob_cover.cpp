@@ -1,6 +1,7 @@
-// What balls make of whole pixels, a bin of pixels at once: for those whose rays have hits, whether
-// one sheet about the hit covers the pixel and nothing is before it; for others, whether all of
-// their rays miss. Pixels of which that is not proved in few cells are left to who looks closer.
+// Proves whole pixels covered or free, a bin of pixels at once: for those whose rays have hits,
+// whether one sheet about the hit covers the pixel and nothing is before it; for others, whether
+// all of their rays miss. Pixels of which that is not proved in few cells are left to who looks
+// closer.
 
 #include "engine/trace/blobs/blob_cover.hpp"
 

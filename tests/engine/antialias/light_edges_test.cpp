@@ -1,7 +1,6 @@
 #include "engine/antialias/mixed_pixels.hpp"
 #include "engine/antialias/seen_sheet.hpp"
-#include "engine/real/rounding.hpp"
-#include "tests/support/rays.hpp"
+#include "tests/support/plane_tile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,21 +16,10 @@
 namespace zeroset::test {
 namespace {
 
-constexpr int side = 16;
-constexpr Tile tile{.col = 0, .row = 0, .cols = side, .rows = side};
-
 /// Planes z = rise x + height below an eye, in a tile of its own.
-class LightEdges : public testing::Test {
+class LightEdges : public PlaneTile {
 protected:
-    LightEdges()
-        : scene_(scene_of("z = 0", Box::cube(1))),
-          view_(Camera{.eye = {0, 0, 4}, .look_at = {0, 0, 0}, .up = {0, 1, 0}, .fov_rad = 0.02}),
-          frame_(trace_frame(scene_, scene_.surfaces.front(), view_,
-                             {.width = side, .height = side}, {})),
-          rays_(frame_, tile),
-          hits_(1) {
-        hits_[0].any = true;
-    }
+    LightEdges() : PlaneTile(0.02) {}
 
     /// The distance of the plane along the ray of a pixel.
     [[nodiscard]] double distance(int col, int row, double rise, double height) const {
@@ -57,12 +45,6 @@ protected:
         return mixed.size();
     }
 
-    UpwardRounding upward_;
-    Scene scene_;
-    ViewFrame view_;
-    TraceFrame frame_;
-    TileRays rays_;
-    std::vector<TileHits> hits_;
     LitTile lit_;
 
 private:

@@ -1,8 +1,7 @@
 #include "engine/antialias/sample_shadows.hpp"
 
 #include "engine/light/shade.hpp"
-#include "engine/real/rounding.hpp"
-#include "tests/support/rays.hpp"
+#include "tests/support/plane_tile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,22 +17,13 @@
 namespace zeroset::test {
 namespace {
 
-constexpr int side = 16;
-constexpr Tile tile{.col = 0, .row = 0, .cols = side, .rows = side};
 constexpr float distance = 4.0F;
 
 /// A sheet that faces the eye, in a tile of its own; pixels of the columns from `shadow` on are
 /// dark.
-class SampleShadows : public testing::Test {
+class SampleShadows : public PlaneTile {
 protected:
-    SampleShadows()
-        : scene_(scene_of("z = 0", Box::cube(1))),
-          view_(Camera{.eye = {0, 0, 4}, .look_at = {0, 0, 0}, .up = {0, 1, 0}, .fov_rad = 0.5}),
-          frame_(trace_frame(scene_, scene_.surfaces.front(), view_,
-                             {.width = side, .height = side}, {})),
-          rays_(frame_, tile),
-          hits_(1) {
-        hits_[0].any = true;
+    SampleShadows() : PlaneTile(0.5) {
         for (int row = 0; row < side; ++row) {
             for (int col = 0; col < side; ++col)
                 put(col, row, distance, {0.0F, 0.0F, 2.0F});
@@ -71,12 +61,6 @@ protected:
                               .gradient = gradient});
     }
 
-    UpwardRounding upward_;
-    Scene scene_;
-    ViewFrame view_;
-    TraceFrame frame_;
-    TileRays rays_;
-    std::vector<TileHits> hits_;
     LitTile lit_;
 };
 

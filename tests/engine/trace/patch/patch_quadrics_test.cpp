@@ -69,27 +69,11 @@ struct Graph {
     }
 };
 
-/// Where a function that is quadratic on a ray is 0.
-template <class Function>
-std::vector<double> quadratic_roots(const Ray& ray, Function f) {
-    const double middle = 0.5 * (ray.t_in + ray.t_out);
-    const double half = 0.5 * (ray.t_out - ray.t_in);
-    const double before = f(ray.at(ray.t_in));
-    const double behind = f(ray.at(ray.t_out));
-    const double c = f(ray.at(middle));
-    const double a = 0.5 * (before + behind) - c;
-    const double b = 0.5 * (behind - before);
-    const double discriminant = b * b - 4.0 * a * c;
-    if (discriminant < 0.0) return {};
-    const double large = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    return {middle + half * large / a, middle + half * c / large};
-}
-
 /// How a ray first meets a graph within what is shown.
 double first_root(const Graph& graph, const Ray& ray) {
     double first = infinity;
     if (!(ray.t_in < ray.t_out)) return first;
-    const auto height = [&](const glm::dvec3& at) { return graph.height(at); };
+    const auto height = [&](double t) { return graph.height(ray.at(t)); };
     for (const double t : quadratic_roots(ray, height)) {
         const glm::dvec2 at = graph.place(ray.at(t));
         const bool is_inside = std::min(at.x, at.y) >= 0.0 && std::max(at.x, at.y) <= 1.0;

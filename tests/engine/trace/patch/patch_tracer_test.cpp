@@ -84,21 +84,6 @@ std::vector<double> sign_changes(const Ray& ray, const std::function<double(doub
     return roots;
 }
 
-/// The roots of a function that is quadratic on rays.
-std::vector<double> quadratic_roots(const Ray& ray, const std::function<double(double)>& f) {
-    const double middle = 0.5 * (ray.t_in + ray.t_out);
-    const double half = 0.5 * (ray.t_out - ray.t_in);
-    const double before = f(ray.t_in);
-    const double behind = f(ray.t_out);
-    const double c = f(middle);
-    const double a = 0.5 * (before + behind) - c;
-    const double b = 0.5 * (behind - before);
-    const double discriminant = b * b - 4.0 * a * c;
-    if (discriminant < 0.0) return {};
-    const double large = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    return {middle + half * large / a, middle + half * c / large};
-}
-
 /// Those of a quadric f(x, y, z) = 0 where |z| < 1.
 std::vector<double> quadric_roots(const Ray& ray, double (*f)(double x, double y, double z)) {
     std::vector<double> roots = quadratic_roots(ray, [&](double t) {
