@@ -51,6 +51,23 @@ HWY_INLINE V<double> meeting_of_tangents(const Places& a, const Places& b) {
     return between(a, length, hn::Div(rise, hn::Mul(hn::Sub(a.slope, b.slope), length)));
 }
 
+/// Whether f is nowhere between two places more than `error` below its value `least`, as it falls at
+/// the first and rises at the second: as smooth functions do, or convex ones.
+HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least, V<double> error) {
+    const V<double> zero = hn::Zero(d<double>);
+    const V<double> length = hn::Sub(b.s, a.s);
+    const V<double> flatter = hn::Min(hn::Neg(a.slope), b.slope);
+    const M<double> flat = hn::Le(hn::Mul(length, flatter), error);
+    // The tangents meet between the places, and above that: a.f - a.slope rise / turn >= lower
+    const V<double> rise = hn::NegMulAdd(b.slope, length, hn::Sub(b.f, a.f));
+    const V<double> turn = hn::Sub(b.slope, a.slope);
+    const M<double> inner =
+        hn::And(hn::Le(rise, zero), hn::Ge(hn::MulAdd(turn, length, rise), zero));
+    const V<double> lower = hn::Sub(least, error);
+    const M<double> above = hn::Ge(hn::Mul(hn::Sub(a.f, lower), turn), hn::Mul(a.slope, rise));
+    return hn::Or(flat, hn::And(inner, above));
+}
+
 /// How far the least f may be off, in parts of it.
 inline constexpr double most_error_of_least = 1.0 / 8192;
 
@@ -86,6 +103,7 @@ private:
     /// The stretches; df/ds is below 0 at the one end, and above at the other one.
     alignas(64) Column lo_s_, lo_f_, lo_slope_, hi_s_, hi_f_, hi_slope_;
     alignas(64) Column near_, far_, sign_, tolerance_, open_;
+    alignas(64) Column kinked_;  ///< f seems to have a kink where it is least
     /// Where f is least so far.
     alignas(64) Column s_, f_, gradient_[3], inner_, by_col_, by_row_;
     alignas(64) Column next_;
@@ -145,6 +163,7 @@ HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std:
     store(lo_slope, lo_slope_ + i);
     store(hi_slope, hi_slope_ + i);
     store(zero, inner_ + i);
+    store(zero, kinked_ + i);
     store(hn::Mul(number(1e-7), hn::Max(hn::Abs(lo), hn::Abs(hi))), tolerance_ + i);
     const M<double> farther = hn::Lt(hi, lo);
     keep_best(i, hn::Not(farther), load(lo_s_ + i), lo, near_gradient);
@@ -155,8 +174,13 @@ HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std:
 }
 
 HWY_INLINE V<double> LeastSearch::choose(std::size_t i, int step) const {
-    return step % 3 == 1 ? meeting_of_tangents(lo_at(i), hi_at(i))
-                         : least_of_cubic(lo_at(i), hi_at(i));
+    const Places lo = lo_at(i);
+    const Places hi = hi_at(i);
+    if (step % 4 == 3) return meeting_of_tangents(lo, hi);
+    const V<double> smooth = least_of_cubic(lo, hi);
+    const M<double> kinked = flags_at(kinked_ + i);
+    if (hn::AllFalse(d<double>, kinked)) return smooth;
+    return hn::IfThenElse(kinked, meeting_of_tangents(lo, hi), smooth);
 }
 
 HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::size_t point) {
@@ -170,6 +194,10 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::
     keep_best(i, better, place.s, place.f, gradient);
     store_in(better, number(1.0), inner_ + i);
     const M<double> falls = hn::Lt(place.slope, hn::Zero(d<double>));
+    // At a smooth least f is flat, at a kink it is not.
+    const V<double> before = hn::IfThenElse(falls, load(lo_slope_ + i), load(hi_slope_ + i));
+    const V<double> steep = hn::Mul(number(0.5), hn::Abs(before));
+    store(flags(hn::Gt(hn::Abs(place.slope), steep)), kinked_ + i);
     const M<double> is_lo = hn::And(falls, open);
     const M<double> is_hi = hn::AndNot(falls, open);
     store_in(is_lo, place.s, lo_s_ + i);
@@ -178,12 +206,11 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::
     store_in(is_hi, place.s, hi_s_ + i);
     store_in(is_hi, place.f, hi_f_ + i);
     store_in(is_hi, place.slope, hi_slope_ + i);
-    const V<double> lower = hn::Mul(hn::Sub(load(hi_s_ + i), load(lo_s_ + i)),
-                                    hn::Min(hn::Neg(load(lo_slope_ + i)), load(hi_slope_ + i)));
     // Near 0 it tells whether there is a root, and how wide a thread is.
-    const V<double> of_least = hn::Mul(number(most_error_of_least), hn::Abs(load(f_ + i)));
-    const M<double> still =
-        hn::AndNot(hn::Le(lower, hn::Max(load(tolerance_ + i), of_least)), open);
+    const V<double> least = load(f_ + i);
+    const V<double> of_least = hn::Mul(number(most_error_of_least), hn::Abs(least));
+    const V<double> error = hn::Max(load(tolerance_ + i), of_least);
+    const M<double> still = hn::AndNot(is_least(lo_at(i), hi_at(i), least, error), open);
     store(flags(still), open_ + i);
     return !hn::AllFalse(d<double>, still);
 }

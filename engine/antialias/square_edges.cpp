@@ -87,10 +87,6 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
         return false;
     }
     const bool all = samples.roots() == square_ray_count;
-    if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
-        field_.leave_plain(square);
-        return false;
-    }
     const bool one_colored = fit && !(front.kinked && is_all_below(samples));
     if (all && is_inside && !one_colored && at.level < last_color_level) {
         creases_.add(square, stretches, samples);

@@ -1,6 +1,7 @@
 #include "engine/antialias/square_walls.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/square_depths.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,8 +76,8 @@ void SquareWalls::narrow() {
             for (std::size_t way = 0; way < 2; ++way)
                 stretches.push_back(SquareField::stretch_of(field_.square(task.square), front,
                                                             task.ways.middle(way)));
-            field_.clip(front, std::span(stretches).last(2));
         }
+        clip_stretches(field_.rays(), stretches);
         find_least(frame_, field_.rays(), stretches, counters_);
         for (std::size_t k = 0; k < stretches.size(); ++k) {
             WallWays& ways = tasks_[k / 2].ways;
