@@ -32,6 +32,8 @@ struct RayStretch {
 
 /// A stretch of each of a square's rays.
 using SquareStretches = std::span<const RayStretch, square_ray_count>;
+/// A stretch of the ray at each of its corners.
+using CornerStretches = std::span<const RayStretch, square_corners.size()>;
 
 /// Fills in what is `out`. In double; in upward rounding, as all here.
 void find_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,

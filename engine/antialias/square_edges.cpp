@@ -1,6 +1,7 @@
 #include "engine/antialias/square_edges.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/square_depths.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,6 +53,13 @@ EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, con
 
 }  // namespace
 
+bool SquareEdges::are_inside(std::span<const std::size_t> squares) const {
+    return std::ranges::all_of(squares, [&](std::size_t square) {
+        const Front& front = field_.fronts(square)[surface_];
+        return front.is_inside(front.at, front.to);
+    });
+}
+
 bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
     if (!field_.fronts(square)[surface_].continuous || !stretch.has_root()) return pass(square);
     drafts_.add(field_.square(square), square_middle, 1.0, stretch.from, stretch.at,
@@ -59,7 +67,7 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
     return false;
 }
 
-bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
+bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStretches corners) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
     const EdgeSamples samples = samples_of(stretches, at, front);
@@ -72,7 +80,7 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches) {
         if (signs == Signs::Kept) return pass(square);
         if (signs == Signs::Changed && !fit && samples.roots() == square_ray_count)
             fit = all_of_square;
-        switch (walls_.add(square, stretches, fit)) {
+        switch (walls_.add(square, stretches, corners, fit)) {
             case SquareWalls::Choice::None: break;
             case SquareWalls::Choice::Sought: return false;
             case SquareWalls::Choice::Outside: return pass(square);
@@ -169,35 +177,49 @@ bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
     return false;
 }
 
-void SquareEdges::decide_some(std::span<const std::size_t> squares, bool are_rays,
-                              std::vector<std::size_t>& open) {
-    const std::size_t count = are_rays ? 1 : square_ray_count;
-    const auto stretches = std::span(stretches_).first(count * squares.size());
-    for (std::size_t k = 0; k < squares.size(); ++k) {
-        const Front& front = field_.fronts(squares[k])[surface_];
-        const CoverSquare& square = field_.square(squares[k]);
-        const auto of_square = stretches.subspan(k * count, count);
-        for (std::size_t i = 0; i < count; ++i)
-            SquareField::set_stretch(square, front, square_rays[i], of_square[i]);
-        field_.clip(front, of_square);
+void SquareEdges::set_stretches(std::span<const std::size_t> squares,
+                                std::span<const SquareRay> places,
+                                std::span<RayStretch> stretches) const {
+    std::size_t count = 0;
+    for (const std::size_t square : squares) {
+        const Front& front = field_.fronts(square)[surface_];
+        for (const SquareRay& place : places)
+            SquareField::set_stretch(field_.square(square), front, place, stretches[count++]);
     }
+    if (!are_inside(squares)) clip_stretches(field_.rays(), stretches.first(count));
+}
+
+void SquareEdges::decide_squares(std::span<const std::size_t> squares,
+                                 std::vector<std::size_t>& open) {
+    const auto stretches = std::span(stretches_).first(square_ray_count * squares.size());
+    set_stretches(squares, square_rays, stretches);
+    if (!are_inside(squares)) set_stretches(squares, square_corners, corners_);
     find_least(frame_, field_.rays(), stretches, counters_);
     for (std::size_t k = 0; k < squares.size(); ++k) {
-        const std::span<const RayStretch> of_square = stretches.subspan(k * count, count);
-        const bool goes_on =
-            are_rays ? take_ray(squares[k], of_square.front())
-                     : take(squares[k], SquareStretches(of_square.first<square_ray_count>()));
-        if (goes_on) open.push_back(squares[k]);
+        const auto of_square = stretches.subspan(square_ray_count * k).first<square_ray_count>();
+        const auto corners = std::span(corners_).subspan(square_corners.size() * k);
+        if (take(squares[k], of_square, corners.first<square_corners.size()>()))
+            open.push_back(squares[k]);
+    }
+}
+
+void SquareEdges::decide_rays(std::span<const std::size_t> squares,
+                              std::vector<std::size_t>& open) {
+    const auto stretches = std::span(stretches_).first(squares.size());
+    set_stretches(squares, {&square_middle, 1}, stretches);
+    find_least(frame_, field_.rays(), stretches, counters_);
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+        if (take_ray(squares[k], stretches[k])) open.push_back(squares[k]);
     }
 }
 
 void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open) {
     const bool are_rays = !squares.empty() && field_.square(squares.front()).is_ray();
-    const std::size_t most = are_rays ? most_rays : most_rays / square_ray_count;
     while (!squares.empty()) {
-        const std::size_t count = std::min(most, squares.size());
-        decide_some(squares.first(count), are_rays, open);
-        squares = squares.subspan(count);
+        const auto some =
+            squares.first(std::min(are_rays ? most_rays : most_squares, squares.size()));
+        are_rays ? decide_rays(some, open) : decide_squares(some, open);
+        squares = squares.subspan(some.size());
     }
     walls_.decide();
     creases_.decide();

@@ -37,11 +37,18 @@ public:
 private:
     /// So many rays at once: what is known of them stays near.
     static constexpr std::size_t most_rays = 128;
+    static constexpr std::size_t most_squares = most_rays / square_ray_count;
 
-    void decide_some(std::span<const std::size_t> squares, bool are_rays,
-                     std::vector<std::size_t>& open);
+    void decide_squares(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
+    void decide_rays(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
+    /// Whether all rays of these squares are within the clip region where they are open.
+    [[nodiscard]] bool are_inside(std::span<const std::size_t> squares) const;
+    /// Sets the stretches that the fronts leave open of the rays through some places of squares,
+    /// where they are within the clip region.
+    void set_stretches(std::span<const std::size_t> squares, std::span<const SquareRay> places,
+                       std::span<RayStretch> stretches) const;
     /// Whether the search of the square goes on behind the edge.
-    bool take(std::size_t square, SquareStretches stretches);
+    bool take(std::size_t square, SquareStretches stretches, CornerStretches corners);
     bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
                    const LinearOnSquare& fit);
     bool take_thread(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
@@ -62,6 +69,7 @@ private:
     SquareCreases creases_;
     SquareWalls walls_;
     std::array<RayStretch, most_rays> stretches_;
+    std::array<RayStretch, most_squares * square_corners.size()> corners_;
 };
 
 }  // namespace zeroset

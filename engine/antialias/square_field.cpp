@@ -53,10 +53,6 @@ void SquareField::begin_part(const CoverSquare& square, Front& front) const {
     if (!(front.at < front.end)) front.state = Front::State::Gone;
 }
 
-void SquareField::clip(const Front& front, std::span<RayStretch> stretches) const {
-    if (!front.is_inside(front.at, front.to)) clip_stretches(rays_, stretches);
-}
-
 double SquareField::hit_depth(const MixedPixel& pixel) const {
     const double u = rays_.u(pixel.pixel % tile_size);
     const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));

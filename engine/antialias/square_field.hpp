@@ -63,9 +63,6 @@ public:
         stretch.from = front.at;
         stretch.to = front.to;
     }
-    /// Shortens such stretches to what is in the clip region; outside of it they are empty.
-    void clip(const Front& front, std::span<RayStretch> stretches) const;
-
     /// Makes room for so many pixels.
     void reserve(std::size_t pixels) {
         squares_.reserve(pixels);

@@ -28,18 +28,13 @@ std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
 
 }  // namespace
 
-auto SquareWalls::add(std::size_t square, SquareStretches stretches,
+auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStretches corners,
                       const std::optional<LinearOnSquare>& fit) -> Choice {
     const Front& front = field_.fronts(square)[surface_];
     std::array<bool, square_corners.size()> outside_at{};
     std::size_t outside_count = 0;
     for (const RayStretch& stretch : stretches)
         outside_count += stretch.is_empty() ? 1U : 0U;
-    const CoverSquare& at = field_.square(square);
-    std::array<RayStretch, square_corners.size()> corners{};
-    for (std::size_t i = 0; i < square_corners.size(); ++i)
-        corners[i] = SquareField::stretch_of(at, front, square_corners[i]);
-    field_.clip(front, corners);
     const auto sheet = fit && front.at < front.inside_from ? sheet_of(stretches) : std::nullopt;
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
         outside_at[i] = corners[i].is_empty();
@@ -49,41 +44,60 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches,
         outside_count += outside_at[i] ? 1U : 0U;
     }
     if (outside_count == 0) return Choice::None;
-    const bool outside = outside_count == square_ray_count + square_corners.size();
-    if (outside && at.level >= first_flat_level) return Choice::Outside;
+    const bool outside = outside_count == most_wall_places;
+    if (outside && field_.square(square).level >= first_flat_level) return Choice::Outside;
     WallPlaces places;
     for (std::size_t i = 0; i < square_ray_count; ++i)
-        places.push({.at = square_rays[i], .hit = stretches[i].has_root()});
+        places.push({.at = square_rays[i], .hit = stretches[i].has_root(), .ray = i});
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
         const SquareRay& corner = square_corners[i];
         if (outside_at[i] || fit)
-            places.push({.at = corner, .hit = !outside_at[i] && fit->at(corner) <= 0.0});
+            places.push({.at = corner,
+                         .hit = !outside_at[i] && fit->at(corner) <= 0.0,
+                         .ray = square_ray_count + i});
     }
     const auto ways = wall_between(places.all());
     if (!ways) return Choice::None;
-    tasks_.push_back({.square = square, .stretches = {}, .places = places, .ways = *ways});
-    std::ranges::copy(stretches, tasks_.back().stretches.begin());
+    Task& task = tasks_.emplace_back();
+    task.square = square;
+    task.places = places;
+    std::ranges::copy(stretches, task.stretches.begin());
+    const auto ray_of = [&](const WallPlace& place) {
+        const bool is_corner = place.ray >= square_ray_count;
+        return is_corner ? WallRay(corners[place.ray - square_ray_count], false)
+                         : WallRay(stretches[place.ray], true);
+    };
+    for (std::size_t i = 0; i < task.ways.size(); ++i) {
+        const WallPlace& hit = ways->hit[i];
+        const WallPlace& miss = ways->miss[i];
+        task.ways[i] = WallWay(hit.at, ray_of(hit), miss.at, ray_of(miss));
+    }
     return Choice::Sought;
 }
 
 void SquareWalls::narrow() {
-    constexpr int halvings = 9;
+    struct Open {
+        const Task* task;
+        WallWay* way;
+    };
+    std::vector<Open> open;
+    for (Task& task : tasks_) {
+        for (WallWay& way : task.ways)
+            open.push_back({.task = &task, .way = &way});
+    }
     std::vector<RayStretch> stretches;
-    for (int i = 0; i < halvings; ++i) {
+    while (!open.empty() && !frame_.stopped()) {
         stretches.clear();
-        for (const Task& task : tasks_) {
-            const Front& front = field_.fronts(task.square)[surface_];
-            for (std::size_t way = 0; way < 2; ++way)
-                stretches.push_back(SquareField::stretch_of(field_.square(task.square), front,
-                                                            task.ways.middle(way)));
+        for (const Open& at : open) {
+            const std::size_t square = at.task->square;
+            stretches.push_back(SquareField::stretch_of(
+                field_.square(square), field_.fronts(square)[surface_], at.way->next()));
         }
         clip_stretches(field_.rays(), stretches);
         find_least(frame_, field_.rays(), stretches, counters_);
-        for (std::size_t k = 0; k < stretches.size(); ++k) {
-            WallWays& ways = tasks_[k / 2].ways;
-            const SquareRay middle = ways.middle(k % 2);
-            (stretches[k].has_root() ? ways.hit : ways.miss)[k % 2] = middle;
-        }
+        for (std::size_t i = 0; i < open.size(); ++i)
+            open[i].way->take(stretches[i]);
+        std::erase_if(open, [](const Open& at) { return at.way->is_done(); });
     }
 }
 
@@ -106,7 +120,7 @@ void SquareWalls::decide() {
     if (tasks_.empty()) return;
     narrow();
     for (const Task& task : tasks_) {
-        const auto line = line_of_wall(task.places.all(), task.ways);
+        const auto line = line_of_wall(task.places.all(), task.ways[0].wall(), task.ways[1].wall());
         if (line) {
             show(task, *line);
         } else if (field_.square(task.square).level < last_wall_level) {

@@ -15,7 +15,7 @@
 namespace zeroset {
 
 /// Squares that a wall of the clip region may cut: where rays run along the wall, its line in the
-/// square is sought by halving.
+/// square is sought.
 class SquareWalls {
 public:
     SquareWalls(const TraceFrame& frame, std::size_t surface, SquareField& field,
@@ -24,8 +24,9 @@ public:
 
     /// Whether a wall is sought in a square, or the square is outside of the clip region.
     enum class Choice : std::uint8_t { None, Sought, Outside };
-    /// `fit`: the edge without the wall, where it is known.
-    Choice add(std::size_t square, SquareStretches stretches,
+    /// `corners`: the stretches of these rays within the clip region; `fit`: the edge without the
+    /// wall, where it is known.
+    Choice add(std::size_t square, SquareStretches stretches, CornerStretches corners,
                const std::optional<LinearOnSquare>& fit);
     /// Decides the squares that were added, or divides them.
     void decide();
@@ -44,9 +45,9 @@ private:
         std::size_t square;
         std::array<RayStretch, square_ray_count> stretches;
         WallPlaces places;
-        WallWays ways;
+        std::array<WallWay, 2> ways;
     };
-    /// Halves the ways of all tasks until they are short.
+    /// Searches the ways of all tasks.
     void narrow();
     void show(const Task& task, const LinearOnSquare& line);
 

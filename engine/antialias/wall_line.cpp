@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace zeroset {
@@ -16,9 +17,49 @@ double square_of_length(const SquareRay& a, const SquareRay& b) {
 
 }  // namespace
 
+bool WallRay::heights(const WallRay& miss, double& here, double& there) const {
+    const bool outside = miss.length_ < 0.0;
+    if (outside) {
+        here = -length_;
+        there = -miss.length_;
+        return here < 0.0;
+    }
+    if (!has_f_ || !miss.has_f_) return false;
+    const auto differ = [](double a, double b) { return (a >= 0.0) != (b >= 0.0); };
+    const bool at_entry = differ(near_, miss.near_);
+    if (at_entry == differ(far_, miss.far_)) return false;
+    const double at_hit = at_entry ? near_ : far_;
+    const double at_miss = at_entry ? miss.near_ : miss.far_;
+    here = -std::abs(at_hit);
+    there = std::abs(at_miss);
+    return std::isfinite(here) && std::isfinite(there) && there - here > 0.0;
+}
+
+double WallWay::choose() const {
+    const double length = miss_at_ - hit_at_;
+    const double middle = hit_at_ + 0.5 * length;
+    // Halves, too, so that the way is soon short whatever heights tell.
+    if (steps_ % 3 == 2) return middle;
+    double here = 0.0;
+    double there = 0.0;
+    if (!hit_.heights(miss_, here, there)) return middle;
+    const double wall = hit_at_ + length * (here / (here - there));
+    const double aside = last_hit_ || steps_ == 0 ? 0.45 * error : -0.45 * error;
+    const double least = std::min(0.5 * error, 0.5 * length);
+    return std::clamp(wall + aside, hit_at_ + least, miss_at_ - least);
+}
+
+void WallWay::take(const RayStretch& ray) {
+    ++steps_;
+    last_hit_ = ray.has_root();
+    (last_hit_ ? hit_at_ : miss_at_) = next_;
+    (last_hit_ ? hit_ : miss_) = WallRay(ray, true);
+}
+
 std::optional<WallWays> wall_between(std::span<const WallPlace> places) {
     struct Way {
-        SquareRay hit, miss, middle;
+        const WallPlace *hit, *miss;
+        SquareRay middle;
     };
     std::array<Way, most_wall_places * most_wall_places / 4> ways;
     std::size_t count = 0;
@@ -26,8 +67,8 @@ std::optional<WallWays> wall_between(std::span<const WallPlace> places) {
         for (const WallPlace& to : places) {
             if (!from.hit || to.hit) continue;
             ways[count++] = {
-                .hit = from.at,
-                .miss = to.at,
+                .hit = &from,
+                .miss = &to,
                 .middle = {.x = 0.5 * (from.at.x + to.at.x), .y = 0.5 * (from.at.y + to.at.y)}};
         }
     }
@@ -43,14 +84,12 @@ std::optional<WallWays> wall_between(std::span<const WallPlace> places) {
         }
     }
     if (!(farthest > 0.0)) return std::nullopt;
-    return WallWays{.hit = {ways[best[0]].hit, ways[best[1]].hit},
-                    .miss = {ways[best[0]].miss, ways[best[1]].miss}};
+    return WallWays{.hit = {*ways[best[0]].hit, *ways[best[1]].hit},
+                    .miss = {*ways[best[0]].miss, *ways[best[1]].miss}};
 }
 
-std::optional<LinearOnSquare> line_of_wall(std::span<const WallPlace> places,
-                                           const WallWays& ways) {
-    const SquareRay a = ways.middle(0);
-    const SquareRay b = ways.middle(1);
+std::optional<LinearOnSquare> line_of_wall(std::span<const WallPlace> places, const SquareRay& a,
+                                           const SquareRay& b) {
     if (!(square_of_length(a, b) > least_length * least_length)) return std::nullopt;
     LinearOnSquare line{.value = 0.0, .by_x = a.y - b.y, .by_y = b.x - a.x};
     line.value = -line.at(a);
