@@ -148,8 +148,10 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     workspace.samples.clear();
     const auto hits = std::span(workspace.hits).first(surfaces_.size());
     find_mixed(tile, workspace.lit.layers(), hits, workspace.mixed);
-    add_light_edges(tile, TileRays(surfaces_.front(), tile), workspace.lit.layers(), hits,
-                    light_.shows_contrasts(), workspace.mixed);
+    const bool any_dark = std::ranges::any_of(workspace.lit.layers(), &LitLayer::any_dark);
+    if (any_dark || light_.shows_contrasts())
+        add_light_edges(tile, TileRays(surfaces_.front(), tile), workspace.lit.layers(), hits,
+                        light_.shows_contrasts(), workspace.mixed);
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());
