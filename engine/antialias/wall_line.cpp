@@ -39,10 +39,12 @@ double WallWay::choose() const {
     const double length = miss_at_ - hit_at_;
     const double middle = hit_at_ + 0.5 * length;
     // Halves, too, so that the way is soon short whatever heights tell.
-    if (steps_ % 3 == 2) return middle;
+    if (steps_ % 4 == 3) return middle;
     double here = 0.0;
     double there = 0.0;
     if (!hit_.heights(miss_, here, there)) return middle;
+    // The end that stood still counts less, as in the Illinois method.
+    if (same_side_ > 1) (last_hit_ ? there : here) *= 0.5;
     const double wall = hit_at_ + length * (here / (here - there));
     const double aside = last_hit_ || steps_ == 0 ? 0.45 * error : -0.45 * error;
     const double least = std::min(0.5 * error, 0.5 * length);
@@ -51,6 +53,7 @@ double WallWay::choose() const {
 
 void WallWay::take(const RayStretch& ray) {
     ++steps_;
+    same_side_ = ray.has_root() == last_hit_ ? same_side_ + 1 : 1;
     last_hit_ = ray.has_root();
     (last_hit_ ? hit_at_ : miss_at_) = next_;
     (last_hit_ ? hit_ : miss_) = WallRay(ray, true);

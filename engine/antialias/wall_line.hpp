@@ -62,7 +62,7 @@ public:
 private:
     /// How well the wall is known, in parts of the way.
     static constexpr double error = 1.0 / 512;
-    static constexpr int most_steps = 18;
+    static constexpr int most_steps = 36;
 
     [[nodiscard]] SquareRay place_at(double part) const {
         return {.x = from_.x + part * (to_.x - from_.x), .y = from_.y + part * (to_.y - from_.y)};
@@ -73,6 +73,7 @@ private:
     double hit_at_ = 0.0, miss_at_ = 1.0, next_ = 0.0;  ///< in parts of the way
     WallRay hit_, miss_;                                ///< the rays there
     bool last_hit_ = false;                             ///< the ray taken last
+    int same_side_ = 0;                                 ///< so many rays in a row were like it
     int steps_ = 0;
 };
 
