@@ -41,18 +41,6 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
         .pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit, .to = last};
 }
 
-/// Hits of a layer that the key light reaches.
-TileBits lit_hits(const LitLayer& layer, const Tile& tile) {
-    TileBits lit{};
-    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
-        for (std::uint64_t bits = layer.hit_rows[row]; bits != 0; bits &= bits - 1) {
-            const auto col = static_cast<std::size_t>(std::countr_zero(bits));
-            if (layer.key_light[row * tile_size + col] > 0.0F) lit[row] |= std::uint64_t{1} << col;
-        }
-    }
-    return lit;
-}
-
 /// Whether the lights of two hits look different: by more than this part of the brightest.
 bool look_different(const LitLayer& layer, std::size_t a, std::size_t b, float least) {
     const auto shown = [&](std::size_t at, int channel) {
@@ -90,8 +78,8 @@ bool are_of_one_sheet(const TileRays& rays, const TileHits& hits, std::size_t a,
 void add_shadow_edges(const LitLayer& layer, const Tile& tile, const TileRays& rays,
                       TileBits& edges) {
     constexpr float least = 0.02F;
-    const TileBits lit = lit_hits(layer, tile);
     const TileBits& hits = layer.hit_rows;
+    const TileBits& dark = layer.dark_rows;
     const auto add_pairs = [&](std::uint64_t differ, std::size_t row, std::size_t by_row,
                                std::size_t by_col) {
         for (; differ != 0; differ &= differ - 1) {
@@ -105,9 +93,9 @@ void add_shadow_edges(const LitLayer& layer, const Tile& tile, const TileRays& r
         }
     };
     for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
-        add_pairs((lit[row] ^ lit[row] >> 1U) & hits[row] & hits[row] >> 1U, row, 0, 1);
+        add_pairs((dark[row] ^ dark[row] >> 1U) & hits[row] & hits[row] >> 1U, row, 0, 1);
         if (row + 1 < static_cast<std::size_t>(tile.rows))
-            add_pairs((lit[row] ^ lit[row + 1]) & hits[row] & hits[row + 1], row, 1, 0);
+            add_pairs((dark[row] ^ dark[row + 1]) & hits[row] & hits[row + 1], row, 1, 0);
     }
 }
 

@@ -1,12 +1,9 @@
 #include "engine/light/lit_tile.hpp"
 
-#include <algorithm>
-
 namespace zeroset {
 
 LitLayer::LitLayer() {
     constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
-    key_light.resize(pixels, 1.0F);
     light.resize(3 * pixels);
 }
 
@@ -18,7 +15,7 @@ void LitTile::begin(std::span<const TileHits> hits) {
         LitLayer& layer = room_[count_++];
         layer.surface = static_cast<std::uint8_t>(i);
         layer.hits = &hits[i];
-        if (layer.any_dark) std::ranges::fill(layer.key_light, 1.0F);
+        layer.dark_rows = {};
         layer.any_dark = false;
         layer.cover.clear();
         for (std::vector<float>& channel : layer.reflectance)

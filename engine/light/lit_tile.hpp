@@ -36,8 +36,8 @@ struct ShadowBits {
 struct LitLayer {
     std::uint8_t surface = 0;        ///< index in the scene
     const TileHits* hits = nullptr;  ///< of the surface; there is one at least
-    std::vector<float> key_light;    ///< whether the key light reaches a hit: 0 or 1
-    bool any_dark = false;           ///< else `key_light` is 1 everywhere
+    TileBits dark_rows{};            ///< hits that the key light does not reach
+    bool any_dark = false;           ///< else there are none
     /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
     /// surfaces; else empty.
     std::array<std::vector<float>, 3> reflectance;

@@ -100,6 +100,7 @@ void illuminate_row(const RayDirections& rays, const Shading& shading, int row, 
                     const LitLayer& layer, RowLight& light) {
     const TileHits& hits = *layer.hits;
     const RowDirections directions(rays, row);
+    const RowBits dark = layer.dark_rows[static_cast<std::size_t>(row)];
     for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
         const RowBits bits = bits_at(hit, col);
         if (bits == 0) continue;
@@ -110,9 +111,9 @@ void illuminate_row(const RayDirections& rays, const Shading& shading, int row, 
                                .gradient = {.x = hn::LoadU(d<float>, &hits.gradient[0][at]),
                                             .y = hn::LoadU(d<float>, &hits.gradient[1][at]),
                                             .z = hn::LoadU(d<float>, &hits.gradient[2][at])},
-                               .key_light = layer.any_dark
-                                                ? hn::LoadU(d<float>, &layer.key_light[at])
-                                                : hn::Set(d<float>, 1.0F),
+                               .key_light = hn::IfThenZeroElse(
+                                   mask_of(d<float>, static_cast<LaneBits>(bits_at(dark, col))),
+                                   hn::Set(d<float>, 1.0F)),
                                .is_hit = mask_of(d<float>, static_cast<LaneBits>(bits))};
         illuminate(shading, vector, col, light);
     }

@@ -273,9 +273,10 @@ void darken(const TileBits& dark, std::span<LitLayer> layers) {
         for (std::size_t row = 0; row < tile_size; ++row) {
             for (std::uint64_t bits = dark[row]; bits != 0; bits &= bits - 1) {
                 const auto col = static_cast<std::size_t>(std::countr_zero(bits));
-                const std::size_t pixel = row * tile_size + col;
-                if (!(layer.hits->depth[pixel] < std::numeric_limits<float>::infinity())) continue;
-                layer.key_light[pixel] = 0.0F;
+                if (!(layer.hits->depth[row * tile_size + col] <
+                      std::numeric_limits<float>::infinity()))
+                    continue;
+                layer.dark_rows[row] |= bits & (~bits + 1);
                 layer.any_dark = true;
             }
         }

@@ -52,7 +52,7 @@ private:
         const auto at = static_cast<std::size_t>(row * tile_size + col);
         hits_[0].depth[at] = static_cast<float>(distance(col, row, 0.0, height));
         hits_[0].gradient[2][at] = 1.0F;
-        layer.key_light[at] = is_dark ? 0.0F : 1.0F;
+        if (is_dark) layer.dark_rows[static_cast<std::size_t>(row)] |= std::uint64_t{1} << col;
         layer.hit_rows[static_cast<std::size_t>(row)] |= std::uint64_t{1} << col;
         for (int channel = 0; channel < 3; ++channel)
             layer.light_row(row, channel)[col] = is_dark ? 0.1F : 0.5F;

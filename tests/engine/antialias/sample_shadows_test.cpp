@@ -45,9 +45,10 @@ protected:
             layer.hit_rows[static_cast<std::size_t>(r)] = 0;
             for (int c = 0; c < side; ++c) {
                 const auto at = static_cast<std::size_t>(r * tile_size + c);
-                layer.key_light[at] = c < first_dark ? 1.0F : 0.0F;
+                const std::uint64_t bit = std::uint64_t{1} << c;
+                if (c >= first_dark) layer.dark_rows[static_cast<std::size_t>(r)] |= bit;
                 if (hits_[0].depth[at] < std::numeric_limits<float>::infinity())
-                    layer.hit_rows[static_cast<std::size_t>(r)] |= std::uint64_t{1} << c;
+                    layer.hit_rows[static_cast<std::size_t>(r)] |= bit;
             }
         }
         return shadow_around(layer, tile, rays_, key_light(view_),
