@@ -42,6 +42,8 @@ private:
     };
 
     [[nodiscard]] Choice choose(std::size_t square);
+    /// The next step where there is one surface.
+    [[nodiscard]] Step choose_only(std::size_t square, const Front& front);
     /// The next step where the front of a surface ends before any other begins.
     [[nodiscard]] Step choose_at(std::size_t square, std::size_t surface);
     void sort_work();
@@ -64,6 +66,7 @@ CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& r
 
 auto CoverSearch::choose(std::size_t square) -> Choice {
     const std::span<Front> fronts = field_.fronts(square);
+    if (fronts.size() == 1) return {.step = choose_only(square, fronts.front()), .surface = 0};
     std::size_t first = fronts.size();
     for (std::size_t i = 0; i < fronts.size(); ++i) {
         if (fronts[i].state == State::Gone) continue;
@@ -78,25 +81,35 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
         if (i == first || fronts[i].state == State::Gone || fronts[i].free_to() >= front.to)
             continue;
         if (fronts[i].state == State::Going) return {.step = Step::Evaluate, .surface = i};
-        if (at.rest || (!at.is_ray() && at.level < last_level))
+        if (at.rest != nullptr || (!at.is_ray() && at.level < last_level))
             return {.step = Step::Divide, .surface = i};
     }
     return {.step = choose_at(square, first), .surface = first};
+}
+
+auto CoverSearch::choose_only(std::size_t square, const Front& front) -> Step {
+    switch (front.state) {
+        case State::Going: return Step::Evaluate;
+        case State::Gone: return Step::Close;
+        case State::Rooted:
+        case State::Edged: break;
+    }
+    return choose_at(square, 0);
 }
 
 auto CoverSearch::choose_at(std::size_t square, std::size_t surface) -> Step {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface];
     if (!at.is_ray() && at.level < at.least_level) {
-        const bool is_sheet =
-            front.state == State::Rooted && front.monotone && !front.is_uneven() && !at.rest;
+        const bool is_sheet = front.state == State::Rooted && front.monotone &&
+                              !front.is_uneven() && at.rest == nullptr;
         if (!is_sheet) return Step::Divide;
         work_[surface].drafts.add_parts(at, front);
         return Step::Close;
     }
     const bool holds_hit = field_.is_hit_between(square, front.at, front.to);
     if (front.state == State::Edged) {
-        if (at.rest) return Step::Divide;
+        if (at.rest != nullptr) return Step::Divide;
         const bool is_inside = front.continuous && front.is_inside(front.at, front.to);
         if (!(front.calm && is_inside && holds_hit)) return Step::Edge;
         // All around hits this sheet, too, and looks like it.
@@ -104,7 +117,7 @@ auto CoverSearch::choose_at(std::size_t square, std::size_t surface) -> Step {
         return Step::Close;
     }
     if (front.is_uneven()) {
-        if (at.rest) return Step::Divide;
+        if (at.rest != nullptr) return Step::Divide;
         if (!at.is_ray() && at.level < last_color_level) return Step::Crease;
     }
     if (holds_hit) {
@@ -150,6 +163,7 @@ void CoverSearch::finish_level() {
 
 void CoverSearch::search(std::span<MixedPixel> pixels, std::vector<CoverSample>& out) {
     field_.reserve(pixels.size());
+    open_.reserve(pixels.size());
     work_.front().drafts.reserve(pixels.size());
     for (MixedPixel& pixel : pixels) {
         if (pixel.is_sheet()) {

@@ -5,7 +5,7 @@
 #include "engine/antialias/square_rays.hpp"
 
 #include <cstdint>
-#include <optional>
+#include <limits>
 
 namespace zeroset {
 
@@ -27,13 +27,18 @@ struct CoverSquare {
     double col = 0.0, row = 0.0;   ///< of the middle, in pixels from the pixel's middle, downwards
     double side = 1.0;             ///< in pixels; 0: a ray
     double area = 1.0;             ///< of the part that it stands for, in pixels
-    std::optional<SquareRest> rest = std::nullopt;  ///< else all of it is wanted
-    MixedPixel* whole = nullptr;                    ///< the pixel, if this is all of it
+    const SquareRest* rest = nullptr;  ///< else all of it is wanted
+    MixedPixel* whole = nullptr;       ///< the pixel, if this is all of it
+    /// The depth of the hit of the pixel's own ray, if this is all of the pixel; +inf: there is
+    /// none.
+    double hit = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] bool is_ray() const { return side == 0.0; }
     /// The part that is wanted: its share, and a place that stands for it.
-    [[nodiscard]] double share() const { return rest ? rest->share : 1.0; }
-    [[nodiscard]] SquareRay middle() const { return rest ? rest->middle() : square_middle; }
+    [[nodiscard]] double share() const { return rest != nullptr ? rest->share : 1.0; }
+    [[nodiscard]] SquareRay middle() const {
+        return rest != nullptr ? rest->middle() : square_middle;
+    }
     /// A place of the square, as `col` and `row`.
     [[nodiscard]] double col_of(const SquareRay& place) const { return col + 0.5 * side * place.x; }
     [[nodiscard]] double row_of(const SquareRay& place) const { return row + 0.5 * side * place.y; }

@@ -11,27 +11,26 @@
 namespace zeroset {
 
 /// Some fronts as columns, to be taken on many at a time. Plain data, nothing of it set at first.
+/// Depths are rounded outward: less is free, and more wanted. In upward rounding.
+template <class Real>
 struct FrontBlock {
     static constexpr std::size_t room = 128;
     static_assert(room % batch_multiple == 0);
-    using Numbers = std::array<double, room>;
+    using Numbers = std::array<Real, room>;
 
     alignas(64) Numbers at, to, end, step, open_from, inside_from, inside_to, turn;
-    alignas(64) std::array<std::uint64_t, room> marks;  ///< FrontMarks
+    alignas(64) std::array<ContinuityMask<Real>, room> marks;  ///< FrontMarks
 
     void load(std::size_t i, const Front& front) {
-        at[i] = front.at;
-        to[i] = front.to;
-        end[i] = front.end;
-        step[i] = front.step;
-        open_from[i] = front.open_from;
-        inside_from[i] = front.inside_from;
-        inside_to[i] = front.inside_to;
-        turn[i] = front.turn;
-        marks[i] = std::bit_cast<std::uint64_t>(static_cast<const FrontMarks&>(front));
-    }
-    [[nodiscard]] bool is_going(std::size_t i) const {
-        return std::bit_cast<FrontMarks>(marks[i]).state == FrontMarks::State::Going;
+        at[i] = below(front.at);
+        to[i] = above(front.to);
+        end[i] = above(front.end);
+        step[i] = above(front.step);
+        open_from[i] = below(front.open_from);
+        inside_from[i] = above(front.inside_from);
+        inside_to[i] = below(front.inside_to);
+        turn[i] = static_cast<Real>(front.turn);
+        marks[i] = std::bit_cast<std::uint32_t>(static_cast<const FrontMarks&>(front));
     }
     /// Puts a front in the place of another one.
     void copy(std::size_t from, std::size_t to_place) {
@@ -42,13 +41,18 @@ struct FrontBlock {
     }
     /// Writes to the front what a step may have changed: all but where its rays are inside.
     void store(std::size_t i, Front& front) const {
-        front.at = at[i];
-        front.to = to[i];
-        front.step = step[i];
-        front.open_from = open_from[i];
-        front.turn = turn[i];
-        static_cast<FrontMarks&>(front) = std::bit_cast<FrontMarks>(marks[i]);
+        front.at = static_cast<double>(at[i]);
+        front.to = static_cast<double>(to[i]);
+        front.step = static_cast<double>(step[i]);
+        front.open_from = static_cast<double>(open_from[i]);
+        front.turn = static_cast<float>(turn[i]);
+        static_cast<FrontMarks&>(front) =
+            std::bit_cast<FrontMarks>(static_cast<std::uint32_t>(marks[i]));
     }
+
+private:
+    static Real above(double depth) { return static_cast<Real>(depth); }
+    static Real below(double depth) { return -static_cast<Real>(-depth); }
 };
 
 }  // namespace zeroset

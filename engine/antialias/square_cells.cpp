@@ -31,15 +31,16 @@ public:
           surface_(surface),
           field_(field),
           rays_(field.rays()),
-          margin_(std::max(field.width_of(cell_margin, 0.0), 2.0 * rays_.depth_error())) {}
+          margin_(upper_end(
+              Real{}, std::max(field.width_of(cell_margin, 0.0), 2.0 * rays_.depth_error()))) {}
 
     /// `to_end`: until no front goes on; else by one cell each.
     void advance(std::span<const std::size_t> squares, bool to_end, Counters& counters);
 
 private:
-    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules& rules);
+    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules<Real>& rules);
     [[nodiscard]] FrustumOf<Real> frustum_of(const CoverSquare& square) const;
-    [[nodiscard]] FrontRules rules_of(const CoverSquare& square) const;
+    [[nodiscard]] FrontRules<Real> rules_of(const CoverSquare& square) const;
     void load(std::size_t i, std::size_t square);
     void store(std::size_t i) const { fronts_.store(i, field_.fronts(squares_[i])[surface_]); }
     /// Repeats the last one of `count` fronts up to whole batches; returns how many these are.
@@ -53,19 +54,20 @@ private:
     /// Sets the next cells.
     void place_cells(std::size_t size);
     /// Takes the fronts on by the forms of these cells.
-    void take_cells(const FrontRules& rules, std::size_t size);
-    [[nodiscard]] HWY_INLINE CellVerdict verdict_at(const FrontRules& rules, std::size_t i) const;
+    void take_cells(const FrontRules<Real>& rules, std::size_t size);
+    [[nodiscard]] HWY_INLINE CellVerdict<Real> verdict_at(const FrontRules<Real>& rules,
+                                                          std::size_t i) const;
 
     const TraceFrame& frame_;
     std::size_t surface_;
     SquareField& field_;
     const TileRays& rays_;
-    double margin_;  ///< cells are longer than their slabs by this at both ends
-    FormCells<Real, FrontBlock::room> cells_;
-    std::array<ContinuityMask<Real>, FrontBlock::room> branches_;
-    FrontBlock fronts_;
-    std::array<std::size_t, FrontBlock::room> squares_;
-    std::array<std::uint64_t, FrontBlock::room / 64> ended_;  ///< a bit each: goes on no more
+    Real margin_;  ///< cells are longer than their slabs by this at both ends
+    FormCells<Real, FrontBlock<Real>::room> cells_;
+    std::array<ContinuityMask<Real>, FrontBlock<Real>::room> branches_;
+    FrontBlock<Real> fronts_;
+    std::array<std::size_t, FrontBlock<Real>::room> squares_;
+    std::array<std::uint64_t, FrontBlock<Real>::room / 64> ended_;  ///< a bit each: goes on no more
 };
 
 template <class Real>
@@ -87,12 +89,12 @@ FrustumOf<Real> SquareCells<Real>::frustum_of(const CoverSquare& square) const {
 }
 
 template <class Real>
-FrontRules SquareCells<Real>::rules_of(const CoverSquare& square) const {
-    return {.fair_width = rays_.pixel() * SquareField::fair_side(square),
-            .half_width = 0.5 * rays_.pixel() * square.side,
-            .distance = rays_.distance(),
-            .margin = margin_,
-            .slack = 16 * static_cast<double>(std::numeric_limits<Real>::epsilon())};
+FrontRules<Real> SquareCells<Real>::rules_of(const CoverSquare& square) const {
+    const auto number = [](double value) { return upper_end(Real{}, value); };
+    return {.fair_width = number(rays_.pixel() * SquareField::fair_side(square)),
+            .half_width = number(0.5 * rays_.pixel() * square.side),
+            .distance = number(rays_.distance()),
+            .margin = margin_};
 }
 
 template <class Real>
@@ -148,45 +150,31 @@ std::size_t SquareCells<Real>::close_gap(std::size_t i, std::size_t count) {
     return count;
 }
 
-HWY_INLINE void store_numbers(V<double> numbers, double* to) { store(numbers, to); }
-/// Rounded upward, as all here.
-HWY_INLINE void store_numbers(V<double> numbers, float* to) {
-    const hn::Rebind<float, Tag<double>> tag;
-    hn::StoreU(hn::DemoteTo(tag, numbers), tag, to);
-}
-
 template <class Real>
 void SquareCells<Real>::place_cells(std::size_t size) {
-    const V<double> half = hn::Set(d<double>, 0.5);
-    const V<double> margin = hn::Set(d<double>, margin_);
-    for (std::size_t i = 0; i < size; i += lanes<double>) {
-        const V<double> from = load_doubles(d<double>, &fronts_.at[i]);
-        const V<double> to = next_of(fronts_, i);
-        store_numbers(hn::Add(hn::Mul(half, from), hn::Mul(half, to)), &cells_.s[i]);
-        const V<double> middle = load_doubles(d<double>, &cells_.s[i]);
-        store_numbers(hn::Add(hn::Max(hn::Sub(to, middle), hn::Sub(middle, from)), margin),
-                      &cells_.s_radius[i]);
+    const V<Real> half = number<Real>(0.5);
+    const V<Real> margin = number<Real>(margin_);
+    for (std::size_t i = 0; i < size; i += lanes<Real>) {
+        const V<Real> from = hn::LoadU(d<Real>, &fronts_.at[i]);
+        const V<Real> to = next_of(fronts_, i);
+        const V<Real> middle = hn::Add(hn::Mul(half, from), hn::Mul(half, to));
+        hn::StoreU(middle, d<Real>, &cells_.s[i]);
+        const V<Real> radius = hn::Max(hn::Sub(to, middle), hn::Sub(middle, from));
+        hn::StoreU(hn::Add(radius, margin), d<Real>, &cells_.s_radius[i]);
     }
 }
 
-/// Words of either width as wide ones.
-HWY_INLINE MarkWords::Words wide_words(const std::uint64_t* words) {
-    return hn::LoadU(MarkWords::tag, words);
-}
-HWY_INLINE MarkWords::Words wide_words(const std::uint32_t* words) {
-    return hn::PromoteTo(MarkWords::tag,
-                         hn::LoadU(hn::Rebind<std::uint32_t, Tag<double>>(), words));
-}
 /// The lanes in whose words a bit is set.
-template <class Word>
-HWY_INLINE M<double> bit_at(const Word* words, std::uint64_t bit) {
-    return MarkWords(wide_words(words)).has(bit);
+template <class Real>
+HWY_INLINE M<Real> bit_at(const ContinuityMask<Real>* words, ContinuityMask<Real> bit) {
+    return MarkWords<Real>(hn::LoadU(du<Real>, words)).has(bit);
 }
 
 template <class Real>
-CellVerdict SquareCells<Real>::verdict_at(const FrontRules& rules, std::size_t i) const {
-    const auto numbers = [i](const auto& of) { return load_doubles(d<double>, &of[i]); };
-    const CellForm form{
+CellVerdict<Real> SquareCells<Real>::verdict_at(const FrontRules<Real>& rules,
+                                                std::size_t i) const {
+    const auto numbers = [i](const auto& of) { return hn::LoadU(d<Real>, &of[i]); };
+    const CellForm<Real> form{
         .c = numbers(cells_.c),
         .along = numbers(cells_.k[2]),
         .aside = hn::Add(hn::Abs(numbers(cells_.k[0])), hn::Abs(numbers(cells_.k[1]))),
@@ -195,29 +183,28 @@ CellVerdict SquareCells<Real>::verdict_at(const FrontRules& rules, std::size_t i
         .radius = numbers(cells_.s_radius),
         .slope_hi = numbers(cells_.slope_hi),
         .slope_neg_lo = numbers(cells_.slope_neg_lo),
-        .continuous = bit_at(&cells_.continuous[i], 1),
-        .nowhere = bit_at(&cells_.nowhere[i], 1),
-        .kinked = bit_at(&branches_[i], BranchBits::kink)};
+        .continuous = bit_at<Real>(&cells_.continuous[i], 1),
+        .nowhere = bit_at<Real>(&cells_.nowhere[i], 1),
+        .kinked = bit_at<Real>(&branches_[i], BranchBits::kink)};
     return judge(form, rules, fronts_, i);
 }
 
 template <class Real>
-void SquareCells<Real>::take_cells(const FrontRules& rules, std::size_t size) {
+void SquareCells<Real>::take_cells(const FrontRules<Real>& rules, std::size_t size) {
     ended_ = {};
-    for (std::size_t i = 0; i < size; i += lanes<double>) {
-        std::uint8_t bits = 0;
-        hn::StoreMaskBits(d<double>, step(fronts_, i, verdict_at(rules, i), rules), &bits);
-        ended_[i / 64] |= std::uint64_t{bits} << i % 64;
+    for (std::size_t i = 0; i < size; i += lanes<Real>) {
+        const M<Real> ended = step(fronts_, i, verdict_at(rules, i));
+        ended_[i / 64] |= std::uint64_t{bits_of(d<Real>, ended)} << i % 64;
     }
 }
 
 template <class Real>
 void SquareCells<Real>::evaluate(std::size_t size, const FrustumOf<Real>& frustum,
-                                 const FrontRules& rules) {
+                                 const FrontRules<Real>& rules) {
     place_cells(size);
     auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
     batch.branches = branches_.data();
-    if (rules.half_width > 0.0) {
+    if (rules.half_width > Real{0}) {
         frame_.kernel.form(batch);
     } else {
         frame_.kernel.ray_form(batch);
@@ -230,11 +217,11 @@ void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_en
                                 Counters& counters) {
     const CoverSquare& model = field_.square(squares.front());
     const FrustumOf<Real> frustum = frustum_of(model);
-    const FrontRules rules = rules_of(model);
+    const FrontRules<Real> rules = rules_of(model);
     if (!frame_.kernel.branches) branches_.fill(0);
     std::size_t count = 0;
     while ((count > 0 || !squares.empty()) && !frame_.stopped()) {
-        while (count < FrontBlock::room && !squares.empty()) {
+        while (count < FrontBlock<Real>::room && !squares.empty()) {
             load(count++, squares.front());
             squares = squares.subspan(1);
         }

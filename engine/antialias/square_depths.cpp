@@ -107,6 +107,17 @@ void depths_in_box(const TileRays& rays, double radius, std::size_t count, Squar
         box.find(squares, i);
 }
 
+void depths_of_hits(const TileRays& rays, std::size_t count, SquareDepths& squares) {
+    const V<double> one = number(1.0);
+    for (std::size_t i = 0; i < count; i += lanes<double>) {
+        const V<double> u = load(&squares.u[i]);
+        const V<double> v = load(&squares.v[i]);
+        const V<double> square = hn::Add(hn::Add(one, hn::Mul(u, u)), hn::Mul(v, v));
+        const V<double> along = hn::Div(load(&squares.hit[i]), hn::Sqrt(square));
+        store(hn::Sub(along, number(rays.look_distance())), &squares.hit[i]);
+    }
+}
+
 /// TileRays::stretch_inside for some rays, as many as vectors are long at most.
 void clip_in_box(const TileRays& rays, std::span<RayStretch> stretches) {
     constexpr double flat = 1e-270;  // rays less steep than this stay where they are
@@ -156,6 +167,7 @@ namespace zeroset {
 namespace {
 
 HWY_EXPORT(depths_in_box);
+HWY_EXPORT(depths_of_hits);
 HWY_EXPORT(clip_all_in_box);
 
 bool is_plain_box(const TileRays& rays) {
@@ -174,6 +186,10 @@ void find_depths(const TileRays& rays, double radius, std::size_t count, SquareD
         squares.exit_lo[i] = range.exit_lo;
         squares.exit_hi[i] = range.exit_hi;
     }
+}
+
+void find_hits(const TileRays& rays, std::size_t count, SquareDepths& squares) {
+    HWY_DYNAMIC_DISPATCH(depths_of_hits)(rays, count, squares);
 }
 
 void clip_stretches(const TileRays& rays, std::span<RayStretch> stretches) {

@@ -16,6 +16,7 @@ struct SquareDepths {
 
     alignas(64) std::array<double, room> u, v;
     alignas(64) std::array<double, room> enter_lo, enter_hi, exit_lo, exit_hi;  ///< out
+    alignas(64) std::array<double, room> hit;  ///< of their middle rays: a distance; out: its depth
 
     [[nodiscard]] DepthRange range(std::size_t i) const {
         return {.enter_lo = enter_lo[i],
@@ -28,6 +29,9 @@ struct SquareDepths {
 /// Fills in what is `out` of the first `count`; `radius`: of the squares, in u and v. In upward
 /// rounding.
 void find_depths(const TileRays& rays, double radius, std::size_t count, SquareDepths& squares);
+
+/// Turns the first `count` hits' distances from the eye, as Framebuffer has them, into depths.
+void find_hits(const TileRays& rays, std::size_t count, SquareDepths& squares);
 
 /// Shortens stretches to where their rays are inside of the clip region.
 void clip_stretches(const TileRays& rays, std::span<RayStretch> stretches);

@@ -3,27 +3,50 @@
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/square_depths.hpp"
 
-#include <cmath>
-
 namespace zeroset {
+
+auto SquareField::kept_room() -> Room& {
+    thread_local Room room;
+    return room;
+}
+
+void SquareField::Room::clear() {
+    squares.clear();
+    next_squares.clear();
+    ray_squares.clear();
+    fronts.clear();
+    next_fronts.clear();
+    ray_fronts.clear();
+    rests.clear();
+    reopened.clear();
+}
+
+void SquareField::place_hits(std::size_t first, std::size_t count, SquareDepths& depths) {
+    for (std::size_t i = 0; i < count; ++i)
+        depths.hit[i] = static_cast<double>(in_.squares[first + i].whole->hit);
+    find_hits(rays_, count, depths);
+    for (std::size_t i = 0; i < count; ++i)
+        in_.squares[first + i].hit = depths.hit[i];
+}
 
 void SquareField::place_all() {
     const auto depths = [&](std::size_t first, std::size_t count) -> const SquareDepths& {
         thread_local SquareDepths room;
         for (std::size_t i = 0; i < count; ++i) {
-            const CoverSquare& square = squares_[first + i];
+            const CoverSquare& square = in_.squares[first + i];
             room.u[i] = rays_.u(col_of(square, square_middle));
             room.v[i] = rays_.v(row_of(square, square_middle));
         }
-        find_depths(rays_, 0.5 * squares_[first].side * rays_.pixel(), count, room);
+        find_depths(rays_, 0.5 * in_.squares[first].side * rays_.pixel(), count, room);
+        if (in_.squares[first].whole != nullptr) place_hits(first, count, room);
         return room;
     };
-    for (std::size_t first = 0; first < squares_.size(); first += SquareDepths::room) {
-        const std::size_t count = std::min(SquareDepths::room, squares_.size() - first);
+    for (std::size_t first = 0; first < in_.squares.size(); first += SquareDepths::room) {
+        const std::size_t count = std::min(SquareDepths::room, in_.squares.size() - first);
         const SquareDepths& of_squares = depths(first, count);
         for (std::size_t i = 0; i < count; ++i) {
             for (Front& front : fronts(first + i)) {
-                if (!front.placed) place(squares_[first + i], of_squares.range(i), front);
+                if (!front.placed) place(in_.squares[first + i], of_squares.range(i), front);
             }
         }
     }
@@ -37,11 +60,11 @@ void SquareField::place(const CoverSquare& square, const DepthRange& depths, Fro
     front.inside_to = depths.exit_lo;
     if (square.whole != nullptr) {
         // The first cell goes behind the hit of the pixel's own ray, if there is one.
-        const double hit = hit_depth(*square.whole);
         const double fair = width_of(1.0, front.at);
         // A little more, so that roots end before the last cell.
         front.end = std::min(front.end, static_cast<double>(square.whole->to) + 2.0 * fair);
-        front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
+        front.step = square.hit < front.end ? std::max(2.0 * (square.hit - front.at), fair)
+                                            : first_widths * fair;
     }
     begin_part(square, front);
 }
@@ -53,49 +76,33 @@ void SquareField::begin_part(const CoverSquare& square, Front& front) const {
     if (!(front.at < front.end)) front.state = Front::State::Gone;
 }
 
-double SquareField::hit_depth(const MixedPixel& pixel) const {
-    const double u = rays_.u(pixel.pixel % tile_size);
-    const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));
-    return static_cast<double>(pixel.hit) / std::sqrt(1.0 + u * u + v * v) - rays_.look_distance();
-}
-
-bool SquareField::is_hit_between(std::size_t square, double from, double to) const {
-    const CoverSquare& at = squares_[square];
-    if (at.whole == nullptr || at.rest) return false;
-    const double hit = hit_depth(*at.whole);
-    const double spare = width_of(0.25, from);
-    return from - spare <= hit && hit <= to + spare;
-}
-
 void SquareField::add(MixedPixel& pixel) {
-    CoverSquare& square = squares_.emplace_back();
-    square.pixel = pixel.pixel;
-    square.least_level = pixel.least_level;
-    square.whole = &pixel;
+    in_.squares.push_back(
+        {.pixel = pixel.pixel, .least_level = pixel.least_level, .whole = &pixel});
     for (std::size_t i = 0; i < surfaces_; ++i) {
-        Front& front = fronts_.emplace_back();
+        Front& front = in_.fronts.emplace_back();
         front.at = static_cast<double>(pixel.from);
         front.calm = pixel.is_calm;
     }
 }
 
 void SquareField::divide(std::size_t square) {
-    if (squares_[square].rest) return divide_rest(square, *squares_[square].rest);
+    if (in_.squares[square].rest != nullptr) return divide_rest(square, *in_.squares[square].rest);
     for (const SquareRay& middle : std::span(square_rays).subspan(1))
-        add_part(square, squares_[square].quarter(middle));
+        add_part(square, in_.squares[square].quarter(middle));
 }
 
 void SquareField::divide_into_rays(std::size_t square) {
     for (const SquareRay& ray : square_rays)
-        add_part(square, squares_[square].ray(ray, 1.0 / square_ray_count));
+        add_part(square, in_.squares[square].ray(ray, 1.0 / square_ray_count));
 }
 
 void SquareField::add_part(std::size_t square, const CoverSquare& part) {
-    std::vector<Front>& of_part = part.is_ray() ? ray_fronts_ : next_fronts_;
+    std::vector<Front>& of_part = part.is_ray() ? in_.ray_fronts : in_.next_fronts;
     const std::size_t first = of_part.size();
     bool any = false;
     for (const Front& of_whole : fronts(square)) {
-        Front front;
+        Front& front = of_part.emplace_back();
         front.at = of_whole.at;
         front.end = of_whole.end;
         front.step = of_whole.state == Front::State::Going ? of_whole.step
@@ -109,10 +116,9 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
             begin_part(part, front);
         }
         any = any || front.state != Front::State::Gone;
-        of_part.push_back(front);
     }
     if (any) {
-        (part.is_ray() ? ray_squares_ : next_squares_).push_back(part);
+        (part.is_ray() ? in_.ray_squares : in_.next_squares).push_back(part);
     } else {
         of_part.resize(first);
     }
@@ -124,17 +130,17 @@ void SquareField::keep_rest(std::size_t square, std::size_t surface, const Squar
     // There is often nothing behind an edge: long cells tell so at once.
     for (Front& front : fronts(square))
         front.step = std::max(front.step, 0.25 * (front.end - front.at));
-    squares_[square].rest = rest;
-    reopened_.push_back(square);
+    in_.squares[square].rest = &in_.rests.emplace_back(rest);
+    in_.reopened.push_back(square);
 }
 
 void SquareField::reopen(std::vector<std::size_t>& open) {
-    open.insert(open.end(), reopened_.begin(), reopened_.end());
-    reopened_.clear();
+    open.insert(open.end(), in_.reopened.begin(), in_.reopened.end());
+    in_.reopened.clear();
 }
 
 void SquareField::divide_rest(std::size_t square, const SquareRest& rest) {
-    const CoverSquare& at = squares_[square];
+    const CoverSquare& at = in_.squares[square];
     const auto count = static_cast<double>(std::ranges::count(rest.misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
     const bool several = count > 0.0 && (at.level == 0 || !(rest.part.share > 0.0));
@@ -145,16 +151,17 @@ void SquareField::divide_rest(std::size_t square, const SquareRest& rest) {
 }
 
 bool SquareField::go_down() {
-    squares_.swap(next_squares_);
-    fronts_.swap(next_fronts_);
-    next_squares_.clear();
-    next_fronts_.clear();
-    if (squares_.empty()) {
-        squares_.swap(ray_squares_);
-        fronts_.swap(ray_fronts_);
+    in_.squares.swap(in_.next_squares);
+    in_.fronts.swap(in_.next_fronts);
+    in_.next_squares.clear();
+    in_.next_fronts.clear();
+    in_.rests.clear();
+    if (in_.squares.empty()) {
+        in_.squares.swap(in_.ray_squares);
+        in_.fronts.swap(in_.ray_fronts);
     }
     place_all();
-    return !squares_.empty();
+    return !in_.squares.empty();
 }
 
 }  // namespace zeroset

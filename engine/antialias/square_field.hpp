@@ -9,23 +9,33 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
+
+struct SquareDepths;
 
 /// The squares of a tile's mixed pixels that are searched, level by level, and last the rays that
 /// stand for parts; of each the fronts of all surfaces.
 class SquareField {
 public:
-    SquareField(const TileRays& rays, std::size_t surfaces) : rays_(rays), surfaces_(surfaces) {}
+    SquareField(const TileRays& rays, std::size_t surfaces)
+        : rays_(rays), surfaces_(surfaces), in_(std::exchange(kept_room(), {})) {}
+    SquareField(const SquareField&) = delete;
+    ~SquareField() {
+        in_.clear();
+        kept_room() = std::move(in_);
+    }
 
-    [[nodiscard]] std::size_t size() const { return squares_.size(); }
+    [[nodiscard]] std::size_t size() const { return in_.squares.size(); }
     [[nodiscard]] bool is_of_one_surface() const { return surfaces_ == 1; }
-    [[nodiscard]] const CoverSquare& square(std::size_t i) const { return squares_[i]; }
+    [[nodiscard]] const CoverSquare& square(std::size_t i) const { return in_.squares[i]; }
     /// The fronts of a square, one for each surface.
     [[nodiscard]] std::span<Front> fronts(std::size_t i) {
-        return std::span(fronts_).subspan(i * surfaces_, surfaces_);
+        return std::span(in_.fronts).subspan(i * surfaces_, surfaces_);
     }
     [[nodiscard]] const TileRays& rays() const { return rays_; }
     /// The ray through a place of a square, as TileRays counts pixels.
@@ -65,17 +75,22 @@ public:
     }
     /// Makes room for so many pixels.
     void reserve(std::size_t pixels) {
-        squares_.reserve(pixels);
-        fronts_.reserve(pixels * surfaces_);
+        in_.squares.reserve(pixels);
+        in_.fronts.reserve(pixels * surfaces_);
     }
     /// Adds all of a pixel to be searched; `pixel` must outlive the field.
     void add(MixedPixel& pixel);
     /// Begins the search where the squares' rays enter the clip region.
     void place_all();
     /// Whether the square is a pixel of which the own hit lies between two depths.
-    [[nodiscard]] bool is_hit_between(std::size_t square, double from, double to) const;
+    [[nodiscard]] bool is_hit_between(std::size_t square, double from, double to) const {
+        const CoverSquare& at = in_.squares[square];
+        if (at.whole == nullptr || at.rest != nullptr) return false;
+        const double spare = width_of(0.25, from);
+        return from - spare <= at.hit && at.hit <= to + spare;
+    }
     /// That hit stands for the pixel.
-    void leave_plain(std::size_t square) { squares_[square].whole->is_plain = true; }
+    void leave_plain(std::size_t square) { in_.squares[square].whole->is_plain = true; }
     /// Goes on with the quarters of a square instead of it; of the rest of one, with rays.
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with what is left of the square beside it.
@@ -88,8 +103,20 @@ public:
     bool go_down();
 
 private:
-    /// Of the hit of a pixel's own ray; +inf: there is none.
-    [[nodiscard]] double hit_depth(const MixedPixel& pixel) const;
+    /// What a field holds.
+    struct Room {
+        std::vector<CoverSquare> squares, next_squares, ray_squares;
+        std::vector<Front> fronts, next_fronts, ray_fronts;
+        std::deque<SquareRest> rests;  ///< of the squares
+        std::vector<std::size_t> reopened;
+
+        void clear();
+    };
+    /// The room of this thread's last field, for the next one.
+    static Room& kept_room();
+
+    /// Sets where the hits of whole pixels are, some squares from `first` on.
+    void place_hits(std::size_t first, std::size_t count, SquareDepths& depths);
     /// Begins a front, no nearer than `front.at`, nor farther than `front.end`.
     void place(const CoverSquare& square, const DepthRange& depths, Front& front) const;
     void begin_part(const CoverSquare& square, Front& front) const;
@@ -99,9 +126,7 @@ private:
 
     const TileRays& rays_;
     std::size_t surfaces_;
-    std::vector<CoverSquare> squares_, next_squares_, ray_squares_;
-    std::vector<Front> fronts_, next_fronts_, ray_fronts_;
-    std::vector<std::size_t> reopened_;
+    Room in_;
 };
 
 }  // namespace zeroset
