@@ -56,11 +56,14 @@ HWY_INLINE V<double> meeting_of_tangents(const Places& a, const Places& b) {
 HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least, V<double> error) {
     const V<double> zero = hn::Zero(d<double>);
     const V<double> length = hn::Sub(b.s, a.s);
+    const V<double> turn = hn::Sub(b.slope, a.slope);
+    // From the flatter place a parabola falls by so much: slope^2 / (2 turn / length); four times
+    // that is little.
     const V<double> flatter = hn::Min(hn::Neg(a.slope), b.slope);
-    const M<double> flat = hn::Le(hn::Mul(length, flatter), error);
+    const V<double> fall = hn::Mul(hn::Mul(number(2.0), length), hn::Mul(flatter, flatter));
+    const M<double> flat = hn::Le(fall, hn::Mul(error, turn));
     // The tangents meet between the places, and above that: a.f - a.slope rise / turn >= lower
     const V<double> rise = hn::NegMulAdd(b.slope, length, hn::Sub(b.f, a.f));
-    const V<double> turn = hn::Sub(b.slope, a.slope);
     const M<double> inner =
         hn::And(hn::Le(rise, zero), hn::Ge(hn::MulAdd(turn, length, rise), zero));
     const V<double> lower = hn::Sub(least, error);
