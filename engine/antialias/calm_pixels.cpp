@@ -2,6 +2,7 @@
 
 #include "engine/trace/flag_bits.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +13,14 @@ namespace {
 /// How much channels of pixels that look the same may differ; 1 is the brightest that is shown.
 constexpr float most_difference = 4.0F / 255.0F;
 
-/// Which of the first `count` pixels of two stretches look the same, pixel by pixel.
-std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b, std::size_t count) {
-    std::array<std::uint8_t, tile_size> same;
-    same.fill(1);
+/// Columns that are compared at once.
+constexpr std::size_t block = 8;
+
+/// Which of `count` pixels from a and b on look the same, pixel by pixel.
+template <std::size_t count>
+std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b) {
+    std::array<std::uint8_t, block> same{};
+    std::fill_n(same.begin(), count, std::uint8_t{1});
     for (int channel = 0; channel < 3; ++channel) {
         const float* const p =
             layer.light_row(static_cast<int>(a / tile_size), channel) + a % tile_size;
@@ -32,37 +37,64 @@ std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b, std::si
     return bits_of_flags(same);
 }
 
-/// Pixels of a row that look like their right neighbours.
-std::uint64_t like_right(const LitLayer& layer, std::size_t row) {
-    const std::uint64_t hits = layer.hit_rows[row];
-    const std::size_t first = row * tile_size;
-    return hits & hits >> 1U & alike(layer, first, first + 1, tile_size - 1);
+/// Which of the wanted pixels of a row look like those to the right; of others it tells nothing.
+std::uint64_t like_right(const LitLayer& layer, std::size_t row, std::uint64_t wanted) {
+    std::uint64_t same = 0;
+    for (std::size_t col = 0; col < tile_size; col += block) {
+        if ((wanted >> col & 0xFFU) == 0) continue;
+        const std::size_t at = row * tile_size + col;
+        same |= (col + block < tile_size ? alike<block>(layer, at, at + 1)
+                                         : alike<block - 1>(layer, at, at + 1))
+                << col;
+    }
+    return same;
 }
 
-/// Pixels of a row that look like those below.
-std::uint64_t like_below(const LitLayer& layer, std::size_t row) {
-    const std::uint64_t hits = layer.hit_rows[row] & layer.hit_rows[row + 1];
-    const std::size_t first = row * tile_size;
-    return hits & alike(layer, first, first + tile_size, tile_size);
+/// Which of the wanted pixels of a row look like those below; of others it tells nothing.
+std::uint64_t like_below(const LitLayer& layer, std::size_t row, std::uint64_t wanted) {
+    std::uint64_t same = 0;
+    for (std::size_t col = 0; col < tile_size; col += block) {
+        if ((wanted >> col & 0xFFU) == 0) continue;
+        const std::size_t at = row * tile_size + col;
+        same |= alike<block>(layer, at, at + tile_size) << col;
+    }
+    return same;
+}
+
+/// The wanted pixels that are hit, as all around them are.
+TileBits amid_hits(const LitLayer& layer, const Tile& tile, const TileBits& wanted) {
+    const auto three = [&](std::size_t row) {
+        const std::uint64_t hits = layer.hit_rows[row];
+        return hits & hits << 1U & hits >> 1U;
+    };
+    TileBits amid{};
+    for (std::size_t row = 1; row + 1 < static_cast<std::size_t>(tile.rows); ++row) {
+        if (wanted[row] != 0)
+            amid[row] = wanted[row] & three(row - 1) & three(row) & three(row + 1);
+    }
+    return amid;
 }
 
 void add_calm(const LitLayer& layer, const Tile& tile, const TileBits& wanted, TileBits& calm) {
-    const auto rows = static_cast<std::size_t>(tile.rows);
-    const auto needed = [&](std::size_t row) { return (wanted[row] & layer.hit_rows[row]) != 0; };
+    const TileBits asked = amid_hits(layer, tile, wanted);
     // Row by row: the pixels that look like both of their neighbours, and like those below.
     TileBits beside{};
     TileBits below{};
-    for (std::size_t row = 0; row < rows; ++row) {
-        const bool here = needed(row);
-        const bool next = row + 1 < rows && needed(row + 1);
-        if (here || next || (row > 0 && needed(row - 1))) {
-            const std::uint64_t right = like_right(layer, row);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
+        const std::uint64_t here = asked[row];
+        const std::uint64_t next = row + 1 < tile_size ? asked[row + 1] : 0;
+        const std::uint64_t around = here | next | (row > 0 ? asked[row - 1] : 0);
+        if (around != 0) {
+            const std::uint64_t right = like_right(layer, row, around | around >> 1U);
             beside[row] = right & right << 1U;
         }
-        if (here ? row + 1 < rows : next) below[row] = like_below(layer, row);
+        if ((here | next) != 0) below[row] = like_below(layer, row, here | next);
     }
-    for (std::size_t row = 1; row + 1 < rows; ++row)
-        calm[row] |= beside[row - 1] & beside[row] & beside[row + 1] & below[row - 1] & below[row];
+    for (std::size_t row = 1; row + 1 < static_cast<std::size_t>(tile.rows); ++row) {
+        if (asked[row] != 0)
+            calm[row] |= asked[row] & beside[row - 1] & beside[row] & beside[row + 1] &
+                         below[row - 1] & below[row];
+    }
 }
 
 }  // namespace

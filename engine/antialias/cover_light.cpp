@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace zeroset {
@@ -83,6 +84,14 @@ void CoverLight::take(std::span<const Place> some) {
     }
 }
 
+void CoverLight::forget(std::span<const CoverSample> samples, std::span<const Place> some) {
+    for (std::size_t k = 0; k < some.size(); ++k) {
+        TileHits& hits = hits_[samples[some[k].sample].surface];
+        hits.any = false;
+        hits.depth[slot_of(k)] = std::numeric_limits<float>::infinity();
+    }
+}
+
 std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
                                               std::span<const TraceFrame> surfaces,
                                               const TimeLimit& limit, const Tile& tile,
@@ -128,6 +137,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
         const auto hits = std::span(hits_).first(surfaces.size());
         frame_light.light(surfaces, limit, of_samples, hits, lit_, counters, known_);
         take(some);
+        forget(samples, some);
     }
     return light_;
 }
@@ -150,6 +160,7 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         for (std::size_t channel = 0; channel < 4; ++channel)
             sum.light[channel] += samples[k].area * std::clamp(light[k][channel], 0.0F, 1.0F);
     }
+    std::uint64_t rows = 0;
     int background_row = -1;
     std::uint32_t behind = 0;
     CoverColor background_channels{};
@@ -159,6 +170,7 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         const Sum& sum = sums[i];
         if (row != background_row) {
             background_row = row;
+            rows |= std::uint64_t{1} << (row - tile.row);
             behind = background_color(out.pixels.background, row, out.height);
             for (unsigned channel = 0; channel < 3; ++channel)
                 background_channels[channel] = light_of_channel(behind >> 8 * channel & 0xFFU);
@@ -182,7 +194,7 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
                 scale * sum.light[channel] + (1.0F - area) * background[channel];
         out.pixels.light[to][3] = scale * sum.light[3];
     }
-    if (out.blank_rows != nullptr && !pixels.empty()) *out.blank_rows = 0;
+    if (out.blank_rows != nullptr) *out.blank_rows &= ~rows;
 }
 
 }  // namespace zeroset

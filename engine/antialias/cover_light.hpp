@@ -39,6 +39,8 @@ private:
     };
     /// Takes the light of these samples, of which item k has the slot k.
     void take(std::span<const Place> some);
+    /// Takes their hits away again.
+    void forget(std::span<const CoverSample> samples, std::span<const Place> some);
 
     std::vector<Place> places_;
     std::vector<float> cols_, rows_;

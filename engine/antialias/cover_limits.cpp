@@ -12,7 +12,7 @@ namespace zeroset {
 void narrow_limits(const TraceFrame& surface, const Tile& tile, const TileHits& hits,
                    std::vector<float>& limits) {
     const PixelCover& cover = hits.cover;
-    if (!cover.known || !cover.marked) return;
+    if (!cover.known || !cover.is_marked()) return;
     const TileRays rays(surface, tile);
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {

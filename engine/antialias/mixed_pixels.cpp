@@ -28,7 +28,7 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
         hit = std::min(hit, of.depth[at]);
         if (!cover.known) other = -none;
         if (!cover.known) last = none;
-        if (!cover.known || !cover.marked) continue;
+        if (!cover.known || !cover.is_marked()) continue;
         last = std::max(last, cover.last[at]);
         const bool nearer = cover.to[at] < to;
         other = std::min({other, cover.other_from[at], nearer ? from : cover.from[at]});
@@ -173,7 +173,7 @@ void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const Lit
             for (std::size_t i = 0; i < hits.size(); ++i) {
                 const PixelCover& cover = hits[i].cover;
                 pixel.hit = std::min(pixel.hit, hits[i].depth[at]);
-                if (!cover.known || !cover.marked || !(cover.to[at] < pixel.sheet_to)) continue;
+                if (!cover.known || !cover.is_marked() || !(cover.to[at] < pixel.sheet_to)) continue;
                 pixel.from = cover.from[at];
                 pixel.sheet_to = cover.to[at];
                 pixel.surface = static_cast<std::uint8_t>(i);

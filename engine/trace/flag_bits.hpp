@@ -9,10 +9,12 @@
 
 namespace zeroset {
 
-/// The lowest bits of a row's bytes: of byte i in bit i.
-inline std::uint64_t bits_of_flags(const std::array<std::uint8_t, tile_size>& flags) {
+/// The lowest bits of up to 64 bytes: of byte i in bit i.
+template <std::size_t count>
+std::uint64_t bits_of_flags(const std::array<std::uint8_t, count>& flags) {
+    static_assert(count % 8 == 0 && count <= 64);
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < tile_size; i += 8) {
+    for (std::size_t i = 0; i < count; i += 8) {
         std::uint64_t eight = 0;
         std::memcpy(&eight, &flags[i], 8);
         // Gathers the lowest bits of eight bytes in the highest one.

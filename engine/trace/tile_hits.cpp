@@ -16,17 +16,24 @@ constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
 }  // namespace
 
 void PixelCover::clear() {
-    if (marked || from.empty()) {
+    if (from.empty()) {
         for (std::vector<float>* const column : {&from, &to, &other_from})
             column->assign(pixels, none);
         last.assign(pixels, -none);
     }
+    for_each_row([this](std::size_t first) {
+        for (std::vector<float>* const column : {&from, &to, &other_from})
+            std::fill_n(column->data() + first, block, none);
+        std::fill_n(last.data() + first, block, -none);
+    });
     known = true;
-    marked = false;
+    blocks = 0;
 }
 
 std::uint64_t PixelCover::mixed_in_row(int row) const {
-    if (!marked) return 0;
+    const std::uint64_t of_row =
+        blocks >> static_cast<std::size_t>(row) / block * (tile_size / block);
+    if ((of_row & 0xFFU) == 0) return 0;
     const auto first = static_cast<std::size_t>(row) * tile_size;
     std::array<std::uint8_t, tile_size> is_mixed;
     for (std::size_t col = 0; col < tile_size; ++col) {

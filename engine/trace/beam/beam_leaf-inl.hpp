@@ -226,14 +226,18 @@ void LeafSolver<Real, pixels>::add_cover(const Leaf<Real>& leaf) {
                 hn::NegMulAdd(hn::Iota(d, static_cast<Real>(col)), by_col, hn::Set(d, first));
             const V lo = hn::Max(hn::Sub(middle, radius), from);
             const V hi = hn::Min(hn::Add(middle, radius), to);
-            // The brackets of a run's leaves touch where a sheet goes from one to the next.
-            const M some = hn::Le(lo, hi);
+            // The brackets of a run's leaves touch where a sheet goes from one to the next. A leaf
+            // behind all roots adds its begin, one before them its end: so the joined bracket
+            // keeps clear of the run's ends only where f's signs there are known.
+            const M not_behind = hn::Le(lo, to);
+            const M not_before = hn::Ge(hi, from);
             const V nowhere = hn::Inf(d);
             const V before_from = first_of_run ? nowhere : hn::Load(d, cover_from_ + i);
             const V before_to = first_of_run ? hn::Neg(nowhere) : hn::Load(d, cover_to_ + i);
-            hn::Store(hn::IfThenElse(some, hn::Min(before_from, lo), before_from), d,
+            hn::Store(hn::IfThenElse(not_behind, hn::Min(before_from, lo), before_from), d,
                       cover_from_ + i);
-            hn::Store(hn::IfThenElse(some, hn::Max(before_to, hi), before_to), d, cover_to_ + i);
+            hn::Store(hn::IfThenElse(not_before, hn::Max(before_to, hi), before_to), d,
+                      cover_to_ + i);
         }
     }
 }
@@ -247,14 +251,17 @@ void LeafSolver<Real, pixels>::mark_cover() {
     const bool may_cover = is_known && !run_->kinked && !run_->turns;
     const V run_from = hn::Set(d, may_cover ? run_->from : std::numeric_limits<Real>::infinity());
     const V run_to = hn::Set(d, run_->to);
+    bool any = false;
     for (int row = 0; row < rows; ++row) {
         for (int col = 0; col < cols; col += lanes) {
             const int i = row * pixels + col;
             const V from = hn::Load(d, cover_from_ + i);
             const V to = hn::Load(d, cover_to_ + i);
             M some = hn::Le(from, to);
+            if (hn::AllFalse(d, some)) continue;
+            any = true;
             M covered = hn::And(some, hn::And(hn::Gt(from, run_from), hn::Lt(to, run_to)));
-            if (at_walls && !hn::AllFalse(d, some)) {
+            if (at_walls) {
                 const PixelBoxes<D> boxes(rays_, from_middle(run_->col + col),
                                           from_middle(run_->row + row), from, to);
                 covered = hn::And(covered, boxes.inside());
@@ -264,6 +271,7 @@ void LeafSolver<Real, pixels>::mark_cover() {
                                 covered);
         }
     }
+    if (any) nearest_.cover.mark_block(first_pixel(0));
 }
 
 template <class Real, int pixels>

@@ -47,12 +47,14 @@ public:
         }
     }
     [[nodiscard]] bool wanted() const { return out_ != nullptr; }
-    /// Of the pixels from `pixel` on those in `some` may hold roots between `from` and `to`; on all
-    /// rays of those in `covered`, which are among them, is one there.
+    /// Something is marked in the block of a pixel.
+    void mark_block(std::size_t pixel) { out_->mark(pixel); }
+    /// Of the pixels from `pixel` on, in a block that the caller marks, those in `some` may hold
+    /// roots between `from` and `to`; on all rays of those in `covered`, which are among them, is
+    /// one there.
     template <class D>
     HWY_INLINE void mark(D tag, std::size_t pixel, hn::Vec<D> from, hn::Vec<D> to, hn::Mask<D> some,
                          hn::Mask<D> covered) {
-        out_->marked = true;
         const auto old_from = hn::LoadU(tag, &from_[pixel]);
         const auto old_to = hn::LoadU(tag, &to_[pixel]);
         const auto nearer = hn::And(covered, hn::Lt(to, old_to));
@@ -69,26 +71,29 @@ public:
     /// Between two depths nothing is known of a pixel.
     void leave(std::size_t pixel, double from, double to) {
         if (out_ == nullptr) return;
-        out_->marked = true;
+        out_->mark(pixel);
         other_from_[pixel] = std::min(other_from_[pixel], -upper_end(Real{}, -from));
         last_[pixel] = std::max(last_[pixel], upper_end(Real{}, to));
     }
     /// Ends a tile; `nearest`: the roots on the pixels' own rays, behind which not all was
     /// searched.
     void end(const Real* nearest) {
-        if (out_ == nullptr || !out_->marked) return;
-        for (std::size_t pixel = 0; pixel < out_->from.size(); ++pixel) {
+        if (out_ == nullptr) return;
+        out_->for_each_row([&](std::size_t first) {
             constexpr Real none = std::numeric_limits<Real>::infinity();
-            last_[pixel] = nearest[pixel] < none ? none : last_[pixel];
-        }
+            for (std::size_t pixel = first; pixel < first + PixelCover::block; ++pixel)
+                last_[pixel] = nearest[pixel] < none ? none : last_[pixel];
+        });
         if constexpr (!std::is_same_v<Real, float>) {
             const auto below = [](Real depth) { return -float_above(-depth); };
-            for (std::size_t pixel = 0; pixel < out_->from.size(); ++pixel) {
-                out_->from[pixel] = below(from_[pixel]);
-                out_->to[pixel] = float_above(to_[pixel]);
-                out_->other_from[pixel] = below(other_from_[pixel]);
-                out_->last[pixel] = float_above(last_[pixel]);
-            }
+            out_->for_each_row([&](std::size_t first) {
+                for (std::size_t pixel = first; pixel < first + PixelCover::block; ++pixel) {
+                    out_->from[pixel] = below(from_[pixel]);
+                    out_->to[pixel] = float_above(to_[pixel]);
+                    out_->other_from[pixel] = below(other_from_[pixel]);
+                    out_->last[pixel] = float_above(last_[pixel]);
+                }
+            });
         }
     }
 

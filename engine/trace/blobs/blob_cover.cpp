@@ -205,7 +205,7 @@ private:
             const bool is_free = pixel.end > -none && pixel.free_to >= pixel.end;
             const bool is_covered = is_free && pixel.from < none;
             if (is_free && !is_covered) continue;
-            cover.marked = true;
+            cover.mark(pixel.at);
             cover.last[pixel.at] = std::numeric_limits<float>::infinity();
             if (is_covered) {
                 cover.from[pixel.at] = -float_above(-pixel.from);
