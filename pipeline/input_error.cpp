@@ -1,5 +1,6 @@
 #include "pipeline/input_error.hpp"
 
+#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 
 namespace zeroset {
@@ -14,10 +15,10 @@ InputError input_error(const ParseError& error, std::string_view text) {
 }
 
 std::string describe(const InputError& error) {
-    std::string text = "error: " + error.reason + "\n";
+    std::string text = "error: " + printable(error.reason) + "\n";
     if (!error.column || error.line.empty()) return text;
     const auto [line, caret] = excerpt(error.line, *error.column - 1);
-    return text + "  " + line + "\n  " + std::string(caret, ' ') + "^\n";
+    return text + "  " + printable(line) + "\n  " + std::string(caret, ' ') + "^\n";
 }
 
 }  // namespace zeroset

@@ -8,9 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace zeroset {
@@ -20,6 +22,8 @@ using Json = nlohmann::json;
 
 /// The value of w for surfaces of a suite file.
 constexpr double suite_w = 0.5;
+constexpr double least_domain = 1e-12;
+constexpr double largest_domain = 1e9;
 
 /// The library's message without its prefix "[json.exception...] ".
 std::string plain_message(const std::exception& error) {
@@ -51,7 +55,9 @@ std::vector<BenchItem> whole_gallery() {
 
 OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
     std::ifstream file(path);
-    if (!file) return wrong_input("--suite " + path + ": the file cannot be read");
+    std::error_code ignored;
+    if (!file || std::filesystem::is_directory(path, ignored))
+        return wrong_input("--suite " + path + ": the file cannot be read");
     const std::string text(std::istreambuf_iterator<char>(file), {});
     std::vector<BenchItem> items;
     try {
@@ -64,11 +70,18 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
             camera.eye = view.at("distance").get<double>() * domain *
                          glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
             camera.fov_rad = glm::radians(view.at("fov").get<double>());
+            const std::string name = surface.at("name");
+            if (!(domain >= least_domain && domain <= largest_domain))
+                return wrong_input("--suite " + path + ": the domain of '" + name +
+                                   "' must be from 1e-12 to 1e9");
+            if (const char* const defect = camera_defect(camera))
+                return wrong_input("--suite " + path + ": the camera of '" + name +
+                                   "' sees nothing: " + defect);
             ReadDocument read = read_document_text(surface.at("f").get<std::string>());
             read.document.clip = Box::cube(domain);
             read.document.camera = camera;
             read.document.w.value = suite_w;
-            items.push_back({.name = surface.at("name"), .read = std::move(read)});
+            items.push_back({.name = name, .read = std::move(read)});
         }
     } catch (const nlohmann::json::exception& error) {
         return wrong_input("--suite " + path +

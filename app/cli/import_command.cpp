@@ -6,6 +6,7 @@
 #include "document/import/import.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
+#include "engine/base/printable.hpp"
 #include "pipeline/prepare.hpp"
 
 #include <nlohmann/json.hpp>
@@ -77,7 +78,7 @@ private:
         auto imported = load_import(file);
         if (!imported) {
             ++refused_;
-            std::cerr << "error: " << imported.error() << "\n";
+            std::cerr << "error: " << printable(imported.error()) << "\n";
             return exit_ok;
         }
         for (const ImportNote& note : imported->notes)
@@ -89,7 +90,7 @@ private:
     }
 
     static void say(const std::string& file, const ImportNote& note) {
-        std::cerr << note_text(file, note) << "\n";
+        std::cerr << printable(note_text(file, note)) << "\n";
     }
 
     /// A name in the folder that no other document of this run has.
@@ -113,7 +114,8 @@ private:
             if (const int failed = draw(imported, stem, brought); failed != exit_ok) return failed;
         }
         if (!brought.failure.empty())
-            std::cerr << file << "#" << imported.name << ": nothing is drawn: " << brought.failure
+            std::cerr << printable(file + "#" + imported.name +
+                                   ": nothing is drawn: " + brought.failure)
                       << "\n";
         brought.session = stem.string() + document_ending;
         const auto written = save_document(brought.session, imported.document);

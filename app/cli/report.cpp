@@ -1,5 +1,6 @@
 #include "app/cli/report.hpp"
 
+#include "engine/base/printable.hpp"
 #include "engine/export/file.hpp"
 
 #include <cstdio>
@@ -13,7 +14,7 @@ int report(const InputError& error) {
 }
 
 int report_run_time(const std::string& message) {
-    std::cerr << "error: " << message << "\n";
+    std::cerr << "error: " << printable(message) << "\n";
     return exit_run_time;
 }
 

@@ -12,7 +12,7 @@
 namespace zeroset {
 namespace {
 
-using ReadTerm = std::expected<Term, TermError>;
+using ReadTerm = std::expected<ForeignTerm, TermError>;
 
 /// Signs that stand between operands, from those that bind least to those that bind most.
 using Signs = std::initializer_list<std::string_view>;
@@ -40,7 +40,7 @@ std::size_t level_of_sign(std::string_view sign) {
     return operand_level;
 }
 
-std::size_t level_of(const Term& term) {
+std::size_t level_of(const ForeignTerm& term) {
     switch (term.kind) {
         case TermKind::Chain: return level_of_sign(term.signs[1]);
         case TermKind::Prefix: return prefix_level;
@@ -60,14 +60,14 @@ public:
         if (level == levels.size()) return prefix();
         ReadTerm first = chain(level + 1);
         if (!first) return first;
-        Term result = std::move(*first);
+        ForeignTerm result = std::move(*first);
         bool is_chain = false;
         while (is_sign_of(level)) {
             const ScriptToken sign = tokens_.next();
             ReadTerm operand = chain(level + 1);
             if (!operand) return operand;
             if (!is_chain) {
-                Term begun{.kind = TermKind::Chain, .line = result.line};
+                ForeignTerm begun{.kind = TermKind::Chain, .line = result.line};
                 begun.operands.push_back(std::move(result));
                 begun.signs.emplace_back();
                 result = std::move(begun);
@@ -106,7 +106,7 @@ private:
         std::string sign(tokens_.next().text);
         ReadTerm operand = minus && dialect_.minus_before_power ? tight_operand() : prefix();
         if (!operand) return operand;
-        Term result{.kind = TermKind::Prefix, .text = std::move(sign), .line = line};
+        ForeignTerm result{.kind = TermKind::Prefix, .text = std::move(sign), .line = line};
         result.operands.push_back(std::move(*operand));
         if (minus && dialect_.minus_before_power) return powers_of(std::move(result));
         return result;
@@ -124,7 +124,7 @@ private:
         return powers_of(std::move(*base));
     }
 
-    ReadTerm powers_of(Term base) {
+    ReadTerm powers_of(ForeignTerm base) {
         ReadTerm result(std::move(base));
         for (int powers = 1; result && tokens_.at_sign("^"); ++powers) {
             if (powers > most_depth) return error(tr("the formula is nested too deeply"));
@@ -134,10 +134,10 @@ private:
         return result;
     }
 
-    ReadTerm power_of(Term base) {
+    ReadTerm power_of(ForeignTerm base) {
         ReadTerm exponent = dialect_.power_from_left ? sign_and_operand() : prefix();
         if (!exponent) return exponent;
-        Term result{.kind = TermKind::Power, .line = base.line};
+        ForeignTerm result{.kind = TermKind::Power, .line = base.line};
         result.operands.push_back(std::move(base));
         result.operands.push_back(std::move(*exponent));
         return result;
@@ -149,7 +149,7 @@ private:
         if (!tokens_.take_sign("-")) return operand();
         ReadTerm inner = operand();
         if (!inner) return inner;
-        Term result{.kind = TermKind::Prefix, .text = "-", .line = line};
+        ForeignTerm result{.kind = TermKind::Prefix, .text = "-", .line = line};
         result.operands.push_back(std::move(*inner));
         return result;
     }
@@ -167,12 +167,13 @@ private:
         }
         if (token.kind == ScriptKind::Number) {
             tokens_.next();
-            return Term{
+            return ForeignTerm{
                 .kind = TermKind::Number, .text = std::string(token.text), .line = token.line};
         }
         if (token.kind != ScriptKind::Name) return error(tr("a number or a name is missing"));
         tokens_.next();
-        Term name{.kind = TermKind::Name, .text = std::string(token.text), .line = token.line};
+        ForeignTerm name{
+            .kind = TermKind::Name, .text = std::string(token.text), .line = token.line};
         if (!tokens_.at_sign("(")) return name;
         name.kind = TermKind::Call;
         ReadTerm call = arguments_of(std::move(name));
@@ -184,7 +185,7 @@ private:
         return call;
     }
 
-    ReadTerm arguments_of(Term call) {
+    ReadTerm arguments_of(ForeignTerm call) {
         do {
             tokens_.next();
             if (call.operands.empty() && tokens_.at_sign(")")) break;
@@ -201,7 +202,7 @@ private:
     int depth_ = 0;
 };
 
-void write(std::string& text, const Term& term, std::size_t least);
+void write(std::string& text, const ForeignTerm& term, std::size_t least);
 
 /// The sign as the language has it, where it could mean something else there.
 std::string_view plain_sign(std::string_view sign) {
@@ -210,7 +211,7 @@ std::string_view plain_sign(std::string_view sign) {
     return sign == "=" ? "==" : sign;
 }
 
-void write_chain(std::string& text, const Term& term) {
+void write_chain(std::string& text, const ForeignTerm& term) {
     const std::size_t level = level_of(term);
     const bool spaced = level != 4;
     for (std::size_t i = 0; i < term.operands.size(); ++i) {
@@ -222,7 +223,7 @@ void write_chain(std::string& text, const Term& term) {
     }
 }
 
-void write_call(std::string& text, const Term& call) {
+void write_call(std::string& text, const ForeignTerm& call) {
     const std::size_t dot = std::min(call.text.find('.'), call.text.size());
     text += call.text.substr(0, dot) + "(";
     for (std::size_t i = 0; i < call.operands.size(); ++i) {
@@ -232,7 +233,7 @@ void write_call(std::string& text, const Term& call) {
     text += ")" + call.text.substr(dot);
 }
 
-void write(std::string& text, const Term& term, std::size_t least) {
+void write(std::string& text, const ForeignTerm& term, std::size_t least) {
     const bool bracketed = level_of(term) < least;
     if (bracketed) text += '(';
     switch (term.kind) {
@@ -255,11 +256,12 @@ void write(std::string& text, const Term& term, std::size_t least) {
 
 }  // namespace
 
-std::expected<Term, TermError> read_term(TokenReader& tokens, const Dialect& dialect) {
+std::expected<ForeignTerm, TermError> read_term(TokenReader& tokens, const Dialect& dialect) {
     return Reader(tokens, dialect).chain(0);
 }
 
-std::expected<Term, TermError> read_whole_term(std::string_view text, const Dialect& dialect) {
+std::expected<ForeignTerm, TermError> read_whole_term(std::string_view text,
+                                                      const Dialect& dialect) {
     TokenReader tokens(script_tokens(text));
     auto term = read_term(tokens, dialect);
     if (term && !tokens.at_end()) {
@@ -270,26 +272,26 @@ std::expected<Term, TermError> read_whole_term(std::string_view text, const Dial
     return term;
 }
 
-std::string text_of(const Term& term) {
+std::string text_of(const ForeignTerm& term) {
     std::string text;
     write(text, term, 0);
     return text;
 }
 
-void for_each_part(Term& term, const std::function<void(Term&)>& change) {
-    for (Term& operand : term.operands)
+void for_each_part(ForeignTerm& term, const std::function<void(ForeignTerm&)>& change) {
+    for (ForeignTerm& operand : term.operands)
         for_each_part(operand, change);
     change(term);
 }
 
-Term call_of(std::string function, std::vector<Term> operands, std::size_t line) {
+ForeignTerm call_of(std::string function, std::vector<ForeignTerm> operands, std::size_t line) {
     return {.kind = TermKind::Call,
             .text = std::move(function),
             .operands = std::move(operands),
             .line = line};
 }
 
-Term number_term(double value, std::size_t line) {
+ForeignTerm number_term(double value, std::size_t line) {
     return {.kind = TermKind::Number, .text = exact_number(value), .line = line};
 }
 

@@ -34,10 +34,10 @@ enum class TermKind : std::uint8_t {
 };
 
 /// A formula or a part of one. Its depth is bounded by most_depth.
-struct Term {
+struct ForeignTerm {
     TermKind kind = TermKind::Number;
     std::string text = {};  ///< the digits, the name, the function, the prefix
-    std::vector<Term> operands = {};
+    std::vector<ForeignTerm> operands = {};
     std::vector<std::string> signs = {};  ///< of a Chain: that before each operand; the first empty
     std::size_t line = 0;
 };
@@ -50,23 +50,24 @@ struct TermError {
 };
 
 /// Reads the formula that is next, up to the first token that cannot belong to it.
-std::expected<Term, TermError> read_term(TokenReader& tokens, const Dialect& dialect);
+std::expected<ForeignTerm, TermError> read_term(TokenReader& tokens, const Dialect& dialect);
 /// Reads a text that is one formula as a whole.
-std::expected<Term, TermError> read_whole_term(std::string_view text, const Dialect& dialect);
+std::expected<ForeignTerm, TermError> read_whole_term(std::string_view text,
+                                                      const Dialect& dialect);
 
 /// The formula in the language, with no more parentheses than it needs.
-std::string text_of(const Term& term);
+std::string text_of(const ForeignTerm& term);
 
 /// Calls `change` with each part of the formula, operands first.
-void for_each_part(Term& term, const std::function<void(Term&)>& change);
+void for_each_part(ForeignTerm& term, const std::function<void(ForeignTerm&)>& change);
 
 /// The formula's value; nothing where it has names that `value_of` does not know, or functions that
 /// are not known here. Functions are those of C; log is natural.
 using ValueOfName = std::function<std::optional<double>(std::string_view)>;
-std::optional<double> value_of(const Term& term, const ValueOfName& value_of_name);
+std::optional<double> value_of(const ForeignTerm& term, const ValueOfName& value_of_name);
 
 /// A name of the language's own or of two operands as a call: fmod(a, b).
-Term call_of(std::string function, std::vector<Term> operands, std::size_t line);
-Term number_term(double value, std::size_t line);
+ForeignTerm call_of(std::string function, std::vector<ForeignTerm> operands, std::size_t line);
+ForeignTerm number_term(double value, std::size_t line);
 
 }  // namespace zeroset

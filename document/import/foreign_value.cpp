@@ -19,11 +19,11 @@ std::optional<double> joined(double a, std::string_view sign, double b) {
 
 }  // namespace
 
-std::optional<double> value_of(const Term& term, const ValueOfName& value_of_name) {
+std::optional<double> value_of(const ForeignTerm& term, const ValueOfName& value_of_name) {
     if (term.kind == TermKind::Number) return number_from<double>(term.text);
     if (term.kind == TermKind::Name) return value_of_name(term.text);
     std::vector<double> values;
-    for (const Term& operand : term.operands) {
+    for (const ForeignTerm& operand : term.operands) {
         const auto value = value_of(operand, value_of_name);
         if (!value) return std::nullopt;
         values.push_back(*value);

@@ -26,6 +26,13 @@ std::string as_remark(const std::string& text) {
     return remark;
 }
 
+std::size_t bytes_of(const std::vector<Statement>& rows) {
+    std::size_t bytes = 0;
+    for (const Statement& row : rows)
+        bytes += row.text.size() + 1;
+    return bytes;
+}
+
 /// Makes a remark of the row of an error, and adds a note; false where that would not help.
 bool refuse_row(ImportedDocument& imported, const ParseError& error,
                 const std::vector<Statement>& as_written, std::vector<ImportNote>& refused) {
@@ -106,8 +113,9 @@ void check_rows(ImportedDocument& imported) {
     const std::vector<Statement> as_written = rows;
     std::vector<ImportNote> refused;
     auto program = read_rows(imported.document);
-    // A text of which that many rows are refused is no file of formulas.
-    constexpr std::size_t most_refused = 200;
+    // A text of which that many rows are refused is no file of formulas; a long one is not read as
+    // often.
+    const std::size_t most_refused = std::min<std::size_t>(200, 10'000'000 / (1 + bytes_of(rows)));
     while (!program && refused.size() < most_refused &&
            refuse_row(imported, program.error(), as_written, refused))
         program = read_rows(imported.document);

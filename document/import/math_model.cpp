@@ -31,11 +31,11 @@ std::optional<Definition> definition_of(std::string_view text) {
 }
 
 /// a % b as fmod(a, b).
-Term without_remainders(Term chain) {
-    Term result = std::move(chain.operands[0]);
+ForeignTerm without_remainders(ForeignTerm chain) {
+    ForeignTerm result = std::move(chain.operands[0]);
     const std::size_t line = chain.line;
     for (std::size_t i = 1; i < chain.operands.size(); ++i) {
-        std::vector<Term> both;
+        std::vector<ForeignTerm> both;
         both.push_back(std::move(result));
         both.push_back(std::move(chain.operands[i]));
         if (chain.signs[i] == "%") {
@@ -184,7 +184,7 @@ private:
                            const std::vector<std::string>& extra = {}) {
         auto term = read_whole_term(text, {});
         if (!term) return std::string(text);
-        for_each_part(*term, [&](Term& part) {
+        for_each_part(*term, [&](ForeignTerm& part) {
             const bool is_call = part.kind == TermKind::Call;
             if (is_call && part.text == "int") {
                 part.text = "round";

@@ -94,15 +94,15 @@ std::string PovFormulas::add(std::string_view wanted, const std::string& formula
     return own;
 }
 
-std::string PovFormulas::translated(Term term, const std::vector<std::string>& parameters) {
-    for_each_part(term, [&](Term& part) {
+std::string PovFormulas::translated(ForeignTerm term, const std::vector<std::string>& parameters) {
+    for_each_part(term, [&](ForeignTerm& part) {
         if (part.kind == TermKind::Call) translate_call(part);
         if (part.kind == TermKind::Name) translate_name(part, parameters);
     });
     return text_of(term);
 }
 
-bool PovFormulas::translate_part(Term& call) {
+bool PovFormulas::translate_part(ForeignTerm& call) {
     const std::size_t dot = call.text.find('.');
     if (dot == std::string::npos) return false;
     const std::string own =
@@ -111,7 +111,7 @@ bool PovFormulas::translate_part(Term& call) {
     return true;
 }
 
-void PovFormulas::translate_call(Term& call) {
+void PovFormulas::translate_call(ForeignTerm& call) {
     if (translate_part(call)) return;
     if (const auto own = find(call.text)) {
         call.text = *own;
@@ -125,11 +125,11 @@ void PovFormulas::translate_call(Term& call) {
         call.kind = TermKind::Power;
         call.operands.push_back(number_term(2.0, call.line));
     } else if (call.text == "div" && call.operands.size() == 2) {
-        Term quotient{.kind = TermKind::Chain,
-                      .operands = std::move(call.operands),
-                      .signs = {"", "/"},
-                      .line = call.line};
-        std::vector<Term> one;
+        ForeignTerm quotient{.kind = TermKind::Chain,
+                             .operands = std::move(call.operands),
+                             .signs = {"", "/"},
+                             .line = call.line};
+        std::vector<ForeignTerm> one;
         one.push_back(std::move(quotient));
         call = call_of("trunc", std::move(one), call.line);
     } else if ((call.text == "sum" || call.text == "prod") && call.operands.size() == 4) {
@@ -138,7 +138,7 @@ void PovFormulas::translate_call(Term& call) {
     }
 }
 
-void PovFormulas::translate_name(Term& name, const std::vector<std::string>& parameters) {
+void PovFormulas::translate_name(ForeignTerm& name, const std::vector<std::string>& parameters) {
     if (std::ranges::find(parameters, name.text) != parameters.end()) return;
     const auto value = script_.value_of(name.text);
     if (!value || name.text == "pi" || pov_constant(name.text)) {

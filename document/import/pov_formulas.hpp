@@ -43,10 +43,10 @@ private:
     std::optional<std::string> pattern(std::string_view wanted, std::size_t line);
     /// The name of a definition of the part of a pigment's colours.
     std::string part_of(const std::string& function, std::string_view part, std::size_t line);
-    bool translate_part(Term& call);
-    std::string translated(Term term, const std::vector<std::string>& parameters);
-    void translate_call(Term& call);
-    void translate_name(Term& name, const std::vector<std::string>& parameters);
+    bool translate_part(ForeignTerm& call);
+    std::string translated(ForeignTerm term, const std::vector<std::string>& parameters);
+    void translate_call(ForeignTerm& call);
+    void translate_name(ForeignTerm& name, const std::vector<std::string>& parameters);
 
     PovScript& script_;
     PovModifiers& modifiers_;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <numbers>
 
 namespace zeroset {
@@ -15,7 +14,7 @@ namespace {
 
 struct Constant {
     std::string_view name;
-    std::initializer_list<double> value;
+    PovValue value;
 };
 
 double joined(double a, char sign, double b) {

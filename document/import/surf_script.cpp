@@ -165,7 +165,7 @@ private:
                (name.size() == 7 || (name.size() == 8 && name[7] >= '2' && name[7] <= '9'));
     }
 
-    [[nodiscard]] std::optional<double> number_of(const Term& term) const {
+    [[nodiscard]] std::optional<double> number_of(const ForeignTerm& term) const {
         return value_of(term, [this](std::string_view name) { return constant(name); });
     }
 
@@ -177,10 +177,11 @@ private:
 
     /// The polynomial with numbers in place of names, and calls in place of other polynomials;
     /// nothing, with a note, where it cannot be written.
-    std::optional<Polynomial> translated(Term term, std::size_t line, const std::string& name) {
+    std::optional<Polynomial> translated(ForeignTerm term, std::size_t line,
+                                         const std::string& name) {
         Polynomial result{.row = {}, .line = line, .uses = {}};
         std::string wrong;
-        for_each_part(term, [&](Term& part) {
+        for_each_part(term, [&](ForeignTerm& part) {
             if (part.kind == TermKind::Name) translate_name(part, result, wrong);
             if (part.kind == TermKind::Call) translate_call(part, result, wrong);
         });
@@ -192,7 +193,7 @@ private:
         return result;
     }
 
-    void translate_name(Term& part, Polynomial& result, std::string& wrong) {
+    void translate_name(ForeignTerm& part, Polynomial& result, std::string& wrong) {
         if (part.text == "x" || part.text == "y" || part.text == "z") return;
         const auto found = polynomials_of_.find(part.text);
         if (found != polynomials_of_.end()) {
@@ -205,7 +206,7 @@ private:
         }
     }
 
-    void translate_call(Term& part, Polynomial& result, std::string& wrong) {
+    void translate_call(ForeignTerm& part, Polynomial& result, std::string& wrong) {
         if (const auto value = number_of(part)) {
             part = number_term(*value, part.line);
             return;
@@ -233,7 +234,7 @@ private:
                 .line = part.line};
     }
 
-    void assign_polynomial(const std::string& name, Term term, std::size_t line) {
+    void assign_polynomial(const std::string& name, ForeignTerm term, std::size_t line) {
         if (name == "curve") saw_curve_ = true;
         auto polynomial = translated(std::move(term), line, name);
         if (!polynomial) return;

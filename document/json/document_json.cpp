@@ -270,6 +270,15 @@ void check_format(const Json& json) {
     }
 }
 
+/// Refuses what is nested deeper than documents are: JSON is copied by functions that call
+/// themselves.
+bool refuse_depth(int depth, Json::parse_event_t /*event*/, const Json& /*parsed*/) {
+    constexpr int most = 32;
+    if (depth > most)
+        throw Damage{filled(tr("lists are nested more than {0} deep"), {std::to_string(most)})};
+    return true;
+}
+
 }  // namespace
 
 std::string text_of(const Document& document, const std::optional<Background>& shown_on) {
@@ -308,7 +317,9 @@ std::expected<ParsedDocument, std::string> document_from(std::string_view text) 
     }
     Json json;
     try {
-        json = Json::parse(text);
+        json = Json::parse(text, refuse_depth);
+    } catch (const Damage& damage) {
+        return std::unexpected(filled(tr("it is damaged: {0}"), {damage.reason}));
     } catch (const Json::parse_error& error) {
         const auto end =
             text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));

@@ -61,7 +61,7 @@ LightRay rest_of(const ShadowSearch& search, std::size_t pixel, const BlobRay& r
             .from = std::max(from, ray.from),
             .to = s + search.places.error,
             .left = false,
-            .sign = Sign::Unknown,
+            .sign = RaySign::Unknown,
             .is_root = is_set(search.roots, pixel)};
 }
 

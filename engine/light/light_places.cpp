@@ -53,11 +53,11 @@ private:
 };
 
 /// The rays of a tile's pixels: start + t direction / |direction|, with t the distance of a hit.
-struct TileLines {
+struct LightLines {
     LinearVector start;  ///< from the point that the light looks at
     LinearVector direction;
 
-    TileLines(const TraceFrame& frame, const Tile& tile, const glm::dvec3& look_at) {
+    LightLines(const TraceFrame& frame, const Tile& tile, const glm::dvec3& look_at) {
         const auto at = [&](int col, int row) {
             return pixel_centre(tile.col + col, tile.row + row);
         };
@@ -90,7 +90,7 @@ struct PlacesRow {
     }
 };
 
-PlacesRow places_row(const TileLines& lines, const ViewFrame& eye, const ViewFrame& light,
+PlacesRow places_row(const LightLines& lines, const ViewFrame& eye, const ViewFrame& light,
                      int row) {
     return {.start = {{lines.start, row, light.right},
                       {lines.start, row, light.up},
@@ -158,7 +158,7 @@ HWY_INLINE void store_where(M<float> wanted, V<float> numbers, float* to) {
 
 TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& tile,
                    const TileHits& hits, LightPlaces& places) {
-    const TileLines lines(frame, tile, light.look_at());
+    const LightLines lines(frame, tile, light.look_at());
     float* const out[3] = {places.u.data(), places.v.data(), places.s.data()};
     float* const changes[2] = {places.by_u.data(), places.by_v.data()};
     const LightAxes axes(light);

@@ -49,8 +49,8 @@ struct Hits {
 /// The rays from a square of hits to the light. Depths are over the plane of the hits.
 struct Beam {
     Square square;
-    Start start;  ///< Behind: all hits lie behind `to`; else the next cell holds them
-    Sign sign;    ///< of f at `to` on all rays, if they lie behind
+    Start start;   ///< Behind: all hits lie behind `to`; else the next cell holds them
+    RaySign sign;  ///< of f at `to` on all rays, if they lie behind
     Hits hits;
     LightWalls::Entry entry;
     double to;    ///< behind it, there is no root but the hits
@@ -191,7 +191,7 @@ void BeamSearch<Real>::add(const Square& square, const Beam* whole) {
     const Plane plane{.middle = hits.plane(), .by_u = hits.by_u, .by_v = hits.by_v};
     Beam beam{.square = square,
               .start = behind ? Start::Behind : start_of(square),
-              .sign = behind ? whole->sign : Sign::Unknown,
+              .sign = behind ? whole->sign : RaySign::Unknown,
               .hits = hits,
               .entry = search_.walls.entry(hits.u, hits.v, hits.u_radius, hits.v_radius, plane),
               .to = behind ? whole->to : hits.h_far,
@@ -221,7 +221,7 @@ void BeamSearch<Real>::add_ray(std::size_t pixel, const Beam* whole) {
         .from = search_.walls.entry(u, v, places.error, places.error, none).first,
         .to = to + (behind ? margin_ : places.error),
         .left = behind,
-        .sign = behind ? whole->sign : Sign::Unknown,
+        .sign = behind ? whole->sign : RaySign::Unknown,
         .is_root = (search_.roots[pixel / tile_size] >> pixel % tile_size & 1U) != 0};
     if (ray.from < ray.to) rest_.push_back(ray);
 }

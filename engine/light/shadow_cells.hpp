@@ -17,10 +17,11 @@ enum class Shade : std::uint8_t {
 };
 struct ShadeVerdict {
     Shade shade;
-    Sign sign = Sign::Unknown;  ///< of f at the end towards the light, on all rays, of a free cell
+    RaySign sign =
+        RaySign::Unknown;  ///< of f at the end towards the light, on all rays, of a free cell
 };
 
-inline Sign sign_of(bool positive) { return positive ? Sign::Positive : Sign::Negative; }
+inline RaySign sign_of(bool positive) { return positive ? RaySign::Positive : RaySign::Negative; }
 
 /// The hits of a beam: in the next cell, or behind it as the light sees it.
 enum class Start : std::uint8_t {
@@ -54,7 +55,7 @@ CellLine<Real> line_of(const FormCells<Real, room>& cells, std::size_t i) {
 /// Judges a cell. `sign`: that of f at the cell's end away from the light, where the hits are
 /// behind it. In upward rounding.
 template <class Real>
-ShadeVerdict judge(const CellLine<Real>& f, Start start, Sign sign) {
+ShadeVerdict judge(const CellLine<Real>& f, Start start, RaySign sign) {
     const Real steepness = std::abs(f.along);
     const Real size = std::abs(f.c);
     if (f.nowhere) return {.shade = Shade::Free};
@@ -63,15 +64,15 @@ ShadeVerdict judge(const CellLine<Real>& f, Start start, Sign sign) {
     if (f.falls || f.rises) {
         // Depths fall towards the light: f goes away from 0 there, from the hits, or from where its
         // sign is known.
-        const Sign ahead = sign_of(f.falls);
+        const RaySign ahead = sign_of(f.falls);
         const bool away = start == Start::Behind && sign == ahead;
         const bool leaves =
-            start == Start::Roots || (start == Start::Above && ahead == Sign::Positive);
+            start == Start::Roots || (start == Start::Above && ahead == RaySign::Positive);
         if (leaves || away) return {.shade = Shade::Free, .sign = ahead};
     }
     if (start != Start::Behind) return {.shade = Shade::Open};
-    const bool turned = (sign == Sign::Positive && f.c - f.along + f.aside < 0) ||
-                        (sign == Sign::Negative && f.along - f.c + f.aside < 0);
+    const bool turned = (sign == RaySign::Positive && f.c - f.along + f.aside < 0) ||
+                        (sign == RaySign::Negative && f.along - f.c + f.aside < 0);
     const bool opposite_signs = steepness > size + f.aside;
     return {.shade = turned || opposite_signs ? Shade::Dark : Shade::Open};
 }

@@ -66,8 +66,8 @@ void RaySearch<Real>::load(std::size_t i, const LightRay& ray) {
     to.step[i] = static_cast<Real>(first_step * (ray.to - ray.from));
     to.pixel[i] = static_cast<RayWord<Real>>(ray.pixel);
     to.marks[i] = (ray.left ? RayMarks::left : 0U) | (ray.is_root ? RayMarks::root : 0U) |
-                  (ray.sign == Sign::Positive ? RayMarks::positive : 0U) |
-                  (ray.sign == Sign::Negative ? RayMarks::negative : 0U);
+                  (ray.sign == RaySign::Positive ? RayMarks::positive : 0U) |
+                  (ray.sign == RaySign::Negative ? RayMarks::negative : 0U);
 }
 
 template <class Real>

@@ -44,7 +44,7 @@ struct ShadowSearch {
 };
 
 /// The sign of f at a place on its way to the light.
-enum class Sign : std::int8_t { Negative = -1, Unknown = 0, Positive = 1 };
+enum class RaySign : std::int8_t { Negative = -1, Unknown = 0, Positive = 1 };
 
 /// The ray from a hit to the light, as far as it is not searched yet.
 struct LightRay {
@@ -53,7 +53,7 @@ struct LightRay {
     double s;         ///< depth of the hit
     double from, to;  ///< depths between which there may be a root
     bool left;        ///< a root in front of `to` is another one than the hit; else it may be it
-    Sign sign;        ///< of f at `to`, if the hit is left
+    RaySign sign;     ///< of f at `to`, if the hit is left
     bool is_root;     ///< the hit is one of ShadowSearch::roots
 };
 

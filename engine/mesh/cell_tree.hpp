@@ -28,7 +28,7 @@ struct MeshCell {
     BoxFacts facts;
 
     [[nodiscard]] bool is_leaf() const { return first_child == 0; }
-    [[nodiscard]] bool is_active() const { return facts.side == Side::Unknown; }
+    [[nodiscard]] bool is_active() const { return facts.side == BoxSide::Unknown; }
 };
 
 /// The edge of the root, in those of the box.

@@ -103,7 +103,7 @@ TriangleMesh Marcher::finish_without_roots() {
 }
 
 Contour Marcher::finish(const MeshSolid& solid, const MeshWork& work) {
-    std::vector<RootBracket> brackets;
+    std::vector<CrossedEdge> brackets;
     brackets.reserve(edges_.keys().size());
     for (const std::uint64_t key : edges_.keys()) {
         const auto inside = static_cast<std::uint32_t>(key >> 32U);

@@ -34,10 +34,10 @@ std::size_t contour_complexity(const Lattice& lattice);
 /// Roots of the solid's function between points inside and outside, by Newton's method within
 /// brackets; where it jumps, the place of the jump. Those that are left when the time is over are
 /// as close as they were.
-struct RootBracket {
+struct CrossedEdge {
     glm::dvec3 inside, outside;
 };
-std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
+std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<CrossedEdge>& brackets,
                                    const MeshWork& work);
 
 }  // namespace zeroset

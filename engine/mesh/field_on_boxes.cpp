@@ -128,7 +128,7 @@ void FieldOnBoxes::find_side(const Box& box, std::size_t i, BoxFacts& facts) {
     bool defined = true;
     for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
         defined = defined && (range(p, i).continuous || solid_.parts[p].defined_everywhere);
-        if (range(p, i).nowhere) facts.side = Side::Outside;
+        if (range(p, i).nowhere) facts.side = BoxSide::Outside;
     }
     for (std::size_t n = 0; n < solid_.nodes.size(); ++n) {
         const SolidNode& node = solid_.nodes[n];
@@ -144,14 +144,14 @@ void FieldOnBoxes::find_side(const Box& box, std::size_t i, BoxFacts& facts) {
                               ? Range{.lo = std::max(a.lo, b.lo), .hi = std::max(a.hi, b.hi)}
                               : Range{.lo = std::min(a.lo, b.lo), .hi = std::min(a.hi, b.hi)};
     }
-    if (node_ranges_.back().lo > 0) facts.side = Side::Outside;
+    if (node_ranges_.back().lo > 0) facts.side = BoxSide::Outside;
     bool inside = defined && node_ranges_.back().hi < 0;
     for (const SolidCut& cut : solid_.cuts) {
         const auto [lo, hi] = range_of(cut, box);
-        if (lo > 0) facts.side = Side::Outside;
+        if (lo > 0) facts.side = BoxSide::Outside;
         inside = inside && hi < 0;
     }
-    if (inside) facts.side = Side::Inside;
+    if (inside) facts.side = BoxSide::Inside;
 }
 
 /// Adds the leaves below a node, which is neither surely above nor below 0, whose zeros may be its.
@@ -203,7 +203,7 @@ void FieldOnBoxes::evaluate_some(std::span<const Box> boxes, std::span<BoxFacts>
     for (std::uint32_t i = 0; i < count_; ++i) {
         facts[i] = {};
         find_side(boxes[i], i, facts[i]);
-        if (facts[i].side != Side::Unknown) continue;
+        if (facts[i].side != BoxSide::Unknown) continue;
         const std::size_t first = touches_.size();
         const auto root = static_cast<std::uint32_t>(solid_.nodes.size() - 1);
         if (node_ranges_[root].hi >= 0) find_touches(root, i);

@@ -15,7 +15,7 @@
 namespace zeroset {
 
 /// Where a box lies.
-enum class Side : std::uint8_t { Inside, Outside, Unknown };
+enum class BoxSide : std::uint8_t { Inside, Outside, Unknown };
 
 /// An enclosure of the gradients that a function has in a box.
 struct GradientBox {
@@ -28,7 +28,7 @@ struct GradientBox {
 struct BoxFacts {
     static constexpr std::size_t most_gradients = 3;
 
-    Side side = Side::Unknown;
+    BoxSide side = BoxSide::Unknown;
     /// Whether the function is continuous and `gradients` hold all that it has near its zeros;
     /// always false where its side is known.
     bool graded = false;

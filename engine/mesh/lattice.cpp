@@ -117,11 +117,11 @@ Lattice LatticeMaker::make(const MeshWork& work) {
 void trust_cells(const CellTree& tree, Lattice& lattice) {
     for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
         for (std::size_t k = 0; k < 2; ++k) {
-            const Side side = tree[tetrahedron.cells[k]].facts.side;
-            if (side == Side::Unknown) continue;
+            const BoxSide side = tree[tetrahedron.cells[k]].facts.side;
+            if (side == BoxSide::Unknown) continue;
             for (const std::size_t vertex : {k, std::size_t{2}, std::size_t{3}}) {
                 double& level = lattice.vertices[tetrahedron.vertices[vertex]].level;
-                level = side == Side::Inside ? -std::abs(level) : std::abs(level);
+                level = side == BoxSide::Inside ? -std::abs(level) : std::abs(level);
             }
         }
     }

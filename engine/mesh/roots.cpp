@@ -41,12 +41,12 @@ bool take_step(Search& search, const SolidValue& value, const glm::dvec3& along,
     return settled;
 }
 
-glm::dvec3 point_at(const RootBracket& bracket, double t) {
+glm::dvec3 point_at(const CrossedEdge& bracket, double t) {
     return bracket.inside + t * (bracket.outside - bracket.inside);
 }
 
 /// Takes all searches a step further and keeps those that are not over; `places` gets the ends.
-void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
+void step_all(const MeshSolid& solid, const std::vector<CrossedEdge>& brackets,
               std::vector<Search>& searches, std::vector<double>& places, int step,
               const MeshWork& work) {
     std::vector<glm::dvec3> points;
@@ -57,7 +57,7 @@ void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
     std::size_t kept = 0;
     for (std::size_t i = 0; i < searches.size(); ++i) {
         Search search = searches[i];
-        const RootBracket& bracket = brackets[search.bracket];
+        const CrossedEdge& bracket = brackets[search.bracket];
         const bool over = take_step(search, values[i], bracket.outside - bracket.inside, step);
         places[search.bracket] = std::clamp(search.t, apart, 1.0 - apart);
         if (!over) searches[kept++] = search;
@@ -75,7 +75,7 @@ MeshVertex vertex_at(const glm::dvec3& point, const SolidValue& value) {
 
 }  // namespace
 
-std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
+std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<CrossedEdge>& brackets,
                                    const MeshWork& work) {
     std::vector<double> places(brackets.size(), 0.5);
     std::vector<Search> searches(brackets.size());

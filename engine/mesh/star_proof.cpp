@@ -95,7 +95,7 @@ Rise Prover::rise(std::size_t vertex) const {
     bool kinked = false;
     for (const std::uint32_t cell : cells) {
         const BoxFacts& facts = tree_[cell].facts;
-        if (facts.side != Side::Unknown) continue;
+        if (facts.side != BoxSide::Unknown) continue;
         if (!facts.graded || tree_[cell].uncertain) return Rise::None;
         kinked = kinked || facts.kinked;
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());

@@ -188,7 +188,8 @@ TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& works
     if (limit.cancelled()) return TileState::Waiting;
     encode_tile(tile, hits, workspace.lit, out);
     keep_planes(tile, hits, workspace.lit, out);
-    if (beams_ && !limit.over()) smooth(tile, limit, workspace, out, counters);
+    if (beams_ && !surfaces_.empty() && !limit.over())
+        smooth(tile, limit, workspace, out, counters);
     if (limit.cancelled()) return TileState::Waiting;
     return cut ? TileState::Cut : limit.over() ? TileState::Rough : TileState::Finished;
 }

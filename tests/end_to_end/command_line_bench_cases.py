@@ -59,6 +59,26 @@ class BenchTest(ProgramTest):
             forms.append(answer["surfaces"][0]["beams"]["form_per_ray"])
         self.assertEqual(forms, sorted(set(forms)))
 
+    def test_suites_that_cannot_be_drawn(self):
+        def suite(direction, fov, domain):
+            return {"camera": {"direction": direction, "distance": 4, "fov": fov},
+                    "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1", "domain": domain}]}
+
+        (self.folder / "folder").mkdir()
+        wrong = {"folder": "cannot be read",
+                 "direction": "the camera of 'ball'",
+                 "fov": "the field of view",
+                 "domain": "must be from 1e-12 to 1e9"}
+        for name, text in (("direction", suite([0, 0, 0], 42, 1)), ("fov", suite([1, 1, 1], 180, 1)),
+                           ("domain", suite([1, 1, 1], 42, -1))):
+            (self.folder / name).write_text(json.dumps(text), encoding="utf-8")
+        for name, reason in wrong.items():
+            with self.subTest(name):
+                result = run("bench", "--suite", name, cwd=self.folder)
+                self.assertEqual(result.code, 2, str(result))
+                self.assertEqual(result.err.count("\n"), 1, str(result))
+                self.assertIn(reason, result.err)
+
     def test_first_pictures(self):
         suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
                  "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1.5", "domain": 2},

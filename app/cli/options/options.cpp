@@ -9,6 +9,7 @@
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
+#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"
@@ -47,7 +48,7 @@ OrInputError<InputDocument> imported_document(const std::string& path) {
     auto imported = load_imported(import_place(path));
     if (!imported) return wrong_input(imported.error());
     for (const ImportNote& note : imported->notes)
-        std::cerr << "zeroset: " << note_text(path, note) << "\n";
+        std::cerr << "zeroset: " << printable(note_text(path, note)) << "\n";
     return InputDocument{
         read_document(std::move(imported->document)), {}, notes_listed(imported->notes), {}, true};
 }

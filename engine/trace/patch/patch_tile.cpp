@@ -23,6 +23,9 @@ constexpr double small_pixels = 16.0;
 constexpr double least_pixels = 5.0;
 /// Nor where S is not continuous: such parts may be as many as there are along a line.
 constexpr int most_levels_of_jumps = 4;
+/// Parts and pixels that are kept for the end; of a patch that is undefined everywhere, but not
+/// proved to be, each part may be at each pixel.
+constexpr std::size_t most_rest = std::size_t{1} << 18U;
 constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
 std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
@@ -215,6 +218,7 @@ bool PatchTile::look_at(PatchNode& node, Part& part) const {
 
 void PatchTile::visit(Part& part) {
     if (frame_.stopped() || is_hidden(part.depths)) return;
+    if (room_.rest.size() >= most_rest) empty_rest();
     PatchNode& node = *part.node;
     std::optional<PatchOutline> outline;
     if (wish_ == Wish::FirstHits) outline.emplace(part.sight, axes_.distance, grid_);
@@ -272,6 +276,13 @@ void PatchTile::find_limit() {
     new_hits_ = 0;
     find_reaches();
     limit_ = std::min(limit_, *std::ranges::max_element(block_reach_));
+}
+
+void PatchTile::empty_rest() {
+    solve();
+    room_.leaves.clear();  // no candidate is left that names one
+    search_rest();
+    room_.rest.clear();
 }
 
 void PatchTile::search_rest() {

@@ -161,6 +161,8 @@ private:
                 bool is_last);
     /// Finds behind which depth nothing is wanted any more.
     void find_limit();
+    /// Searches what is kept for the end now, to have room.
+    void empty_rest();
     void search_rest();
     /// The width of a pixel at a depth.
     [[nodiscard]] double pixel_at(double s) const {

@@ -12,7 +12,7 @@
 namespace zeroset {
 
 /// Depths on a ray.
-struct Stretch {
+struct LayerStretch {
     double from, to;
 };
 
@@ -20,7 +20,7 @@ struct Stretch {
 /// back, until it returns true; whether it did. The cells may be beside the grid.
 template <class Look>
 bool walk_cells(const IndexRays::Ray& ray, const WalkAxes& axes, std::int32_t layer,
-                const Stretch& whole, const Look& look) {
+                const LayerStretch& whole, const Look& look) {
     const auto& at = ray.at;
     const auto& along = ray.along;
     const auto cell_of = [&](std::size_t axis, double s) {

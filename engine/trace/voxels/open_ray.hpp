@@ -19,7 +19,7 @@ struct OpenRay {
     FirstRoot root = {};
 
     /// The stretch of the ray in a layer along an axis, as far as it is looked for roots.
-    [[nodiscard]] Stretch stretch_in(std::int32_t layer, std::size_t axis) const {
+    [[nodiscard]] LayerStretch stretch_in(std::int32_t layer, std::size_t axis) const {
         const auto [first, last] = std::minmax(
             {(layer - ray.at[axis]) * per_layer, (layer + 1 - ray.at[axis]) * per_layer});
         return {.from = std::max(first, from), .to = std::min(last, to)};

@@ -316,17 +316,17 @@ private:
     }
     /// Takes the ray through the cells of a layer; whether it has ended.
     bool walk_layer(OpenRay& ray, bool marks, std::int32_t layer, const WalkAxes& axes) {
-        const Stretch whole = ray.stretch_in(layer, axes.k);
+        const LayerStretch whole = ray.stretch_in(layer, axes.k);
         if (!(whole.from <= whole.to)) return whole.from >= ray.to && end(ray);
-        return walk_cells(ray.ray, axes, layer, whole,
-                          [&](const std::array<std::int32_t, 3>& cell, const Stretch& stretch) {
-                              const std::int32_t i = cell[axes.i];
-                              const std::int32_t j = cell[axes.j];
-                              const bool inside = i >= 0 && i <= last_cell_[axes.i] && j >= 0 &&
-                                                  j <= last_cell_[axes.j];
-                              return inside && (!marks || mask_.may_hold(i, j)) &&
-                                     look(ray, cell, stretch);
-                          });
+        return walk_cells(
+            ray.ray, axes, layer, whole,
+            [&](const std::array<std::int32_t, 3>& cell, const LayerStretch& stretch) {
+                const std::int32_t i = cell[axes.i];
+                const std::int32_t j = cell[axes.j];
+                const bool inside =
+                    i >= 0 && i <= last_cell_[axes.i] && j >= 0 && j <= last_cell_[axes.j];
+                return inside && (!marks || mask_.may_hold(i, j)) && look(ray, cell, stretch);
+            });
     }
     /// Ends a ray that has left the region.
     bool end(OpenRay& ray) {
@@ -334,7 +334,7 @@ private:
         return true;
     }
     /// Looks at the ray in a cell; whether it has ended.
-    bool look(OpenRay& ray, const std::array<std::int32_t, 3>& cell, const Stretch& stretch) {
+    bool look(OpenRay& ray, const std::array<std::int32_t, 3>& cell, const LayerStretch& stretch) {
         const auto place = [&](double s) {
             std::array<double, 3> in_cell{};
             for (std::size_t axis = 0; axis < 3; ++axis)

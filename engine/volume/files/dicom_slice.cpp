@@ -74,7 +74,7 @@ Expected<Header> read_header(const std::filesystem::path& file) {
         constexpr std::uint64_t most = std::uint64_t{1} << 32U;
         const std::size_t from = elements->deflated_from;
         const auto rest =
-            unpacked_bytes(std::string_view(header.bytes).substr(from), most, Packing::Deflate);
+            unpacked_bytes(std::string_view(header.bytes).substr(from), most, PackedAs::Deflate);
         if (!rest) return std::unexpected("what is packed in it is damaged");
         header.bytes = header.bytes.substr(0, from) + *rest;
         elements = read_dicom_elements(header.bytes, DeflatedPart::Unpacked);

@@ -87,11 +87,11 @@ Read raw(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file
 /// Unpacks gzip or zlib data step by step.
 class Unpacker {
 public:
-    explicit Unpacker(std::span<const std::byte> packed, Packing packing = Packing::Zlib)
+    explicit Unpacker(std::span<const std::byte> packed, PackedAs packing = PackedAs::Zlib)
         : packed_(packed) {
         constexpr int window = 15;  // bits
         const int any_header = window + 32;
-        ready_ = inflateInit2(&stream_, packing == Packing::Zlib ? any_header : -window) == Z_OK;
+        ready_ = inflateInit2(&stream_, packing == PackedAs::Zlib ? any_header : -window) == Z_OK;
     }
     Unpacker(const Unpacker&) = delete;
     Unpacker& operator=(const Unpacker&) = delete;
@@ -229,7 +229,7 @@ Read samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
 }
 
 std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most,
-                                          Packing packing) {
+                                          PackedAs packing) {
     constexpr std::uint64_t least_step = std::uint64_t{1} << 16U;
     const auto* const first = reinterpret_cast<const std::byte*>(packed.data());
     Unpacker unpacker({first, packed.size()}, packing);

@@ -45,13 +45,13 @@ inline constexpr std::uint64_t best_deflate_ratio = 1032;
 std::expected<Samples, std::string> samples_of_bytes(std::string_view bytes,
                                                      const SampleBlock& block);
 
-enum class Packing : std::uint8_t {
+enum class PackedAs : std::uint8_t {
     Zlib,    ///< with the header of gzip or zlib
     Deflate  ///< without one
 };
 /// What zlib packed, at most `most` bytes of it; nothing where it is damaged or longer.
 std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most,
-                                          Packing packing = Packing::Zlib);
+                                          PackedAs packing = PackedAs::Zlib);
 
 /// The samples times `slope` plus `shift`, as computed in double: as float32 where all of them are
 /// such numbers, else as float64. The error is that there is no memory for them.

@@ -257,6 +257,22 @@ TEST(DocumentText, SaysWhatIsDamaged) {
 }
 
 /// A file that is cut anywhere, or has any byte changed, is read or refused without a crash.
+TEST(DocumentText, SaysThatItIsNestedTooDeep) {
+    for (const std::size_t depth : {std::size_t{33}, std::size_t{1'000'000}}) {
+        for (const std::string& begin : {std::string("["), std::string(R"({"a":)")}) {
+            std::string deep;
+            for (std::size_t i = 0; i < depth; ++i)
+                deep += begin;
+            deep += "1" + std::string(depth, begin == "[" ? ']' : '}');
+            // Behind it are fields enough for the object to be moved in memory.
+            const auto read = document_from(R"({"w": )" + deep +
+                                            R"(, "b": 1, "c": 1, "d": 1, "e": 1, "zeroset": 1})");
+            ASSERT_FALSE(read);
+            EXPECT_EQ(read.error(), "it is damaged: lists are nested more than 32 deep");
+        }
+    }
+}
+
 TEST(DocumentText, SurvivesEveryCutAndManyChanges) {
     const std::string whole = text_of(rich_document());
     for (std::size_t size = 0; size + 2 < whole.size(); ++size)

@@ -69,9 +69,9 @@ TEST(CellGrowth, TellsInsideFromOutside) {
         volume += std::pow(tree.edge(cell), 3);
         const auto [near, far] = distances(tree.box(cell));
         switch (cell.facts.side) {
-            case Side::Inside: EXPECT_LT(far, 1.0); break;
-            case Side::Outside: EXPECT_GT(near, 1.0); break;
-            case Side::Unknown:
+            case BoxSide::Inside: EXPECT_LT(far, 1.0); break;
+            case BoxSide::Outside: EXPECT_GT(near, 1.0); break;
+            case BoxSide::Unknown:
                 ++active;
                 EXPECT_GE(int{cell.level}, least_level);
                 EXPECT_FALSE(cell.uncertain);

@@ -139,7 +139,7 @@ TEST(Roots, LieBetweenInsideAndOutside) {
     const MeshSolid ball = unit_ball();
     // Another one that jumps from -1 to 1 at x = 0.3.
     const MeshSolid jump = solid_of({"sign(x - 0.3)"}, Box::cube(2));
-    const std::vector<RootBracket> along{{.inside = {0, 0, 0}, .outside = {0, 1.9, 0}},
+    const std::vector<CrossedEdge> along{{.inside = {0, 0, 0}, .outside = {0, 1.9, 0}},
                                          {.inside = {0.1, 0.2, 0.3}, .outside = {1.2, 0.2, 0.3}}};
     const std::vector<MeshVertex> roots = find_roots(ball, along, {});
     EXPECT_NEAR(glm::distance(roots[0].point, {0, 1, 0}), 0, 1e-12);

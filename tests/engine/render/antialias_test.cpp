@@ -189,5 +189,19 @@ TEST(Antialias, LeavesNoGapInALineOnTheBorderOfPixels) {
     }
 }
 
+TEST(Antialias, LeavesASceneWithoutSurfacesAsItIs) {
+    Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(1.2));
+    scene.surfaces.clear();
+    Framebuffer plain(70, 50);
+    Framebuffer smooth(70, 50);
+    const Camera camera = default_camera(scene.clip);
+    render_frame(scene, camera, {}, plain);
+    TraceSettings settings;
+    settings.antialias = Antialias::Beams;
+    render_frame(scene, camera, settings, smooth);
+    EXPECT_EQ(smooth.color, plain.color);
+    EXPECT_EQ(smooth.surface, plain.surface);
+}
+
 }  // namespace
 }  // namespace zeroset::test
