@@ -89,15 +89,32 @@ inline double lowered(const DegreeSizes& sizes, int& degree, double most) {
     return left;
 }
 
-/// Leaves out terms of high degree, whose sizes go to the error.
-inline void lower_degree(Piece& piece, double tolerance) {
-    piece.value_error += lowered(piece.sizes, piece.degree, left_out * tolerance);
+/// Sets the degree of a piece of which only the sizes of its model are known, as lower_degree does.
+inline void set_degree(Piece& piece, const ModelSizes& sizes, double tolerance) {
+    double sum = 0.0;
+    double left = 0.0;
+    for (piece.degree = patch_degree; piece.degree > 2; --piece.degree) {
+        sum += double{sizes[static_cast<std::size_t>(piece.degree)]};
+        // Axes have length 1 but for rounding.
+        if (!(sum * (1.0 + 0x1p-40) <= left_out * tolerance)) break;
+        left = sum;
+    }
+    piece.value_error += left * (1.0 + 0x1p-40);
+}
+
+inline void lower_first_degree(Piece& piece, double tolerance) {
     piece.first_degree = piece.degree;
     piece.first_error = lowered(piece.sizes, piece.first_degree, left_out_first * tolerance);
 }
 
-/// The polynomials of a model in the axes of a view.
-inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& terms) {
+/// Leaves out terms of high degree, whose sizes go to the error.
+inline void lower_degree(Piece& piece, double tolerance) {
+    piece.value_error += lowered(piece.sizes, piece.degree, left_out * tolerance);
+    lower_first_degree(piece, tolerance);
+}
+
+/// Sets the polynomials to those of a model in the axes of a view, up to the piece's degree.
+inline void turn(const PatchModel& model, const SightAxes& axes, Piece& piece) {
     const D4 d4;
     for (std::size_t k = 0; k < 4; k += step4) {
         V4 by[3];
@@ -106,7 +123,7 @@ inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& ter
                                                 0.0};
             by[axis] = hn::Load(d4, turned + k);
         }
-        for (std::size_t i = 0; i < patch_terms; ++i) {
+        for (std::size_t i = 0; i < terms_of(piece.degree); ++i) {
             double x = model.terms[0][i];
             double y = model.terms[1][i];
             double z = model.terms[2][i];
@@ -117,7 +134,7 @@ inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& ter
             }
             V4 term = hn::Mul(by[0], hn::Set(d4, x));
             term = hn::MulAdd(by[1], hn::Set(d4, y), term);
-            hn::Store(hn::MulAdd(by[2], hn::Set(d4, z), term), d4, terms[i].data() + k);
+            hn::Store(hn::MulAdd(by[2], hn::Set(d4, z), term), d4, piece.terms[i].data() + k);
         }
     }
 }

@@ -68,8 +68,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
     room_.leaves.clear();
     room_.candidates.clear();
     room_.rest.clear();
-    room_.best.resize(tile_pixels);
-    room_.found.assign(tile_pixels, LeafFound{.normal = {}, .state = RayState::Open});
+    room_.clear();
     find_bounds();
     const DepthRange range =
         rays_.depths(0.5 * (bounds_.u_lo + bounds_.u_hi), 0.5 * (bounds_.v_lo + bounds_.v_hi),
