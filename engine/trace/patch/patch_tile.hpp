@@ -62,10 +62,10 @@ public:
         std::vector<LeafFound> found;  ///< whose depths are in `reach`
         /// A bit for each block of pixels for which something was found since these were cleared.
         std::uint64_t touched = ~std::uint64_t{0};
-        std::vector<PatchHit> best;    ///< of RayState::Kept
+        std::vector<PatchHit> best;  ///< of RayState::Kept
 
-        /// Whether reaches were those of a whole tile of which all is wanted; but for `touched` they
-        /// still are.
+        /// Whether reaches were those of a whole tile of which all is wanted; but for `touched`
+        /// they still are.
         bool is_whole = false;
 
         /// Forgets what was found, but for the reaches.

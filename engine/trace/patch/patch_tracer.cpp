@@ -27,7 +27,8 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
         room.v[static_cast<std::size_t>(i)] = rays.v(i);
     }
     room.to.clear();
-    const bool is_whole = tile.cols == tile_size && tile.rows == tile_size && tile.limits == nullptr;
+    const bool is_whole =
+        tile.cols == tile_size && tile.rows == tile_size && tile.limits == nullptr;
     const bool was_whole = std::exchange(room.is_whole, is_whole);
     if (is_whole && was_whole) {
         fill_blocks(room.reach.data(), room.touched, unbounded);
