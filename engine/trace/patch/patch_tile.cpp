@@ -25,12 +25,11 @@ constexpr double small_pixels = 16.0;
 constexpr double least_pixels = 5.0;
 /// Nor where S is not continuous: such parts may be as many as there are along a line.
 constexpr int most_levels_of_jumps = 4;
-constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
 /// Says early that a node is going to be read.
 void fetch(const PatchNode& node) {
     constexpr std::size_t line = 64;
-    const auto* const bytes = static_cast<const std::byte*>(static_cast<const void*>(&node));
+    const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
     for (std::size_t i = 0; i < sizeof(PatchNode); i += line)
         hwy::Prefetch(bytes + i);
 }
