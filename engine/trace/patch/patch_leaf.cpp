@@ -81,11 +81,10 @@ private:
             if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
         }
         if (open.count == 0) return;
-        if (piece.halvings >= most_halvings) return leave(open, piece.sight.depths().near);
+        if (piece.halvings >= most_halvings || is_all_error(piece, axes_, around))
+            return leave(open, piece.sight.depths().near);
         const PatchSight& sight = piece.sight;
-        const auto bend = [](const glm::dvec3& by) { return by.x + by.y; };
-        const bool along_p = bend(sight.dp_radius) + 0x1p-20 * bend(glm::abs(sight.dp)) >=
-                             bend(sight.dq_radius) + 0x1p-20 * bend(glm::abs(sight.dq));
+        const bool along_p = halves_along_p(piece, around.middle);
         const double forward = along_p ? sight.kp.z : sight.kq.z;
         for (const double sign : forward > 0.0 ? std::array{-1.0, 1.0} : std::array{1.0, -1.0}) {
             Piece half;

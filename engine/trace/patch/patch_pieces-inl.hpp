@@ -185,6 +185,51 @@ inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
     (along_p ? half.box.u_radius : half.box.v_radius) *= 0.5;
 }
 
+/// Whether little of what a linear form in float does not know of g is less in halves: rays that
+/// are so near to being tangent are left open by each of them.
+inline bool is_all_error(const Piece& piece, const SightAxes& axes, const SightRays& rays) {
+    const PatchSight& sight = piece.sight;
+    const auto is_error = [&](int axis, double along) {
+        const double in_float =
+            LinearForm::float_rounding *
+            (std::abs(sight.c[axis]) + along * (std::abs(sight.c.z) + axes.distance));
+        const double of_values = sight.value_error * (1.0 + along);
+        return sight.e[axis] + along * sight.e.z <= 1.25 * of_values + 0.5 * in_float;
+    };
+    return is_error(0, std::abs(rays.middle.u) + rays.u_radius) &&
+           is_error(1, std::abs(rays.middle.v) + rays.v_radius);
+}
+
+/// Whether halves along p bend less than those along q, for rays near some ray. That is how much
+/// the derivatives of g vary relative to their inverse Y in the middle: halves along p have a half
+/// of dS/dp, so that a row of Y is doubled, and a quarter or a half of the second derivatives. (At
+/// the tip of a cone, where dS/dp is 0, its halves along p bend as it does itself.)
+inline bool halves_along_p(const Piece& piece, const SightRay& ray) {
+    const Matrix2& y = piece.contraction.inverse;
+    struct Rows {
+        double p, q;
+
+        [[nodiscard]] double most() const { return std::max(p, q); }
+    };
+    const auto bend = [&](int by_p, int by_q, double times) {
+        const auto& term = piece.terms[patch_term(by_p, by_q)];
+        const double first = term[0] - ray.u * term[2];
+        const double second = term[1] - ray.v * term[2];
+        return Rows{.p = times * std::abs(y.pp * first + y.pq * second),
+                    .q = times * std::abs(y.qp * first + y.qq * second)};
+    };
+    const Rows pp = bend(2, 0, 2.0);
+    const Rows pq = bend(1, 1, 2.0);
+    const Rows qq = bend(0, 2, 2.0);
+    const Rows along_p{.p = 0.5 * pp.p + pq.p + 2.0 * qq.p, .q = 0.25 * pp.q + 0.5 * pq.q + qq.q};
+    const Rows along_q{.p = pp.p + 0.5 * pq.p + 0.25 * qq.p, .q = 2.0 * pp.q + pq.q + 0.5 * qq.q};
+    if (along_p.most() != along_q.most()) return along_p.most() < along_q.most();
+    const PatchSight& sight = piece.sight;
+    const auto sum = [](const glm::dvec3& of) { return of.x + of.y; };
+    return sum(sight.dp_radius) + 0x1p-20 * sum(glm::abs(sight.dp)) >=
+           sum(sight.dq_radius) + 0x1p-20 * sum(glm::abs(sight.dq));
+}
+
 /// Sets the linear form of a piece.
 template <int degree>
 HWY_INLINE void see_terms(Piece& piece) {

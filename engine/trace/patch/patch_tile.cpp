@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace zeroset {
 namespace {
@@ -289,6 +290,14 @@ void PatchTile::find_limit() {
 }
 
 void PatchTile::search_rest() {
+    // Several pieces of a leaf may leave the same ray.
+    const auto what = [](const Rest& rest) { return std::tuple(rest.pixel, rest.node, rest.near); };
+    std::ranges::sort(room_.rest, {}, what);
+    const auto is_same = [](const Rest& a, const Rest& b) {
+        return a.pixel == b.pixel && a.node == b.node;
+    };
+    const auto others = std::ranges::unique(room_.rest, is_same);
+    room_.rest.erase(others.begin(), others.end());
     std::ranges::sort(room_.rest, {}, &Rest::near);
     for (const Rest& rest : room_.rest) {
         if (frame_.stopped()) return;
