@@ -60,8 +60,13 @@ bool put_all(const TileFound& tile, TileHits& hits) {
     bool are_others = false;
     for (int row = 0; row < tile.rows; ++row) {
         const auto first = static_cast<std::size_t>(row) * tile_size;
-        for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += 2 * width)
+        const std::uint64_t in_row = tile.blocks >> block_of(first);
+        for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += 2 * width) {
+            constexpr std::size_t wide = std::max<std::size_t>(2 * width / reach_block, 1);
+            constexpr std::uint64_t some = (std::uint64_t{1} << wide) - 1;
+            if ((in_row >> col / reach_block & some) == 0) continue;
             are_others = put_some(tile, first + col, hits) || are_others;
+        }
     }
     return are_others;
 }

@@ -16,6 +16,7 @@
 #include "engine/trace/patch/patch_pieces-inl.hpp"
 #include "engine/trace/patch/patch_solver-inl.hpp"
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -39,18 +40,19 @@ public:
     }
 
     void trace(const LeafSight& leaf, const LeafPixels& pixels) {
+        Piece piece;
+        piece.value_error = leaf.value_error;
+        set_degree(piece, leaf.sizes, rays_.tolerance);
+        fetch(leaf.model, piece.degree);
         // Many parts are hidden in all their pixels: nothing else is done for these.
         const bool is_outlined = pixels.outline != nullptr;
         const std::size_t gathered = is_outlined ? lists_.gather(pixels, leaf.near) : 0;
         if (is_outlined && gathered == 0 && pixels.others.empty()) return;
-        Piece piece;
-        turn(leaf.model, axes_, piece.terms);
-        piece.degree = patch_degree;
+        turn(leaf.model, axes_, piece);
         measure(piece);
-        piece.value_error = leaf.value_error;
         piece.box = leaf.box;
         piece.halvings = 0;
-        lower_degree(piece, rays_.tolerance);
+        lower_first_degree(piece, rays_.tolerance);
         see(piece);
         trace_listed(piece, lists_.list(piece, pixels, gathered));
     }
@@ -58,6 +60,13 @@ public:
     [[nodiscard]] const LeafCount& count() const { return count_; }
 
 private:
+    /// Says early that a model is going to be read.
+    static void fetch(const PatchModel& model, int degree) {
+        for (const auto& terms : model.terms) {
+            for (std::size_t i = 0; i < terms_of(degree); i += 8)
+                hwy::Prefetch(terms.data() + i);
+        }
+    }
     /// Goes on with those of some rays that may meet a piece.
     void trace_listed(Piece& piece, const Range& some) {
         if (some.count == 0) return;
@@ -72,11 +81,10 @@ private:
             if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
         }
         if (open.count == 0) return;
-        if (piece.halvings >= most_halvings) return leave(open, piece.sight.depths().near);
+        if (piece.halvings >= most_halvings || is_all_error(piece, axes_, around))
+            return leave(open, piece.sight.depths().near);
         const PatchSight& sight = piece.sight;
-        const auto bend = [](const glm::dvec3& by) { return by.x + by.y; };
-        const bool along_p = bend(sight.dp_radius) + 0x1p-20 * bend(glm::abs(sight.dp)) >=
-                             bend(sight.dq_radius) + 0x1p-20 * bend(glm::abs(sight.dq));
+        const bool along_p = halves_along_p(piece, around.middle);
         const double forward = along_p ? sight.kp.z : sight.kq.z;
         for (const double sign : forward > 0.0 ? std::array{-1.0, 1.0} : std::array{1.0, -1.0}) {
             Piece half;

@@ -21,6 +21,7 @@ using SightTerms = std::array<std::array<double, 4>, patch_terms>;
 struct LeafSight {
     const PatchModel& model;
     double near;         ///< it is not nearer than this
+    ModelSizes sizes;    ///< of the model
     UvBox box;           ///< that p and q in [-1, 1] run over
     double value_error;  ///< of each of (a, b, s), as long as no term is left out
 };

@@ -89,15 +89,32 @@ inline double lowered(const DegreeSizes& sizes, int& degree, double most) {
     return left;
 }
 
-/// Leaves out terms of high degree, whose sizes go to the error.
-inline void lower_degree(Piece& piece, double tolerance) {
-    piece.value_error += lowered(piece.sizes, piece.degree, left_out * tolerance);
+/// Sets the degree of a piece of which only the sizes of its model are known, as lower_degree does.
+inline void set_degree(Piece& piece, const ModelSizes& sizes, double tolerance) {
+    double sum = 0.0;
+    double left = 0.0;
+    for (piece.degree = patch_degree; piece.degree > 2; --piece.degree) {
+        sum += double{sizes[static_cast<std::size_t>(piece.degree)]};
+        // Axes have length 1 but for rounding.
+        if (!(sum * (1.0 + 0x1p-40) <= left_out * tolerance)) break;
+        left = sum;
+    }
+    piece.value_error += left * (1.0 + 0x1p-40);
+}
+
+inline void lower_first_degree(Piece& piece, double tolerance) {
     piece.first_degree = piece.degree;
     piece.first_error = lowered(piece.sizes, piece.first_degree, left_out_first * tolerance);
 }
 
-/// The polynomials of a model in the axes of a view.
-inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& terms) {
+/// Leaves out terms of high degree, whose sizes go to the error.
+inline void lower_degree(Piece& piece, double tolerance) {
+    piece.value_error += lowered(piece.sizes, piece.degree, left_out * tolerance);
+    lower_first_degree(piece, tolerance);
+}
+
+/// Sets the polynomials to those of a model in the axes of a view, up to the piece's degree.
+inline void turn(const PatchModel& model, const SightAxes& axes, Piece& piece) {
     const D4 d4;
     for (std::size_t k = 0; k < 4; k += step4) {
         V4 by[3];
@@ -106,7 +123,7 @@ inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& ter
                                                 0.0};
             by[axis] = hn::Load(d4, turned + k);
         }
-        for (std::size_t i = 0; i < patch_terms; ++i) {
+        for (std::size_t i = 0; i < terms_of(piece.degree); ++i) {
             double x = model.terms[0][i];
             double y = model.terms[1][i];
             double z = model.terms[2][i];
@@ -117,7 +134,7 @@ inline void turn(const PatchModel& model, const SightAxes& axes, SightTerms& ter
             }
             V4 term = hn::Mul(by[0], hn::Set(d4, x));
             term = hn::MulAdd(by[1], hn::Set(d4, y), term);
-            hn::Store(hn::MulAdd(by[2], hn::Set(d4, z), term), d4, terms[i].data() + k);
+            hn::Store(hn::MulAdd(by[2], hn::Set(d4, z), term), d4, piece.terms[i].data() + k);
         }
     }
 }
@@ -166,6 +183,51 @@ inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
     (along_p ? half.box.u : half.box.v) +=
         sign * half_shift * (along_p ? whole.box.u_radius : whole.box.v_radius);
     (along_p ? half.box.u_radius : half.box.v_radius) *= 0.5;
+}
+
+/// Whether little of what a linear form in float does not know of g is less in halves: rays that
+/// are so near to being tangent are left open by each of them.
+inline bool is_all_error(const Piece& piece, const SightAxes& axes, const SightRays& rays) {
+    const PatchSight& sight = piece.sight;
+    const auto is_error = [&](int axis, double along) {
+        const double in_float =
+            LinearForm::float_rounding *
+            (std::abs(sight.c[axis]) + along * (std::abs(sight.c.z) + axes.distance));
+        const double of_values = sight.value_error * (1.0 + along);
+        return sight.e[axis] + along * sight.e.z <= 1.25 * of_values + 0.5 * in_float;
+    };
+    return is_error(0, std::abs(rays.middle.u) + rays.u_radius) &&
+           is_error(1, std::abs(rays.middle.v) + rays.v_radius);
+}
+
+/// Whether halves along p bend less than those along q, for rays near some ray. That is how much
+/// the derivatives of g vary relative to their inverse Y in the middle: halves along p have a half
+/// of dS/dp, so that a row of Y is doubled, and a quarter or a half of the second derivatives. (At
+/// the tip of a cone, where dS/dp is 0, its halves along p bend as it does itself.)
+inline bool halves_along_p(const Piece& piece, const SightRay& ray) {
+    const Matrix2& y = piece.contraction.inverse;
+    struct Rows {
+        double p, q;
+
+        [[nodiscard]] double most() const { return std::max(p, q); }
+    };
+    const auto bend = [&](int by_p, int by_q, double times) {
+        const auto& term = piece.terms[patch_term(by_p, by_q)];
+        const double first = term[0] - ray.u * term[2];
+        const double second = term[1] - ray.v * term[2];
+        return Rows{.p = times * std::abs(y.pp * first + y.pq * second),
+                    .q = times * std::abs(y.qp * first + y.qq * second)};
+    };
+    const Rows pp = bend(2, 0, 2.0);
+    const Rows pq = bend(1, 1, 2.0);
+    const Rows qq = bend(0, 2, 2.0);
+    const Rows along_p{.p = 0.5 * pp.p + pq.p + 2.0 * qq.p, .q = 0.25 * pp.q + 0.5 * pq.q + qq.q};
+    const Rows along_q{.p = pp.p + 0.5 * pq.p + 0.25 * qq.p, .q = 2.0 * pp.q + pq.q + 0.5 * qq.q};
+    if (along_p.most() != along_q.most()) return along_p.most() < along_q.most();
+    const PatchSight& sight = piece.sight;
+    const auto sum = [](const glm::dvec3& of) { return of.x + of.y; };
+    return sum(sight.dp_radius) + 0x1p-20 * sum(glm::abs(sight.dp)) >=
+           sum(sight.dq_radius) + 0x1p-20 * sum(glm::abs(sight.dq));
 }
 
 /// Sets the linear form of a piece.

@@ -4,7 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 // A patch as rays see it [Toth85]. In the axes of a view a point is (a, b, s): to the right,
@@ -15,6 +17,9 @@
 // two functions of two unknowns. Here these are (p, q) in [-1, 1]^2, which run over a box.
 
 namespace zeroset {
+
+/// Of the terms of each degree of a model the sum of their lengths, or more.
+using ModelSizes = std::array<float, std::size_t{patch_degree} + 1>;
 
 /// More than is lost by the rounding of some tens of operations, relative to the sizes that go in.
 inline constexpr double sight_rounding = 0x1p-46;

@@ -1,10 +1,13 @@
 #include "engine/trace/patch/patch_tile.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace zeroset {
 namespace {
@@ -26,7 +29,14 @@ constexpr int most_levels_of_jumps = 4;
 /// Parts and pixels that are kept for the end; of a patch that is undefined everywhere, but not
 /// proved to be, each part may be at each pixel.
 constexpr std::size_t most_rest = std::size_t{1} << 18U;
-constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
+
+/// Says early that a node is going to be read.
+void fetch(const PatchNode& node) {
+    constexpr std::size_t line = 64;
+    const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
+    for (std::size_t i = 0; i < sizeof(PatchNode); i += line)
+        hwy::Prefetch(bytes + i);
+}
 
 std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
 
@@ -71,8 +81,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, in
     room_.leaves.clear();
     room_.candidates.clear();
     room_.rest.clear();
-    room_.best.resize(tile_pixels);
-    room_.found.assign(tile_pixels, LeafFound{.normal = {}, .state = RayState::Open});
+    room_.clear();
     find_bounds();
     const DepthRange range =
         rays_.depths(0.5 * (bounds_.u_lo + bounds_.u_hi), 0.5 * (bounds_.v_lo + bounds_.v_hi),
@@ -268,8 +277,14 @@ void PatchTile::visit_parts(PatchNode::Children& children) {
     Parts parts;
     Order order;
     const std::size_t count = order_parts(children, parts, order);
-    for (std::size_t i = 0; i < count; ++i)
+    const auto fetch_part = [&](std::size_t i) {
+        if (i < count) fetch(*parts[order[i].second].node);
+    };
+    fetch_part(0);
+    for (std::size_t i = 0; i < count; ++i) {
+        fetch_part(i + 1);
         visit(parts[order[i].second]);
+    }
 }
 
 void PatchTile::find_limit() {
@@ -286,6 +301,14 @@ void PatchTile::empty_rest() {
 }
 
 void PatchTile::search_rest() {
+    // Several pieces of a leaf may leave the same ray.
+    const auto what = [](const Rest& rest) { return std::tuple(rest.pixel, rest.node, rest.near); };
+    std::ranges::sort(room_.rest, {}, what);
+    const auto is_same = [](const Rest& a, const Rest& b) {
+        return a.pixel == b.pixel && a.node == b.node;
+    };
+    const auto others = std::ranges::unique(room_.rest, is_same);
+    room_.rest.erase(others.begin(), others.end());
     std::ranges::sort(room_.rest, {}, &Rest::near);
     for (const Rest& rest : room_.rest) {
         if (frame_.stopped()) return;

@@ -60,8 +60,21 @@ public:
         std::vector<double> to;
         std::vector<double> reach;     ///< of the first hit so far, or `to`: what is nearer counts
         std::vector<LeafFound> found;  ///< whose depths are in `reach`
-        std::vector<PatchHit> best;    ///< of RayState::Kept
+        /// A bit for each block of pixels for which something was found since these were cleared.
+        std::uint64_t touched = ~std::uint64_t{0};
+        std::vector<PatchHit> best;  ///< of RayState::Kept
 
+        /// Whether reaches were those of a whole tile of which all is wanted; but for `touched`
+        /// they still are.
+        bool is_whole = false;
+
+        /// Forgets what was found, but for the reaches.
+        void clear() {
+            found.resize(std::size_t{tile_size} * tile_size);
+            best.resize(found.size());
+            fill_blocks(found.data(), touched, {.normal = {}, .state = RayState::Open});
+            touched = 0;
+        }
         [[nodiscard]] double limit(std::size_t pixel) const {
             return to.empty() ? std::numeric_limits<double>::infinity() : to[pixel];
         }
@@ -74,6 +87,7 @@ public:
                     .normal = {leaf.normal[0], leaf.normal[1], leaf.normal[2]}};
         }
         void set(std::size_t pixel, const PatchHit& hit) {
+            touched |= std::uint64_t{1} << block_of(pixel);
             best[pixel] = hit;
             found[pixel].state = RayState::Kept;
             reach[pixel] = std::min(hit.s, limit(pixel));
@@ -116,8 +130,9 @@ private:
     void open_blocks();
     /// Makes block_reach_ know new hits.
     void find_reaches();
-    /// Marks the blocks of a rectangle: there are new hits in them.
+    /// Marks the blocks of a rectangle, or all: there are new hits in them.
     void change(const Rect& rect);
+    void change_all();
     /// Sets a part; false where no ray meets it.
     bool look_at(PatchNode& node, Part& part) const;
     void visit(Part& part);

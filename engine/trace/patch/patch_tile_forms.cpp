@@ -119,7 +119,7 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.limit(candidate.pixel)) ||
         test.s < rays_.first_depth())
         return true;
-    changed_blocks_ = ~std::uint64_t{0};
+    change_all();
     room_.set(candidate.pixel, {.s = test.s,
                                 .s_radius = test.s_radius,
                                 .is_proved = where == InSquare::Inside,

@@ -39,6 +39,7 @@ void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
                         .grid = wish_ == Wish::FirstHits ? &grid_ : nullptr};
     const LeafSight leaf{.model = *part.node->model,
                          .near = part.depths.near,
+                         .sizes = part.node->sizes,
                          .box = part.node->box.grown(form_growth),
                          .value_error = part.sight.value_error};
     const LeafClip clip{.window = window_of(part.node->form, part.depths),
@@ -50,7 +51,7 @@ void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
     new_hits_ += count.hits;
     if (count.hits > 0) {
         std::ranges::for_each(pixels.rects, [&](const Rect& rect) { change(rect); });
-        if (!pixels.others.empty()) changed_blocks_ = ~std::uint64_t{0};
+        if (!pixels.others.empty()) change_all();
     }
     if (!room_.left.empty()) {
         const std::vector<std::size_t> left = room_.left;
@@ -60,10 +61,18 @@ void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
 }
 
 void PatchTile::change(const Rect& rect) {
+    std::uint64_t blocks = 0;
     for (int row = rect.row / block; row * block < rect.end_row; ++row) {
         for (int col = rect.col / block; col * block < rect.end_col; ++col)
-            changed_blocks_ |= std::uint64_t{1} << (row * (tile_size / block) + col);
+            blocks |= std::uint64_t{1} << (row * (tile_size / block) + col);
     }
+    changed_blocks_ |= blocks;
+    room_.touched |= blocks;
+}
+
+void PatchTile::change_all() {
+    changed_blocks_ = ~std::uint64_t{0};
+    room_.touched = changed_blocks_;
 }
 
 void PatchTile::trace_parts(PatchNode& node, std::span<const std::size_t> pixels) {

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace zeroset {
 
@@ -26,6 +27,13 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
         room.v[static_cast<std::size_t>(i)] = rays.v(i);
     }
     room.to.clear();
+    const bool is_whole =
+        tile.cols == tile_size && tile.rows == tile_size && tile.limits == nullptr;
+    const bool was_whole = std::exchange(room.is_whole, is_whole);
+    if (is_whole && was_whole) {
+        fill_blocks(room.reach.data(), room.touched, unbounded);
+        return;
+    }
     room.reach.assign(tile_pixels, -unbounded);
     for (int row = 0; row < tile.rows; ++row) {
         const auto first = static_cast<std::ptrdiff_t>(index_of(0, row));
@@ -100,7 +108,8 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                                        .found = room.found.data(),
                                        .look_distance = rays.look_distance(),
                                        .cols = tile.cols,
-                                       .rows = tile.rows},
+                                       .rows = tile.rows,
+                                       .blocks = room.touched},
                                       hits);
     if (!are_others) return;
     for (int row = 0; row < tile.rows; ++row) {

@@ -85,6 +85,20 @@ bool is_good(const PatchModel& model, const PatchForm& form) {
     return true;
 }
 
+/// In upward rounding.
+ModelSizes sizes_of(const PatchModel& model) {
+    std::array<double, std::size_t{patch_degree} + 1> sums{};
+    for (std::size_t i = 0; i < patch_terms; ++i) {
+        const glm::dvec3 term(model.terms[0][i], model.terms[1][i], model.terms[2][i]);
+        sums[static_cast<std::size_t>(patch_powers[i].p + patch_powers[i].q)] += glm::length(term);
+    }
+    ModelSizes sizes{};
+    std::ranges::transform(sums, sizes.begin(), [](double sum) {
+        return static_cast<float>(sum * (1.0 + 0x1p-22)) + std::numeric_limits<float>::min();
+    });
+    return sizes;
+}
+
 bool is_tighter(const PatchForm& form, const PatchForm& other) {
     return form.nowhere || form.e.x + form.e.y + form.e.z < other.e.x + other.e.y + other.e.z;
 }
@@ -149,6 +163,7 @@ bool PatchTree::make_models(std::span<const UvBox> boxes, PatchNode::Children& p
         if (model.known()) {
             node.form = form_of(model);
             node.model = &model;
+            node.sizes = sizes_of(model);
         }
         are_good = are_good && model.known() && is_good(model, node.form);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/trace/patch/patch_form.hpp"
+#include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/trace_frame.hpp"
 #include "engine/view/box.hpp"
 
@@ -36,6 +37,7 @@ struct PatchNode {
     UvBox box;                          ///< what it stands for
     PatchForm form;                     ///< over box.grown(form_growth)
     const PatchModel* model = nullptr;  ///< what the form is of; nullptr: of S itself
+    ModelSizes sizes{};                 ///< of the model
     int level = 0;
     std::atomic<Children*> children = nullptr;
     std::atomic<Children*> quarters = nullptr;  ///< another division; without nodes: none is of use

@@ -176,6 +176,37 @@ TEST(PatchTree, DividesAPartIntoQuartersByModelsAlone) {
     EXPECT_EQ(area, 4.0 * part.box.u_radius * part.box.v_radius);
 }
 
+/// Of each degree, in any axes, however high it is.
+TEST(PatchTree, KnowsHowLargeTheTermsOfModelsAre) {
+    const UpwardRounding upward;
+    std::array<Expr, 3> graphs;
+    for (std::size_t i = 0; i < graphs.size(); ++i)
+        graphs[i] = parse(wavy[i]).value();
+    auto code = std::make_shared<PatchCode>(*code_of(wavy));
+    code->modeler = patch_modeler(graphs);
+    const PatchTree tree(code, no_parameters());
+    int models = 0;
+    for (const PatchNode& node : tree.parts(tree.root())->nodes) {
+        if (node.model == nullptr) continue;
+        ++models;
+        std::size_t term = 0;
+        for (std::size_t degree = 0; degree < node.sizes.size(); ++degree) {
+            Wide sum = 0;
+            for (std::size_t i = 0; i <= degree; ++i, ++term) {
+                const auto square = [&](std::size_t k) {
+                    const Wide of_axis{node.model->terms[k][term]};
+                    return of_axis * of_axis;
+                };
+                sum += std::sqrt(square(0) + square(1) + square(2));
+            }
+            EXPECT_GE(Wide{node.sizes[degree]}, sum) << degree;
+            EXPECT_LE(Wide{node.sizes[degree]}, sum * 1.00001L + 1e-37L) << degree;
+        }
+        EXPECT_EQ(term, patch_terms);
+    }
+    EXPECT_GT(models, 0);
+}
+
 TEST(PatchTree, HoldsThePatchInItsBoxes) {
     const UpwardRounding upward;
     const PatchTree tree(code_of(wavy), no_parameters());

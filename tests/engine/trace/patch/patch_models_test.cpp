@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 #include <sstream>
 #include <string>
+#include <thread>
 
 // Parametric surfaces by models against those without, and against themselves in other sizes.
 
@@ -92,6 +94,40 @@ TEST(SmallPatches, AreLikeLargeOnes) {
                 << scale << " at " << at;
         }
         EXPECT_LE(other, 2) << scale;
+    }
+}
+
+/// What a thread keeps from tile to tile does not matter: not of tiles of other sizes and places,
+/// nor of other surfaces.
+TEST(PatchTiles, AreTheSameWhateverWasTracedBefore) {
+    const std::array<std::string, 3> sphere{"cos(pi*(x-1/2))*cos(2*pi*y)",
+                                            "cos(pi*(x-1/2))*sin(2*pi*y)", "sin(pi*(x-1/2))"};
+    const std::array<std::string, 3> floor{"2*x-1", "2*y-1", "0.3*x*y-0.4"};
+    const auto picture = [](const std::array<std::string, 3>& texts, int width, int height) {
+        Framebuffer frame(width, height);
+        const Box clip = Box::cube(1.5);
+        auto settings = settings_at("beams", 22);
+        settings.threads = 1;
+        render_frame(patch_scene(texts, Way::ByModels, clip), default_camera(clip), settings,
+                     frame);
+        return frame;
+    };
+    struct Case {
+        const std::array<std::string, 3>& texts;
+        int width, height;
+    };
+    const std::array cases{Case{sphere, 192, 192}, Case{floor, 192, 192}, Case{sphere, 150, 100},
+                           Case{floor, 64, 64}};
+    for (const Case& one : cases) {
+        Framebuffer alone(1, 1);
+        std::thread([&] { alone = picture(one.texts, one.width, one.height); }).join();
+        EXPECT_GT(std::ranges::count_if(alone.depth, [](float t) { return std::isfinite(t); }), 99);
+        for (const Case& before : cases) {
+            static_cast<void>(picture(before.texts, before.width, before.height));
+            const Framebuffer after = picture(one.texts, one.width, one.height);
+            EXPECT_EQ(after.depth, alone.depth);
+            EXPECT_EQ(after.certificate, alone.certificate);
+        }
     }
 }
 

@@ -154,5 +154,50 @@ TEST(PatchQuadrics, FillAFineSphere) {
     EXPECT_LE(undecided, 4);
 }
 
+/// A cone whose silhouette goes along the diagonals of the picture: all rays there are as good as
+/// tangent, and so are those near the tip. However many parts of a leaf leave such a ray, it is
+/// searched for once.
+TEST(PatchQuadrics, FillAConeAlongItsSilhouette) {
+    const std::array<std::string, 3> cone{"(2*y-1)*cos(2*pi*x)", "(2*y-1)*sin(2*pi*x)", "2*y-1"};
+    const Box clip = Box::cube(1.5);
+    for (const double height : {0.0, 1e-5, 0.3}) {
+        SCOPED_TRACE(height);
+        Camera camera = default_camera(clip);
+        camera.eye = {6.0, 0.0, height};
+        camera.look_at = {0.0, 0.0, 0.0};
+        Framebuffer frame(128, 128);
+        const Counters counters = render_frame(patch_scene(cone, Way::ByModels, clip), camera,
+                                               settings_at("beams", 22), frame);
+        int undecided = 0;
+        for (int i = 0; i < frame.width * frame.height; ++i) {
+            const int col = i % frame.width;
+            const int row = i / frame.width;
+            const std::size_t at = frame.index(col, row);
+            if (frame.certificate[at] == Certificate::Undecided) {
+                ++undecided;
+                continue;
+            }
+            const Ray ray(camera, clip, col, row, frame, {});
+            const auto height_of = [&](double t) {
+                const glm::dvec3 point = ray.at(t);
+                return point.x * point.x + point.y * point.y - point.z * point.z;
+            };
+            double first = infinity;
+            for (const double t : quadratic_roots(ray, height_of)) {
+                const bool is_shown = t >= ray.t_in && t <= ray.t_out;
+                if (is_shown && std::abs(ray.at(t).z) <= 1.0) first = std::min(first, t);
+            }
+            const auto found = static_cast<double>(frame.depth[at]);
+            ASSERT_EQ(std::isfinite(first), std::isfinite(found)) << col << ", " << row;
+            if (!std::isfinite(first)) continue;
+            EXPECT_NEAR(found, first, 4e-5) << col << ", " << row;
+        }
+        EXPECT_LE(undecided, height > 0.1 ? 2 : 200);
+        // With a search for each piece there were twice as many and eight times as many.
+        EXPECT_LT(counters.value, 14000U);
+        EXPECT_LT(counters.form, 30000U);
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test
