@@ -1,5 +1,6 @@
 #include "app/cli/bench_suite.hpp"
 
+#include "engine/base/printable.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
 
@@ -66,14 +67,20 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
         const auto direction = view.at("direction").get<std::array<double, 3>>();
         for (const Json& surface : json.at("surfaces")) {
             const double domain = surface.at("domain");
+            const double distance = view.at("distance");
             Camera camera;
-            camera.eye = view.at("distance").get<double>() * domain *
+            camera.eye = distance * domain *
                          glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
+            if (direction[0] == 0.0 && direction[1] == 0.0) camera.up = {0, 1, 0};
             camera.fov_rad = glm::radians(view.at("fov").get<double>());
-            const std::string name = surface.at("name");
+            const std::string name = printable(surface.at("name").get<std::string>());
             if (!(domain >= least_domain && domain <= largest_domain))
                 return wrong_input("--suite " + path + ": the domain of '" + name +
                                    "' must be from 1e-12 to 1e9");
+            if (!(distance > 0.0) || direction == std::array<double, 3>{})
+                return wrong_input("--suite " + path +
+                                   ": 'distance' must be above 0, and 'direction' not 0 along all "
+                                   "axes; for example 4 and [1, -1.6, 0.9]");
             if (const char* const defect = camera_defect(camera))
                 return wrong_input("--suite " + path + ": the camera of '" + name +
                                    "' sees nothing: " + defect);

@@ -26,11 +26,16 @@ std::string as_remark(const std::string& text) {
     return remark;
 }
 
-std::size_t bytes_of(const std::vector<Statement>& rows) {
-    std::size_t bytes = 0;
+/// How often a text is read at most, and so many bytes of rows in all: a text of which more rows
+/// are refused is no file of formulas.
+constexpr std::size_t most_readings = 200;
+constexpr std::size_t most_bytes_read = 100'000'000;
+
+std::size_t most_refused(const std::vector<Statement>& rows) {
+    std::size_t bytes = 1;
     for (const Statement& row : rows)
-        bytes += row.text.size() + 1;
-    return bytes;
+        bytes += row.text.starts_with('#') ? 0 : row.text.size() + 1;
+    return std::min(most_readings, most_bytes_read / bytes);
 }
 
 /// Makes a remark of the row of an error, and adds a note; false where that would not help.
@@ -113,10 +118,8 @@ void check_rows(ImportedDocument& imported) {
     const std::vector<Statement> as_written = rows;
     std::vector<ImportNote> refused;
     auto program = read_rows(imported.document);
-    // A text of which that many rows are refused is no file of formulas; a long one is not read as
-    // often.
-    const std::size_t most_refused = std::min<std::size_t>(200, 10'000'000 / (1 + bytes_of(rows)));
-    while (!program && refused.size() < most_refused &&
+    const std::size_t most = most_refused(rows);
+    while (!program && refused.size() < most &&
            refuse_row(imported, program.error(), as_written, refused))
         program = read_rows(imported.document);
     if (program && draws_something(imported, *program)) {
@@ -128,6 +131,10 @@ void check_rows(ImportedDocument& imported) {
     const std::string why =
         program ? std::string(tr("it has no surface")) : reason_of(program.error());
     imported.refusal = refused.empty() ? why : refused.front().reason;
+    if (most > 0 && refused.size() == most)
+        imported.refusal =
+            filled(tr("{0} of its rows are refused, and there are more; the first: {1}"),
+                   {std::to_string(most), imported.refusal});
 }
 
 }  // namespace zeroset

@@ -275,7 +275,7 @@ void check_format(const Json& json) {
 bool refuse_depth(int depth, Json::parse_event_t /*event*/, const Json& /*parsed*/) {
     constexpr int most = 32;
     if (depth > most)
-        throw Damage{filled(tr("lists are nested more than {0} deep"), {std::to_string(most)})};
+        throw Damage{filled(tr("it is nested more than {0} deep"), {std::to_string(most)})};
     return true;
 }
 

@@ -107,20 +107,12 @@ auto CoverSearch::choose_at(std::size_t square, std::size_t surface) -> Step {
         work_[surface].drafts.add_parts(at, front);
         return Step::Close;
     }
-    const bool holds_hit = field_.is_hit_between(square, front.at, front.to);
-    if (front.state == State::Edged) {
-        if (at.rest != nullptr) return Step::Divide;
-        const bool is_inside = front.continuous && front.is_inside(front.at, front.to);
-        if (!(front.calm && is_inside && holds_hit)) return Step::Edge;
-        // All around hits this sheet, too, and looks like it.
-        field_.leave_plain(square);
-        return Step::Close;
-    }
+    if (front.state == State::Edged) return at.rest != nullptr ? Step::Divide : Step::Edge;
     if (front.is_uneven()) {
         if (at.rest != nullptr) return Step::Divide;
         if (!at.is_ray() && at.level < last_color_level) return Step::Crease;
     }
-    if (holds_hit) {
+    if (field_.is_hit_between(square, front.at, front.to)) {
         field_.leave_plain(square);
     } else {
         work_[surface].drafts.add(at, front);

@@ -51,8 +51,8 @@ HWY_INLINE V<double> meeting_of_tangents(const Places& a, const Places& b) {
     return between(a, length, hn::Div(rise, hn::Mul(hn::Sub(a.slope, b.slope), length)));
 }
 
-/// Whether f is nowhere between two places more than `error` below its value `least`, as it falls
-/// at the first and rises at the second: as smooth functions do, or convex ones.
+/// Whether f is nowhere between two places more than `error` below its value `least`, if it bends
+/// one way between them: it falls at the first and rises at the second.
 HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least, V<double> error) {
     const V<double> zero = hn::Zero(d<double>);
     const V<double> length = hn::Sub(b.s, a.s);

@@ -173,7 +173,8 @@ void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const Lit
             for (std::size_t i = 0; i < hits.size(); ++i) {
                 const PixelCover& cover = hits[i].cover;
                 pixel.hit = std::min(pixel.hit, hits[i].depth[at]);
-                if (!cover.known || !cover.is_marked() || !(cover.to[at] < pixel.sheet_to)) continue;
+                if (!cover.known || !cover.is_marked() || !(cover.to[at] < pixel.sheet_to))
+                    continue;
                 pixel.from = cover.from[at];
                 pixel.sheet_to = cover.to[at];
                 pixel.surface = static_cast<std::uint8_t>(i);

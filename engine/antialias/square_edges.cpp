@@ -73,13 +73,17 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     const EdgeSamples samples = samples_of(stretches, at, front);
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
+    const bool all = samples.roots() == square_ray_count;
+    if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
+        field_.leave_plain(square);
+        return false;
+    }
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
         const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
         if (signs == Signs::Kept) return pass(square);
-        if (signs == Signs::Changed && !fit && samples.roots() == square_ray_count)
-            fit = all_of_square;
+        if (signs == Signs::Changed && !fit && all) fit = all_of_square;
         switch (walls_.add(square, stretches, corners, fit)) {
             case SquareWalls::Choice::None: break;
             case SquareWalls::Choice::Sought: return false;
@@ -94,7 +98,6 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
         field_.divide(square);
         return false;
     }
-    const bool all = samples.roots() == square_ray_count;
     const bool one_colored = fit && !(front.kinked && is_all_below(samples));
     if (all && is_inside && !one_colored && at.level < last_color_level) {
         creases_.add(square, stretches, samples);

@@ -60,17 +60,19 @@ class BenchTest(ProgramTest):
         self.assertEqual(forms, sorted(set(forms)))
 
     def test_suites_that_cannot_be_drawn(self):
-        def suite(direction, fov, domain):
-            return {"camera": {"direction": direction, "distance": 4, "fov": fov},
+        def suite(direction, fov, domain, distance=4):
+            return {"camera": {"direction": direction, "distance": distance, "fov": fov},
                     "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1", "domain": domain}]}
 
         (self.folder / "folder").mkdir()
         wrong = {"folder": "cannot be read",
-                 "direction": "the camera of 'ball'",
+                 "direction": "'direction' not 0 along all axes",
+                 "distance": "'distance' must be above 0",
                  "fov": "the field of view",
                  "domain": "must be from 1e-12 to 1e9"}
         for name, text in (("direction", suite([0, 0, 0], 42, 1)), ("fov", suite([1, 1, 1], 180, 1)),
-                           ("domain", suite([1, 1, 1], 42, -1))):
+                           ("domain", suite([1, 1, 1], 42, -1)),
+                           ("distance", suite([1, 1, 1], 42, 1, -4))):
             (self.folder / name).write_text(json.dumps(text), encoding="utf-8")
         for name, reason in wrong.items():
             with self.subTest(name):
@@ -78,6 +80,14 @@ class BenchTest(ProgramTest):
                 self.assertEqual(result.code, 2, str(result))
                 self.assertEqual(result.err.count("\n"), 1, str(result))
                 self.assertIn(reason, result.err)
+
+    def test_a_suite_from_above(self):
+        suite = {"camera": {"direction": [0, 0, 1], "distance": 4, "fov": 42},
+                 "surfaces": [{"name": "ball\u001b[31m", "f": "x^2 + y^2 + z^2 - 1", "domain": 1}]}
+        (self.folder / "above.json").write_text(json.dumps(suite), encoding="utf-8")
+        table = self.run_ok("bench", "--suite", "above.json", "--size", 24, "--repeat", 1).out
+        self.assertIn("ball", table)
+        self.assertNotIn("\u001b", table)
 
     def test_first_pictures(self):
         suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},

@@ -102,6 +102,7 @@ inline void set_degree(Piece& piece, const ModelSizes& sizes, double tolerance) 
     piece.value_error += left * (1.0 + 0x1p-40);
 }
 
+/// Leaves out terms of high degree of the first steps alone, whose sizes go to their own error.
 inline void lower_first_degree(Piece& piece, double tolerance) {
     piece.first_degree = piece.degree;
     piece.first_error = lowered(piece.sizes, piece.first_degree, left_out_first * tolerance);
@@ -203,7 +204,8 @@ inline bool is_all_error(const Piece& piece, const SightAxes& axes, const SightR
 /// Whether halves along p bend less than those along q, for rays near some ray. That is how much
 /// the derivatives of g vary relative to their inverse Y in the middle: halves along p have a half
 /// of dS/dp, so that a row of Y is doubled, and a quarter or a half of the second derivatives. (At
-/// the tip of a cone, where dS/dp is 0, its halves along p bend as it does itself.)
+/// the tip of a cone, where dS/dp is 0, its halves along p bend as it does itself.) A tip in the
+/// very middle has no Y: there the radii of the derivatives tell.
 inline bool halves_along_p(const Piece& piece, const SightRay& ray) {
     const Matrix2& y = piece.contraction.inverse;
     struct Rows {
@@ -223,7 +225,9 @@ inline bool halves_along_p(const Piece& piece, const SightRay& ray) {
     const Rows qq = bend(0, 2, 2.0);
     const Rows along_p{.p = 0.5 * pp.p + pq.p + 2.0 * qq.p, .q = 0.25 * pp.q + 0.5 * pq.q + qq.q};
     const Rows along_q{.p = pp.p + 0.5 * pq.p + 0.25 * qq.p, .q = 2.0 * pp.q + pq.q + 0.5 * qq.q};
-    if (along_p.most() != along_q.most()) return along_p.most() < along_q.most();
+    const double by_p = along_p.most();
+    const double by_q = along_q.most();
+    if (std::isfinite(y.pp + y.pq + y.qp + y.qq) && by_p != by_q) return by_p < by_q;
     const PatchSight& sight = piece.sight;
     const auto sum = [](const glm::dvec3& of) { return of.x + of.y; };
     return sum(sight.dp_radius) + 0x1p-20 * sum(glm::abs(sight.dp)) >=

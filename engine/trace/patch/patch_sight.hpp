@@ -18,7 +18,7 @@
 
 namespace zeroset {
 
-/// Of the terms of each degree of a model the sum of their lengths, or more.
+/// The sum of the lengths of a model's terms of each degree, or more.
 using ModelSizes = std::array<float, std::size_t{patch_degree} + 1>;
 
 /// More than is lost by the rounding of some tens of operations, relative to the sizes that go in.

@@ -33,8 +33,11 @@ Camera from_above() {
             .projection = Projection::Orthographic};
 }
 
-/// The part of each pixel that the scene covers.
-std::vector<double> cover_of(const Scene& scene) {
+constexpr float none = std::numeric_limits<float>::infinity();
+
+/// The part of each pixel that the scene covers; `calm_hit`: how far the hits of their own rays
+/// are, if they are calm.
+std::vector<double> cover_of(const Scene& scene, float calm_hit = none) {
     const ViewFrame view(from_above());
     const UpwardRounding upward;
     const std::vector<TraceFrame> frames{
@@ -44,17 +47,22 @@ std::vector<double> cover_of(const Scene& scene) {
     for (int row = 0; row < side; ++row) {
         for (int col = 0; col < side; ++col)
             pixels.push_back({.pixel = static_cast<std::uint16_t>(row * tile_size + col),
-                              .from = -std::numeric_limits<float>::infinity(),
-                              .hit = std::numeric_limits<float>::infinity()});
+                              .from = -none,
+                              .hit = calm_hit,
+                              .is_calm = calm_hit < none});
     }
     std::vector<CoverSample> samples;
     Counters counters;
     find_cover(frames, tile, pixels, samples, counters);
-    std::vector<double> cover(std::size_t{side} * side, 0.0);
+    const auto at = [](std::uint16_t of) {
+        return static_cast<std::size_t>(of / tile_size * side + of % tile_size);
+    };
+    // Plain pixels are left out.
+    std::vector<double> cover(std::size_t{side} * side, 1.0);
+    for (const MixedPixel& mixed : pixels)
+        cover[at(mixed.pixel)] = 0.0;
     for (const CoverSample& sample : samples)
-        cover[static_cast<std::size_t>(sample.pixel / tile_size * side +
-                                       sample.pixel % tile_size)] +=
-            static_cast<double>(sample.area);
+        cover[at(sample.pixel)] += static_cast<double>(sample.area);
     return cover;
 }
 
@@ -93,6 +101,22 @@ protected:
 private:
     std::mt19937 random_{3};
 };
+
+TEST(CoverOfCalmPixels, HasTheGapsThatTheirOwnRaysPassBy) {
+    constexpr double width = 0.9;  // in pixels, between the centres of two columns
+    const Scene slab =
+        scene_of("max(abs(z) - 0.02, " + std::to_string(0.5 * width * pixel) + " - abs(x)) = 0",
+                 Box::cube(1.5));
+    const std::vector<double> cover = cover_of(slab, 1.98F);
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col) {
+            const bool beside = col == side / 2 - 1 || col == side / 2;
+            ASSERT_NEAR(cover[static_cast<std::size_t>(row * side + col)],
+                        beside ? 1.0 - 0.5 * width : 1.0, most_error)
+                << col << ", " << row;
+        }
+    }
+}
 
 TEST_F(Cover, OfADisc) {
     for (int i = 0; i < 6; ++i) {

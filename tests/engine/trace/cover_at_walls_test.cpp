@@ -104,7 +104,8 @@ protected:
     static void expect_right(const PixelCover& cover, std::size_t at, const Met& met,
                              const std::string& where) {
         EXPECT_TRUE(met.inside == 0 || met.outside == 0) << where;
-        const bool covered = cover.is_marked() && cover.to[at] < std::numeric_limits<float>::infinity();
+        const bool covered =
+            cover.is_marked() && cover.to[at] < std::numeric_limits<float>::infinity();
         EXPECT_EQ(covered, met.inside > 0) << where;
         if (!covered) return;
         EXPECT_LE(static_cast<double>(cover.from[at]), met.first) << where;

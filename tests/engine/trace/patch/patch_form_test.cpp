@@ -176,7 +176,7 @@ TEST(PatchTree, DividesAPartIntoQuartersByModelsAlone) {
     EXPECT_EQ(area, 4.0 * part.box.u_radius * part.box.v_radius);
 }
 
-/// Of each degree, in any axes, however high it is.
+/// The bounds hold for each degree, in any axes, however high it is.
 TEST(PatchTree, KnowsHowLargeTheTermsOfModelsAre) {
     const UpwardRounding upward;
     std::array<Expr, 3> graphs;
