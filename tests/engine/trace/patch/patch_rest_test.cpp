@@ -1,3 +1,4 @@
+#include "engine/real/rounding.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
 #include "engine/trace/tile_rays.hpp"
@@ -28,6 +29,7 @@ PatchTile::Room room_for(const TileRays& rays) {
 }
 
 TEST(PatchRest, StaysSmallWhereAPatchIsUndefinedEverywhere) {
+    const UpwardRounding upward;
     const std::string nowhere = "x / (1 + y + ln(x - x))";
     const Scene scene = patch_scene({nowhere, nowhere, nowhere}, Way::WithoutModels, Box::cube(2));
     const TimeLimit limit{.until = std::chrono::steady_clock::now() + std::chrono::seconds(2)};
