@@ -160,6 +160,23 @@ TEST(Imports, RowsThatTheLanguageRefusesBecomeRemarks) {
     EXPECT_TRUE(none.documents[0].document.statements.front().text.starts_with("shape"));
 }
 
+TEST(Imports, RowsAreReadOnlySoOften) {
+    const auto rows = [](int wrong, std::size_t remarks) {
+        std::string text = "x^2 + y^2 + z^2 = 1\n";
+        for (int i = 0; i < wrong; ++i)
+            text += "x^2 + qq0(( = " + std::to_string(i) + "\n";
+        for (std::size_t i = 0; i < remarks; ++i)
+            text += "# " + std::string(98, 'r') + "\n";
+        return text;
+    };
+    EXPECT_EQ(read("a.txt", rows(30, 0)).documents[0].refusal, "");
+    EXPECT_EQ(read("a.txt", rows(30, 4500)).documents[0].refusal, "");
+    EXPECT_TRUE(
+        read("a.txt", rows(201, 0))
+            .documents[0]
+            .refusal.starts_with("200 of its rows are refused, and there are more; the first: "));
+}
+
 TEST(Imports, ConstantsAreNoSurfaces) {
     const Imported imported =
         read("a.js", R"js({"Iso3D": {"Const": ["r=2"], "Fxyz": ["x"], "Xmin": ["-1"], "Xmax": ["1"],
