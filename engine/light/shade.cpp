@@ -112,8 +112,7 @@ void illuminate_row(const RayDirections& rays, const Shading& shading, int row, 
                                             .y = hn::LoadU(d<float>, &hits.gradient[1][at]),
                                             .z = hn::LoadU(d<float>, &hits.gradient[2][at])},
                                .key_light = hn::IfThenZeroElse(
-                                   mask_of(d<float>, static_cast<LaneBits>(bits_at(dark, col))),
-                                   hn::Set(d<float>, 1.0F)),
+                                   mask_of(d<float>, bits_at(dark, col)), hn::Set(d<float>, 1.0F)),
                                .is_hit = mask_of(d<float>, static_cast<LaneBits>(bits))};
         illuminate(shading, vector, col, light);
     }

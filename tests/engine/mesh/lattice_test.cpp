@@ -164,9 +164,9 @@ TEST(FeaturePoint, IsWhereTheSidesMeet) {
     EXPECT_NEAR(glm::distance(*on_edge, {1, 2, 9}), 0, 1e-12);
     EXPECT_FALSE(meeting_point({corner[0]}, {0, 0, 0}));
     EXPECT_FALSE(meeting_point({corner[0], side({2, 0, 0}, {1, 0.01, 0})}, {0, 0, 0}));
-    MeshVertex left{.point = {0, 0, 0}, .normal = {-1, 0, 0}};
-    MeshVertex up{.point = {1, 0, 0}, .normal = {0, 0, 1}};
-    MeshVertex nearly_up{.point = {2, 0, 0}, .normal = glm::normalize(glm::dvec3(0.1, 0, 1))};
+    const MeshVertex left{.point = {0, 0, 0}, .normal = {-1, 0, 0}};
+    const MeshVertex up{.point = {1, 0, 0}, .normal = {0, 0, 1}};
+    const MeshVertex nearly_up{.point = {2, 0, 0}, .normal = glm::normalize(glm::dvec3(0.1, 0, 1))};
     EXPECT_EQ(sides_of({&left, &up, &nearly_up}).size(), 2U);
 }
 
