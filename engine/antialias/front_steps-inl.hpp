@@ -21,12 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-HWY_INLINE V<float> load(const float* from) { return hn::LoadU(d<float>, from); }
-HWY_INLINE void store(V<float> numbers, float* to) { hn::StoreU(numbers, d<float>, to); }
-template <class Real>
-HWY_INLINE V<Real> number(double value) {
-    return hn::Set(d<Real>, static_cast<Real>(value));
-}
 /// To the digits of float.
 HWY_INLINE V<double> root_of(V<double> square) {
     const hn::Rebind<float, Tag<double>> narrow;
@@ -42,9 +36,9 @@ struct FrontRules {
     Real distance;    ///< of depth 0
     Real margin;      ///< by which cells are longer than their slabs, at both ends
 
-    /// Of roots, for rounding, in parts of their cells.
+    /// How far roots may be off by rounding, in parts of their cells.
     static constexpr double slack = 16 * static_cast<double>(std::numeric_limits<Real>::epsilon());
-    /// Of depths, so, in parts of them: lengths of a few units more are not halved for ever.
+    /// How far depths may be off by rounding, in parts of them: shorter lengths are not halved.
     static constexpr double unit = 4 * static_cast<double>(std::numeric_limits<Real>::epsilon());
     /// From here on 1 / x is not as precise as x.
     static constexpr Real steepest = std::numeric_limits<Real>::max() / 16;

@@ -151,7 +151,7 @@ void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const Lit
     const std::size_t before = mixed.size();
     TileBits edges{};
     for (const LitLayer& layer : layers) {
-        if (layer.any_dark) add_shadow_edges(layer, tile, rays, edges);
+        if (layer.any_dark()) add_shadow_edges(layer, tile, rays, edges);
         if (contrasts) add_contrasts(layer, tile, edges);
     }
     for (std::size_t i = 0; i < before; ++i) {

@@ -48,8 +48,9 @@ SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRa
         dark_hits += std::popcount(layer.hit_rows[r] & layer.dark_rows[r] & around);
     }
     if (hits < least_hits) return SampleShadow::Unknown;
-    // Where all are alike, so are those on the sheet.
+    // Where all are alike, so are those on the sheet: the first few tell.
     const bool alike = dark_hits == 0 || dark_hits == hits;
+    const int enough = alike ? least_hits : hits;
 
     const SeenSheet sheet(rays, static_cast<double>(sample.col), static_cast<double>(sample.row),
                           static_cast<double>(sample.distance),
@@ -57,16 +58,15 @@ SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRa
     if (!sheet.shows_side_to(to_light)) return SampleShadow::Unknown;
     int lit = 0;
     int dark = 0;
-    for (int r = first; r <= last && !(alike && lit + dark == least_hits); ++r) {
+    for (int r = first; r <= last && lit + dark < enough; ++r) {
         std::uint64_t bits = layer.hit_rows[static_cast<std::size_t>(r)] & around;
-        for (; bits != 0; bits &= bits - 1) {
+        for (; bits != 0 && lit + dark < enough; bits &= bits - 1) {
             const auto at = static_cast<std::size_t>(r * tile_size + std::countr_zero(bits));
             if (!is_on(sheet, sample.distance, layer, at)) continue;
             const bool is_dark =
                 (layer.dark_rows[static_cast<std::size_t>(r)] >> at % tile_size & 1U) != 0;
             ++(is_dark ? dark : lit);
             if (lit > 0 && dark > 0) return SampleShadow::Unknown;
-            if (alike && lit + dark == least_hits) break;
         }
     }
     if (lit + dark < least_hits) return SampleShadow::Unknown;

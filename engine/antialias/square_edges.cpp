@@ -181,7 +181,7 @@ bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
 }
 
 void SquareEdges::set_stretches(std::span<const std::size_t> squares,
-                                std::span<const SquareRay> places,
+                                std::span<const SquareRay> places, bool inside,
                                 std::span<RayStretch> stretches) const {
     std::size_t count = 0;
     for (const std::size_t square : squares) {
@@ -189,14 +189,15 @@ void SquareEdges::set_stretches(std::span<const std::size_t> squares,
         for (const SquareRay& place : places)
             SquareField::set_stretch(field_.square(square), front, place, stretches[count++]);
     }
-    if (!are_inside(squares)) clip_stretches(field_.rays(), stretches.first(count));
+    if (!inside) clip_stretches(field_.rays(), stretches.first(count));
 }
 
 void SquareEdges::decide_squares(std::span<const std::size_t> squares,
                                  std::vector<std::size_t>& open) {
     const auto stretches = std::span(stretches_).first(square_ray_count * squares.size());
-    set_stretches(squares, square_rays, stretches);
-    if (!are_inside(squares)) set_stretches(squares, square_corners, corners_);
+    const bool inside = are_inside(squares);
+    set_stretches(squares, square_rays, inside, stretches);
+    if (!inside) set_stretches(squares, square_corners, inside, corners_);
     find_least(frame_, field_.rays(), stretches, counters_);
     for (std::size_t k = 0; k < squares.size(); ++k) {
         const auto of_square = stretches.subspan(square_ray_count * k).first<square_ray_count>();
@@ -209,7 +210,7 @@ void SquareEdges::decide_squares(std::span<const std::size_t> squares,
 void SquareEdges::decide_rays(std::span<const std::size_t> squares,
                               std::vector<std::size_t>& open) {
     const auto stretches = std::span(stretches_).first(squares.size());
-    set_stretches(squares, {&square_middle, 1}, stretches);
+    set_stretches(squares, {&square_middle, 1}, are_inside(squares), stretches);
     find_least(frame_, field_.rays(), stretches, counters_);
     for (std::size_t k = 0; k < squares.size(); ++k) {
         if (take_ray(squares[k], stretches[k])) open.push_back(squares[k]);

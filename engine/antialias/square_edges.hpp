@@ -44,9 +44,9 @@ private:
     /// Whether all rays of these squares are within the clip region where they are open.
     [[nodiscard]] bool are_inside(std::span<const std::size_t> squares) const;
     /// Sets the stretches that the fronts leave open of the rays through some places of squares,
-    /// where they are within the clip region.
+    /// where they are within the clip region; `inside`: all are.
     void set_stretches(std::span<const std::size_t> squares, std::span<const SquareRay> places,
-                       std::span<RayStretch> stretches) const;
+                       bool inside, std::span<RayStretch> stretches) const;
     /// Whether the search of the square goes on behind the edge.
     bool take(std::size_t square, SquareStretches stretches, CornerStretches corners);
     bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,

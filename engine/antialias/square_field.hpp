@@ -103,7 +103,7 @@ public:
     bool go_down();
 
 private:
-    /// What a field holds.
+    /// The squares of this level, those of the next, and rays, with their fronts.
     struct Room {
         std::vector<CoverSquare> squares, next_squares, ray_squares;
         std::vector<Front> fronts, next_fronts, ray_fronts;

@@ -21,7 +21,8 @@ struct WallPlace {
 /// The rays of a square, and its corners.
 inline constexpr std::size_t most_wall_places = square_ray_count + square_corners.size();
 
-/// What a ray tells of a wall that cuts roots away.
+/// The stretch of a ray within the clip region, and f at its ends, by which walls that cut roots
+/// away are sought.
 class WallRay {
 public:
     WallRay() = default;

@@ -16,7 +16,6 @@ void LitTile::begin(std::span<const TileHits> hits) {
         layer.surface = static_cast<std::uint8_t>(i);
         layer.hits = &hits[i];
         layer.dark_rows = {};
-        layer.any_dark = false;
         layer.cover.clear();
         for (std::vector<float>& channel : layer.reflectance)
             channel.clear();

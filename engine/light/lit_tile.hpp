@@ -2,6 +2,7 @@
 
 #include "engine/trace/tile_hits.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +38,6 @@ struct LitLayer {
     std::uint8_t surface = 0;        ///< index in the scene
     const TileHits* hits = nullptr;  ///< of the surface; there is one at least
     TileBits dark_rows{};            ///< hits that the key light does not reach
-    bool any_dark = false;           ///< else there are none
     /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
     /// surfaces; else empty.
     std::array<std::vector<float>, 3> reflectance;
@@ -49,6 +49,9 @@ struct LitLayer {
     std::vector<float> light;
 
     LitLayer();
+    [[nodiscard]] bool any_dark() const {
+        return std::ranges::any_of(dark_rows, [](std::uint64_t row) { return row != 0; });
+    }
     [[nodiscard]] float* light_row(int row, int channel) { return &light[light_at(row, channel)]; }
     [[nodiscard]] const float* light_row(int row, int channel) const {
         return &light[light_at(row, channel)];

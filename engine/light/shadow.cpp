@@ -277,7 +277,6 @@ void darken(const TileBits& dark, std::span<LitLayer> layers) {
                       std::numeric_limits<float>::infinity()))
                     continue;
                 layer.dark_rows[row] |= bits & (~bits + 1);
-                layer.any_dark = true;
             }
         }
     }

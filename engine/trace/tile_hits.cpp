@@ -21,20 +21,19 @@ void PixelCover::clear() {
             column->assign(pixels, none);
         last.assign(pixels, -none);
     }
-    for_each_row([this](std::size_t first) {
+    for_each_block_row(blocks, [this](std::size_t first) {
         for (std::vector<float>* const column : {&from, &to, &other_from})
-            std::fill_n(column->data() + first, block, none);
-        std::fill_n(last.data() + first, block, -none);
+            std::fill_n(column->data() + first, tile_block, none);
+        std::fill_n(last.data() + first, tile_block, -none);
     });
     known = true;
     blocks = 0;
 }
 
 std::uint64_t PixelCover::mixed_in_row(int row) const {
-    const std::uint64_t of_row =
-        blocks >> static_cast<std::size_t>(row) / block * (tile_size / block);
-    if ((of_row & 0xFFU) == 0) return 0;
     const auto first = static_cast<std::size_t>(row) * tile_size;
+    constexpr std::uint64_t in_row = (std::uint64_t{1} << (tile_size / tile_block)) - 1;
+    if ((blocks >> block_of(first) & in_row) == 0) return 0;
     std::array<std::uint8_t, tile_size> is_mixed;
     for (std::size_t col = 0; col < tile_size; ++col) {
         const float other = other_from[first + col];

@@ -2,11 +2,11 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/tile.hpp"
+#include "engine/trace/tile_blocks.hpp"
 
 #include <glm/glm.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -30,11 +30,8 @@ std::array<float, 3> float_gradient(const std::array<double, 3>& gradient);
 /// What is known of all rays of pixels, not only of those through their centres; in depths along
 /// the view axis, as TileRays has them. One item a pixel, in rows of tile_size.
 struct PixelCover {
-    /// The side of the squares of pixels that are marked together.
-    static constexpr std::size_t block = 8;
-
     bool known = false;  ///< else nothing here says anything
-    /// A bit for each block in which something is marked, in rows; no ray of a pixel in any other
+    /// A bit for each block in which something is marked; no ray of a pixel in any other
     /// meets anything.
     std::uint64_t blocks = 0;
     /// Where one smooth sheet covers the pixel: on every ray f goes through 0 once between these.
@@ -49,20 +46,7 @@ struct PixelCover {
     void clear();
     [[nodiscard]] bool is_marked() const { return blocks != 0; }
     /// Something may be marked in the block of a pixel.
-    void mark(std::size_t pixel) {
-        blocks |= std::uint64_t{1} << (pixel / (block * tile_size) * (tile_size / block) +
-                                       pixel % tile_size / block);
-    }
-    /// Visits the first pixels of the rows of `block` pixels in the marked blocks.
-    void for_each_row(auto visit) const {
-        for (std::uint64_t bits = blocks; bits != 0; bits &= bits - 1) {
-            const auto at = static_cast<std::size_t>(std::countr_zero(bits));
-            const std::size_t first =
-                at / (tile_size / block) * block * tile_size + at % (tile_size / block) * block;
-            for (std::size_t row = 0; row < block; ++row)
-                visit(first + row * tile_size);
-        }
-    }
+    void mark(std::size_t pixel) { blocks |= std::uint64_t{1} << block_of(pixel); }
     /// A bit for each pixel of a row, the first one lowest: whether it may show more than one
     /// smooth sheet, or less.
     [[nodiscard]] std::uint64_t mixed_in_row(int row) const;

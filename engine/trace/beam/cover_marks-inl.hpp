@@ -49,7 +49,7 @@ public:
     [[nodiscard]] bool wanted() const { return out_ != nullptr; }
     /// Something is marked in the block of a pixel.
     void mark_block(std::size_t pixel) { out_->mark(pixel); }
-    /// Of the pixels from `pixel` on, in a block that the caller marks, those in `some` may hold
+    /// Marks pixels from `pixel` on, in a block that the caller marks: those in `some` may hold
     /// roots between `from` and `to`; on all rays of those in `covered`, which are among them, is
     /// one there.
     template <class D>
@@ -79,15 +79,15 @@ public:
     /// searched.
     void end(const Real* nearest) {
         if (out_ == nullptr) return;
-        out_->for_each_row([&](std::size_t first) {
+        for_each_block_row(out_->blocks, [&](std::size_t first) {
             constexpr Real none = std::numeric_limits<Real>::infinity();
-            for (std::size_t pixel = first; pixel < first + PixelCover::block; ++pixel)
+            for (std::size_t pixel = first; pixel < first + tile_block; ++pixel)
                 last_[pixel] = nearest[pixel] < none ? none : last_[pixel];
         });
         if constexpr (!std::is_same_v<Real, float>) {
             const auto below = [](Real depth) { return -float_above(-depth); };
-            out_->for_each_row([&](std::size_t first) {
-                for (std::size_t pixel = first; pixel < first + PixelCover::block; ++pixel) {
+            for_each_block_row(out_->blocks, [&](std::size_t first) {
+                for (std::size_t pixel = first; pixel < first + tile_block; ++pixel) {
                     out_->from[pixel] = below(from_[pixel]);
                     out_->to[pixel] = float_above(to_[pixel]);
                     out_->other_from[pixel] = below(other_from_[pixel]);

@@ -62,9 +62,9 @@ bool put_all(const TileFound& tile, TileHits& hits) {
         const auto first = static_cast<std::size_t>(row) * tile_size;
         const std::uint64_t in_row = tile.blocks >> block_of(first);
         for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += 2 * width) {
-            constexpr std::size_t wide = std::max<std::size_t>(2 * width / reach_block, 1);
+            constexpr std::size_t wide = std::max<std::size_t>(2 * width / tile_block, 1);
             constexpr std::uint64_t some = (std::uint64_t{1} << wide) - 1;
-            if ((in_row >> col / reach_block & some) == 0) continue;
+            if ((in_row >> col / tile_block & some) == 0) continue;
             are_others = put_some(tile, first + col, hits) || are_others;
         }
     }
@@ -72,22 +72,20 @@ bool put_all(const TileFound& tile, TileHits& hits) {
 }
 
 double largest_of(const double* numbers) {
-    const hn::CappedTag<double, reach_block> d;
+    const hn::CappedTag<double, tile_block> d;
     auto largest = hn::LoadU(d, numbers);
-    for (std::size_t row = 0; row < reach_block; ++row) {
-        for (std::size_t col = 0; col < reach_block; col += hn::MaxLanes(d))
+    for (std::size_t row = 0; row < tile_block; ++row) {
+        for (std::size_t col = 0; col < tile_block; col += hn::MaxLanes(d))
             largest = hn::Max(largest, hn::LoadU(d, numbers + row * tile_size + col));
     }
     return hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 
 void largest(const double* numbers, std::uint64_t blocks,
-             std::array<double, reach_blocks>& largest) {
-    constexpr std::size_t in_row = tile_size / reach_block;
+             std::array<double, tile_blocks>& largest) {
     for (; blocks != 0; blocks &= blocks - 1) {
         const auto at = static_cast<std::size_t>(std::countr_zero(blocks));
-        const std::size_t row = at / in_row * reach_block;
-        largest[at] = largest_of(numbers + row * tile_size + at % in_row * reach_block);
+        largest[at] = largest_of(numbers + first_pixel_of(at));
     }
 }
 
@@ -106,7 +104,7 @@ bool put_found(const TileFound& tile, TileHits& hits) {
 }
 
 void find_largest(const double* numbers, std::uint64_t blocks,
-                  std::array<double, reach_blocks>& largest) {
+                  std::array<double, tile_blocks>& largest) {
     HWY_DYNAMIC_DISPATCH(largest)(numbers, blocks, largest);
 }
 

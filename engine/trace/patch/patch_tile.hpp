@@ -199,8 +199,8 @@ private:
     const PatchTree& tree_;
     Box clip_;            ///< what of the scene's clip box is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted
-    static constexpr int block = reach_block;
-    static constexpr std::size_t block_count = reach_blocks;
+    static constexpr int block = tile_block;
+    static constexpr std::size_t block_count = tile_blocks;
     std::array<RayBounds, block_count> blocks_{};
     /// The largest reach of each block's pixels, but for those with new hits: a bit for each block.
     std::array<double, block_count> block_reach_{};

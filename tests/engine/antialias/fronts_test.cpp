@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What fronts say of all rays of their pixels, against closed forms; in floats and in doubles.
+// Fronts, in floats and in doubles: all rays of their pixels against closed forms.
 
 namespace zeroset::test {
 namespace {

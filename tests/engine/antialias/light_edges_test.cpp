@@ -35,7 +35,6 @@ protected:
     [[nodiscard]] std::size_t edges_at(int first_dark, double height) {
         lit_.begin(hits_);
         LitLayer& layer = lit_.layers().front();
-        layer.any_dark = true;
         for (int row = 0; row < side; ++row) {
             for (int col = 0; col < side; ++col)
                 put(layer, col, row, col < first_dark ? 0.0 : height, col >= first_dark);

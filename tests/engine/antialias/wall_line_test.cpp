@@ -14,7 +14,7 @@ constexpr double error = 1.0 / 512;
 
 double part_of(const SquareRay& place) { return 0.5 * (place.x + 1.0); }
 
-/// What a ray shows at a part of the way.
+/// Gives the ray at a part of the way.
 using RayAt = std::function<RayStretch(double)>;
 
 RayStretch stretch(double length, double near, double far, bool has_root) {

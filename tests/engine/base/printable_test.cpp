@@ -4,7 +4,7 @@
 
 #include <string>
 
-// What a terminal is shown of bytes that others wrote.
+// Bytes that others wrote, as a terminal may be shown them.
 
 namespace zeroset::test {
 namespace {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t size = tile_size;
 constexpr std::size_t pixels = size * size;
 
-/// What is written for pixel i: nothing, one sheet, a sheet with something before its end, or
+/// The marks of a pixel: nothing, one sheet, a sheet with something before its end, or
 /// something that is no sheet.
 enum class Kind : std::uint8_t { Nothing, Sheet, SheetAndMore, More };
 
@@ -33,10 +33,10 @@ void write(PixelCover& cover, std::size_t pixel, Kind kind) {
 TEST(PixelCover, TellsWhichPixelsOfARowAreMixed) {
     PixelCover cover;
     cover.clear();
-    // Of every other block in a board's pattern, and of one whole block row.
+    // Marks every other block, in a board's pattern, and one whole row of blocks.
     const auto is_written = [](std::size_t pixel) {
-        const std::size_t row = pixel / size / PixelCover::block;
-        const std::size_t col = pixel % size / PixelCover::block;
+        const std::size_t row = pixel / size / tile_block;
+        const std::size_t col = pixel % size / tile_block;
         return row == 5 || (row + col) % 2 == 0;
     };
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {

@@ -97,8 +97,7 @@ TEST(SmallPatches, AreLikeLargeOnes) {
     }
 }
 
-/// What a thread keeps from tile to tile does not matter: not of tiles of other sizes and places,
-/// nor of other surfaces.
+/// A thread's room may have served tiles of other sizes and places, and other surfaces.
 TEST(PatchTiles, AreTheSameWhateverWasTracedBefore) {
     const std::array<std::string, 3> sphere{"cos(pi*(x-1/2))*cos(2*pi*y)",
                                             "cos(pi*(x-1/2))*sin(2*pi*y)", "sin(pi*(x-1/2))"};

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-// What is kept for the end of a tile stays small, whatever is not known of a patch.
+// The parts that are kept for the end of a tile stay few, whatever is not known of a patch.
 
 namespace zeroset::test {
 namespace {
