@@ -28,12 +28,13 @@ void PixelCover::clear() {
     });
     known = true;
     blocks = 0;
+    open_blocks = 0;
 }
 
 std::uint64_t PixelCover::mixed_in_row(int row) const {
     const auto first = static_cast<std::size_t>(row) * tile_size;
     constexpr std::uint64_t in_row = (std::uint64_t{1} << (tile_size / tile_block)) - 1;
-    if ((blocks >> block_of(first) & in_row) == 0) return 0;
+    if ((open_blocks >> block_of(first) & in_row) == 0) return 0;
     std::array<std::uint8_t, tile_size> is_mixed;
     for (std::size_t col = 0; col < tile_size; ++col) {
         const float other = other_from[first + col];

@@ -34,6 +34,8 @@ struct PixelCover {
     /// A bit for each block in which something is marked; no ray of a pixel in any other
     /// meets anything.
     std::uint64_t blocks = 0;
+    /// Those of which a sheet is not known to cover each pixel of which something is marked.
+    std::uint64_t open_blocks = 0;
     /// Where one smooth sheet covers the pixel: on every ray f goes through 0 once between these.
     /// +inf: none is known.
     std::vector<float> from, to;
@@ -45,8 +47,16 @@ struct PixelCover {
     /// Nothing is marked.
     void clear();
     [[nodiscard]] bool is_marked() const { return blocks != 0; }
+    [[nodiscard]] bool is_marked(std::size_t pixel) const {
+        return (blocks >> block_of(pixel) & 1U) != 0;
+    }
     /// Something may be marked in the block of a pixel.
-    void mark(std::size_t pixel) { blocks |= std::uint64_t{1} << block_of(pixel); }
+    void mark(std::size_t pixel) {
+        mark_covered(pixel);
+        open_blocks |= std::uint64_t{1} << block_of(pixel);
+    }
+    /// Sheets cover the pixels of a block of which something is marked; nothing else is there.
+    void mark_covered(std::size_t pixel) { blocks |= std::uint64_t{1} << block_of(pixel); }
     /// A bit for each pixel of a row, the first one lowest: whether it may show more than one
     /// smooth sheet, or less.
     [[nodiscard]] std::uint64_t mixed_in_row(int row) const;

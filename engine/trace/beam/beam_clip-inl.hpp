@@ -79,8 +79,8 @@ private:
     InsideSpans<ClipTag> spans_;
 };
 
-/// Whether all points of whole pixels of a row, between two depths each, are inside the clip box,
-/// or all outside.
+/// Whether all points of whole pixels, between two depths each, are inside the clip box, or all
+/// outside. In a row, or in columns of some rows.
 template <class D>
 class PixelBoxes {
 public:
@@ -88,13 +88,13 @@ public:
     using V = hn::Vec<D>;
     using M = hn::Mask<D>;
 
-    /// The pixels from `col` on, as RaysOf counts them.
-    HWY_INLINE PixelBoxes(const TileRays& rays, Real col, Real row, V from, V to)
+    /// The pixels from `col` on, as RaysOf counts them; `row`: the middle of so many rows.
+    HWY_INLINE PixelBoxes(const TileRays& rays, Real col, Real row, V from, V to, int rows = 1)
         : inside_(hn::Ge(from, number(rays.first_depth() + 2.0 * rays.depth_error()))),
           outside_(hn::Lt(hn::Inf(d), hn::Zero(d))) {
         const V cols = hn::Iota(d, col);
         for (int k = 0; k < 3; ++k)
-            cut(rays, k, cols, static_cast<double>(row), from, to);
+            cut(rays, k, cols, static_cast<double>(row), from, to, rows);
     }
     [[nodiscard]] M inside() const { return inside_; }
     [[nodiscard]] M outside() const { return outside_; }
@@ -104,18 +104,18 @@ private:
 
     static HWY_INLINE V number(double value) { return hn::Set(d, static_cast<Real>(value)); }
     /// Takes in the walls across axis k.
-    HWY_INLINE void cut(const TileRays& rays, int k, V cols, double row, V from, V to) {
+    HWY_INLINE void cut(const TileRays& rays, int k, V cols, double row, V from, V to, int rows) {
         const RaysOf<double>& of = rays.double_rays();
         const V origin = hn::MulAdd(cols, number(of.origin_by_col[k]),
                                     number(of.origin[k] + row * of.origin_by_row[k]));
         const V direction = hn::MulAdd(cols, number(of.direction_by_col[k]),
                                        number(of.direction[k] + row * of.direction_by_row[k]));
-        // How far the rays of a pixel are from its middle's along the axis, twice.
+        // How far the rays of pixels are from their middle's along the axis, twice.
         const auto spread = [&](V s) {
             return hn::Add(
                 hn::Abs(hn::MulAdd(s, number(of.direction_by_col[k]), number(of.origin_by_col[k]))),
-                hn::Abs(
-                    hn::MulAdd(s, number(of.direction_by_row[k]), number(of.origin_by_row[k]))));
+                hn::Abs(hn::MulAdd(s, number(rows * of.direction_by_row[k]),
+                                   number(rows * of.origin_by_row[k]))));
         };
         const V first = hn::MulAdd(from, direction, origin);
         const V last = hn::MulAdd(to, direction, origin);

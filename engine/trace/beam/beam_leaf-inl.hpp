@@ -1,5 +1,5 @@
 // The roots of a small tile on which f is monotone along the rays: all its pixels at once. How
-// they are certified: beam_leaf_certify-inl.hpp.
+// they are certified: beam_leaf_certify-inl.hpp; whole pixels: beam_leaf_cover-inl.hpp.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BEAM_LEAF_INL) == defined(HWY_TARGET_TOGGLE)
@@ -76,8 +76,19 @@ private:
     /// Sets, or joins, where roots may be on all rays of the leaf's pixels.
     template <bool first_of_run>
     void add_cover(const Leaf<Real>& leaf);
+    /// Columns of which all that may hold roots is inside the clip box, or outside.
+    struct Places {
+        M inside, outside;
+    };
+    [[nodiscard]] Places places(int first_col, int rows) const;
     /// Marks what is known of the whole pixels.
     void mark_cover();
+    /// What was marked: something, and pixels that no sheet is known to cover.
+    struct Marked {
+        bool any = false, open = false;
+    };
+    /// Marks the pixels of a vector of columns; `is_first`: nothing is marked in their block.
+    Marked mark_columns(int first_col, int rows, bool is_first);
     /// Leaves out rows without brackets; false when none is left.
     bool compact();
     void find_roots();
@@ -202,76 +213,6 @@ void LeafSolver<Real, pixels>::set_brackets(const Leaf<Real>& leaf) {
                       newton_.guess + i);
         }
     }
-}
-
-template <class Real, int pixels>
-template <bool first_of_run>
-void LeafSolver<Real, pixels>::add_cover(const Leaf<Real>& leaf) {
-    const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
-    const Real scale = leaf.s_radius / std::copysign(steepness, leaf.kt);
-    // Rays are half a pixel from the centres at most; a little more for roundings.
-    const Real error = leaf.e + static_cast<Real>(0.5 + 0x1p-10 * tile_size) *
-                                    (std::abs(leaf.ku) + std::abs(leaf.kv));
-    const Real rounding =
-        8 * std::numeric_limits<Real>::epsilon() * (std::abs(leaf.s) + leaf.s_radius);
-    const V radius = hn::Set(d, error * std::abs(scale) + rounding);
-    const V from = hn::Set(d, leaf.from);
-    const V to = hn::Set(d, leaf.to);
-    const V by_col = hn::Set(d, leaf.ku * scale);
-    for (int row = 0; row < pixels; ++row) {
-        const Real first = leaf.s - (leaf.c - leaf.kv * static_cast<Real>(row)) * scale;
-        for (int col = 0; col < pixels; col += lanes) {
-            const int i = row * pixels + col;
-            const V middle =
-                hn::NegMulAdd(hn::Iota(d, static_cast<Real>(col)), by_col, hn::Set(d, first));
-            const V lo = hn::Max(hn::Sub(middle, radius), from);
-            const V hi = hn::Min(hn::Add(middle, radius), to);
-            // The brackets of a run's leaves touch where a sheet goes from one to the next. A leaf
-            // behind all roots adds its begin, one before them its end: so the joined bracket
-            // keeps clear of the run's ends only where f's signs there are known.
-            const M not_behind = hn::Le(lo, to);
-            const M not_before = hn::Ge(hi, from);
-            const V nowhere = hn::Inf(d);
-            const V before_from = first_of_run ? nowhere : hn::Load(d, cover_from_ + i);
-            const V before_to = first_of_run ? hn::Neg(nowhere) : hn::Load(d, cover_to_ + i);
-            hn::Store(hn::IfThenElse(not_behind, hn::Min(before_from, lo), before_from), d,
-                      cover_from_ + i);
-            hn::Store(hn::IfThenElse(not_before, hn::Max(before_to, hi), before_to), d,
-                      cover_to_ + i);
-        }
-    }
-}
-
-template <class Real, int pixels>
-void LeafSolver<Real, pixels>::mark_cover() {
-    const int cols = std::min(pixels, tile_.cols - run_->col);
-    const int rows = std::min(pixels, tile_.rows - run_->row);
-    const bool at_walls = !run_->inside;
-    const bool is_known = run_->inside || rays_.region().is_whole();
-    const bool may_cover = is_known && !run_->kinked && !run_->turns;
-    const V run_from = hn::Set(d, may_cover ? run_->from : std::numeric_limits<Real>::infinity());
-    const V run_to = hn::Set(d, run_->to);
-    bool any = false;
-    for (int row = 0; row < rows; ++row) {
-        for (int col = 0; col < cols; col += lanes) {
-            const int i = row * pixels + col;
-            const V from = hn::Load(d, cover_from_ + i);
-            const V to = hn::Load(d, cover_to_ + i);
-            M some = hn::Le(from, to);
-            if (hn::AllFalse(d, some)) continue;
-            any = true;
-            M covered = hn::And(some, hn::And(hn::Gt(from, run_from), hn::Lt(to, run_to)));
-            if (at_walls) {
-                const PixelBoxes<D> boxes(rays_, from_middle(run_->col + col),
-                                          from_middle(run_->row + row), from, to);
-                covered = hn::And(covered, boxes.inside());
-                some = hn::AndNot(boxes.outside(), some);
-            }
-            nearest_.cover.mark(d, first_pixel(row) + static_cast<std::size_t>(col), from, to, some,
-                                covered);
-        }
-    }
-    if (any) nearest_.cover.mark_block(first_pixel(0));
 }
 
 template <class Real, int pixels>

@@ -287,11 +287,12 @@ bool BeamTile<Real>::turns(std::size_t cell, int pixels) const {
     const Real half =
         static_cast<Real>(rays_.radius_of(pixels) * rays_.pixel() *
                           (rays_.distance() + static_cast<double>(cells.places.s[cell])));
-    const Real across = (std::abs(f.k[0][cell]) + std::abs(f.k[1][cell])) / half;
-    const Real along = std::abs(f.k[2][cell]) / cells.places.s_radius[cell];
-    const Real change = f.slope_hi[cell] + f.slope_neg_lo[cell];
-    // A pixel's part of it, unless it is uneven.
-    return !(change <= most * static_cast<Real>(pixels) / 2 * std::max(across, along));
+    const Real across = std::abs(f.k[0][cell]) + std::abs(f.k[1][cell]);
+    const Real along = std::abs(f.k[2][cell]);
+    // A pixel's part of the change, unless it is uneven.
+    const Real change =
+        (f.slope_hi[cell] + f.slope_neg_lo[cell]) * (2 / (most * static_cast<Real>(pixels)));
+    return !(change * half <= across || change * cells.places.s_radius[cell] <= along);
 }
 
 template <class Real>

@@ -71,21 +71,30 @@ void BeamTile<Real>::leave_pixels(const LinearCell& linear, const PixelForm& for
     const CellTile tile = cells.tile[linear.cell];
     const Real kt = cells.forms.k[2][linear.cell];
     const Real per_kt = std::abs(kt) > 0 ? cells.places.s_radius[linear.cell] / kt : 0;
-    const Real from = cells.from[linear.cell];
-    const Real to = cells.to[linear.cell];
+    constexpr hn::CappedTag<Real, least_pixels> tag;
+    const auto from = hn::Set(tag, cells.from[linear.cell]);
+    const auto to = hn::Set(tag, cells.to[linear.cell]);
     // Rays are half a pixel from the centres at most.
     const Real radius = linear.radius + static_cast<Real>(0.5) * std::abs(per_kt) *
                                             (std::abs(form.ku) + std::abs(form.kv));
+    const auto reach = hn::Set(tag, radius);
     for (int row = 0; row < pixels && tile.row() + row < tile_.rows; ++row) {
-        for (int col = 0; col < pixels && tile.col() + col < tile_.cols; ++col) {
-            const Real at = form.at(static_cast<Real>(col), static_cast<Real>(row));
-            const Real middle = cells.places.s[linear.cell] - at * per_kt;
-            const Real lo = middle - radius > from ? middle - radius : from;
-            if (lo > to || middle + radius < from) continue;
-            const auto pixel =
-                static_cast<std::size_t>((tile.row() + row) * tile_size + tile.col() + col);
-            const Real hi = middle + radius < to ? middle + radius : to;
-            nearest_.cover.leave(pixel, static_cast<double>(lo), static_cast<double>(hi));
+        const auto pixel = static_cast<std::size_t>((tile.row() + row) * tile_size + tile.col());
+        const Real first =
+            cells.places.s[linear.cell] - form.at(0, static_cast<Real>(row)) * per_kt;
+        for (int col = 0; col < pixels; col += hn::MaxLanes(tag)) {
+            const auto middle = hn::NegMulAdd(hn::Iota(tag, static_cast<Real>(col)),
+                                              hn::Set(tag, form.ku * per_kt), hn::Set(tag, first));
+            const auto lo = hn::Sub(middle, reach);
+            const auto hi = hn::Add(middle, reach);
+            // All of the cell where that is not a number.
+            const auto beside = hn::Or(hn::Gt(lo, to), hn::Lt(hi, from));
+            const auto there = static_cast<std::size_t>(std::max(tile_.cols - tile.col() - col, 0));
+            const auto some = hn::AndNot(beside, hn::FirstN(tag, there));
+            if (hn::AllFalse(tag, some)) continue;
+            nearest_.cover.leave(tag, pixel + static_cast<std::size_t>(col),
+                                 hn::IfThenElse(hn::Gt(lo, from), lo, from),
+                                 hn::IfThenElse(hn::Lt(hi, to), hi, to), some);
         }
     }
 }

@@ -35,6 +35,7 @@
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
 #include "engine/trace/beam/beam_leaf_certify-inl.hpp"
+#include "engine/trace/beam/beam_leaf_cover-inl.hpp"
 #include "engine/trace/beam/beam_tile-inl.hpp"
 #include "engine/trace/beam/beam_tile_rays-inl.hpp"
 #include "engine/trace/beam/beam_tree_first-inl.hpp"

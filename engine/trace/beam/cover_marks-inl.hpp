@@ -47,8 +47,13 @@ public:
         }
     }
     [[nodiscard]] bool wanted() const { return out_ != nullptr; }
-    /// Something is marked in the block of a pixel.
-    void mark_block(std::size_t pixel) { out_->mark(pixel); }
+    /// Whether something is marked in the block of a pixel.
+    [[nodiscard]] bool is_marked(std::size_t pixel) const { return out_->is_marked(pixel); }
+    /// Something is; `covered`: and a sheet covers each pixel of which something is marked.
+    void mark_block(std::size_t pixel, bool covered) {
+        if (covered) return out_->mark_covered(pixel);
+        out_->mark(pixel);
+    }
     /// Marks pixels from `pixel` on, in a block that the caller marks: those in `some` may hold
     /// roots between `from` and `to`; on all rays of those in `covered`, which are among them, is
     /// one there.
@@ -68,6 +73,30 @@ public:
                                   hn::LoadU(tag, &last_[pixel])),
                    tag, &last_[pixel]);
     }
+    /// As `mark`, in a block in which nothing is marked so far.
+    template <class D>
+    HWY_INLINE void mark_first(D tag, std::size_t pixel, hn::Vec<D> from, hn::Vec<D> to,
+                               hn::Mask<D> some, hn::Mask<D> covered) {
+        const auto none = hn::Inf(tag);
+        hn::StoreU(hn::IfThenElse(covered, from, none), tag, &from_[pixel]);
+        hn::StoreU(hn::IfThenElse(covered, to, none), tag, &to_[pixel]);
+        hn::StoreU(hn::IfThenElse(hn::AndNot(covered, some), from, none), tag, &other_from_[pixel]);
+        // Not all is searched behind a sheet.
+        const auto last = hn::IfThenElse(covered, none, to);
+        hn::StoreU(hn::IfThenElse(some, last, hn::Neg(none)), tag, &last_[pixel]);
+    }
+    /// Marks pixels from `pixel` on of a row in a block of a tile: between two depths nothing is
+    /// known of those in `some`.
+    template <class D>
+    HWY_INLINE void leave(D tag, std::size_t pixel, hn::Vec<D> from, hn::Vec<D> to,
+                          hn::Mask<D> some) {
+        out_->mark(pixel);
+        const auto least = hn::Min(hn::LoadU(tag, &other_from_[pixel]), from);
+        const auto most = hn::Max(hn::LoadU(tag, &last_[pixel]), to);
+        hn::StoreU(hn::IfThenElse(some, least, hn::LoadU(tag, &other_from_[pixel])), tag,
+                   &other_from_[pixel]);
+        hn::StoreU(hn::IfThenElse(some, most, hn::LoadU(tag, &last_[pixel])), tag, &last_[pixel]);
+    }
     /// Between two depths nothing is known of a pixel.
     void leave(std::size_t pixel, double from, double to) {
         if (out_ == nullptr) return;
@@ -79,7 +108,7 @@ public:
     /// searched.
     void end(const Real* nearest) {
         if (out_ == nullptr) return;
-        for_each_block_row(out_->blocks, [&](std::size_t first) {
+        for_each_block_row(out_->open_blocks, [&](std::size_t first) {
             constexpr Real none = std::numeric_limits<Real>::infinity();
             for (std::size_t pixel = first; pixel < first + tile_block; ++pixel)
                 last_[pixel] = nearest[pixel] < none ? none : last_[pixel];

@@ -53,6 +53,25 @@ TEST(PixelCover, TellsWhichPixelsOfARowAreMixed) {
     }
 }
 
+TEST(PixelCover, HasNoMixedPixelsInBlocksThatSheetsCoverUntilMoreIsMarked) {
+    constexpr std::size_t pixel = 5 * size + 12;
+    PixelCover cover;
+    cover.clear();
+    cover.from[pixel] = 1.0F;
+    cover.to[pixel] = 2.0F;
+    cover.mark_covered(pixel);
+    EXPECT_TRUE(cover.is_marked());
+    EXPECT_TRUE(cover.is_marked(pixel));
+    EXPECT_FALSE(cover.is_marked(pixel + tile_block));
+    EXPECT_EQ(cover.mixed_in_row(5), 0U);
+    write(cover, pixel + 1, Kind::More);
+    EXPECT_EQ(cover.mixed_in_row(5), std::uint64_t{1} << 13U);
+    cover.clear();
+    EXPECT_FALSE(cover.is_marked(pixel));
+    EXPECT_EQ(cover.mixed_in_row(5), 0U);
+    EXPECT_EQ(cover.from[pixel], std::numeric_limits<float>::infinity());
+}
+
 TEST(PixelCover, ForgetsWhatWasMarkedWhereverThatWas) {
     constexpr float none = std::numeric_limits<float>::infinity();
     PixelCover cover;
