@@ -50,6 +50,12 @@ std::uint64_t like_right(const LitLayer& layer, std::size_t row, std::uint64_t w
     return same;
 }
 
+/// Which of the wanted pixels of a row look like both beside them; of others it tells nothing.
+std::uint64_t like_beside(const LitLayer& layer, std::size_t row, std::uint64_t wanted) {
+    const std::uint64_t right = like_right(layer, row, wanted | wanted >> 1U);
+    return right & right << 1U;
+}
+
 /// Which of the wanted pixels of a row look like those below; of others it tells nothing.
 std::uint64_t like_below(const LitLayer& layer, std::size_t row, std::uint64_t wanted) {
     std::uint64_t same = 0;
@@ -77,23 +83,26 @@ TileBits amid_hits(const LitLayer& layer, const Tile& tile, const TileBits& want
 
 void add_calm(const LitLayer& layer, const Tile& tile, const TileBits& wanted, TileBits& calm) {
     const TileBits asked = amid_hits(layer, tile, wanted);
-    // Row by row: the pixels that look like both of their neighbours, and like those below.
+    // Row by row: the asked pixels that look like both of their neighbours.
     TileBits beside{};
+    TileBits left{};
+    for (std::size_t row = 0; row < tile_size; ++row) {
+        if (asked[row] == 0) continue;
+        beside[row] = like_beside(layer, row, asked[row]);
+        left[row] = asked[row] & beside[row];
+    }
+    // Around those: the pixels that do, and those that look like the ones below.
     TileBits below{};
     for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
-        const std::uint64_t here = asked[row];
-        const std::uint64_t next = row + 1 < tile_size ? asked[row + 1] : 0;
-        const std::uint64_t around = here | next | (row > 0 ? asked[row - 1] : 0);
-        if (around != 0) {
-            const std::uint64_t right = like_right(layer, row, around | around >> 1U);
-            beside[row] = right & right << 1U;
-        }
-        if ((here | next) != 0) below[row] = like_below(layer, row, here | next);
+        const std::uint64_t next = row + 1 < tile_size ? left[row + 1] : 0;
+        const std::uint64_t around = (next | (row > 0 ? left[row - 1] : 0)) & ~asked[row];
+        if (around != 0) beside[row] |= around & like_beside(layer, row, around);
+        if ((left[row] | next) != 0) below[row] = like_below(layer, row, left[row] | next);
     }
     for (std::size_t row = 1; row + 1 < static_cast<std::size_t>(tile.rows); ++row) {
-        if (asked[row] != 0)
-            calm[row] |= asked[row] & beside[row - 1] & beside[row] & beside[row + 1] &
-                         below[row - 1] & below[row];
+        if (left[row] != 0)
+            calm[row] |=
+                left[row] & beside[row - 1] & beside[row + 1] & below[row - 1] & below[row];
     }
 }
 

@@ -41,6 +41,36 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
         .pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit, .to = last};
 }
 
+/// Adds the mixed pixels of a row of one surface's hits, of those in `wanted`; returns which.
+std::uint64_t add_mixed_of(const TileHits& hits, int row, std::uint64_t wanted,
+                           std::vector<MixedPixel>& out) {
+    const PixelCover& cover = hits.cover;
+    const std::uint64_t mixed = cover.mixed_in_row(row) & wanted;
+    for (std::uint64_t bits = mixed; bits != 0; bits &= bits - 1) {
+        const auto at = static_cast<std::size_t>(row * tile_size + std::countr_zero(bits));
+        out.push_back({.pixel = static_cast<std::uint16_t>(at),
+                       .from = std::min(cover.from[at], cover.other_from[at]),
+                       .hit = hits.depth[at],
+                       .to = cover.last[at]});
+    }
+    return mixed;
+}
+
+/// Adds the mixed pixels of a row, of those in `wanted`, by the hits of all surfaces; returns
+/// which.
+std::uint64_t add_mixed(std::span<const TileHits> hits, int row, std::uint64_t wanted,
+                        std::vector<MixedPixel>& out) {
+    std::uint64_t mixed = 0;
+    for (; wanted != 0; wanted &= wanted - 1) {
+        const auto pixel =
+            mixed_pixel(hits, static_cast<std::size_t>(row * tile_size + std::countr_zero(wanted)));
+        if (!pixel) continue;
+        out.push_back(*pixel);
+        mixed |= wanted & (~wanted + 1);
+    }
+    return mixed;
+}
+
 /// Whether the lights of two hits look different: by more than this part of the brightest.
 bool look_different(const LitLayer& layer, std::size_t a, std::size_t b, float least) {
     const auto shown = [&](std::size_t at, int channel) {
@@ -130,15 +160,10 @@ void find_mixed(const Tile& tile, std::span<const LitLayer> layers, std::span<co
     TileBits found{};
     for (int row = 0; row < tile.rows; ++row) {
         const std::uint64_t all = ~std::uint64_t{0} >> (tile_size - tile.cols);
-        std::uint64_t bits = alone ? hits.front().cover.mixed_in_row(row) & all : all;
-        for (; bits != 0; bits &= bits - 1) {
-            const auto mixed = mixed_pixel(
-                hits, static_cast<std::size_t>(row * tile_size + std::countr_zero(bits)));
-            if (!mixed) continue;
-            out.push_back(*mixed);
-            found[static_cast<std::size_t>(row)] |= bits & (~bits + 1);
-        }
+        found[static_cast<std::size_t>(row)] =
+            alone ? add_mixed_of(hits.front(), row, all, out) : add_mixed(hits, row, all, out);
     }
+    if (out.empty()) return;
     const TileBits calm = calm_pixels(tile, layers, found);
     for (MixedPixel& mixed : out)
         mixed.is_calm = (calm[mixed.pixel / tile_size] >> mixed.pixel % tile_size & 1U) != 0;
