@@ -31,7 +31,7 @@ constexpr double most_turn_of(bool kinked) { return kinked ? most_turn_at_kinks 
 /// is halved rather than the square divided.
 inline constexpr double most_cell_error = 0.25;
 /// As most_cell_error, where the pixels around look like the square's own: it holds no thread.
-inline constexpr double most_calm_cell_error = 0.5;
+inline constexpr double most_calm_cell_error = 1.0;
 /// How far an edge may be off from a line: in pixels, within the clip region and at its walls, and
 /// in parts of the square's side.
 inline constexpr double most_error_of_line = 1.0 / 68;

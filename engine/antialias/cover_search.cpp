@@ -46,6 +46,8 @@ private:
     [[nodiscard]] Step choose_only(std::size_t square, const Front& front);
     /// The next step where the front of a surface ends before any other begins.
     [[nodiscard]] Step choose_at(std::size_t square, std::size_t surface);
+    /// Takes all fronts of the only surface on.
+    void advance_all();
     void sort_work();
     /// Goes on with the open squares until each is closed or divided.
     void finish_level();
@@ -120,6 +122,15 @@ auto CoverSearch::choose_at(std::size_t square, std::size_t surface) -> Step {
     return Step::Close;
 }
 
+void CoverSearch::advance_all() {
+    Work& work = work_.front();
+    work.at_cells.clear();
+    for (std::size_t i = 0; i < field_.size(); ++i) {
+        if (field_.fronts(i).front().state == State::Going) work.at_cells.push_back(i);
+    }
+    advance_fronts(work.frame, 0, field_, work.at_cells, counters_);
+}
+
 void CoverSearch::sort_work() {
     for (Work& work : work_) {
         work.at_cells.clear();
@@ -142,6 +153,7 @@ void CoverSearch::finish_level() {
     open_.clear();
     for (std::size_t i = 0; i < field_.size(); ++i)
         open_.push_back(i);
+    if (field_.is_of_one_surface()) advance_all();
     while (!open_.empty() && !stopped()) {
         sort_work();
         for (std::size_t i = 0; i < work_.size(); ++i) {

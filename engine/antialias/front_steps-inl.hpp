@@ -62,6 +62,7 @@ struct CellVerdict {
     M<Real> monotone;    ///< f rises on all rays, or falls: there is at most one root on each
     M<Real> kinked;      ///< f may have a kink
     M<Real> precise;     ///< the form's error is small beside its change across the square
+    M<Real> rough;       ///< it is not even nearly so
     /// Where its linear part lets roots be, perhaps beyond the slab.
     V<Real> root_from, root_to;
     V<Real> turn;  ///< the width of the enclosure of normal . view, where roots end in the slab
@@ -124,6 +125,11 @@ private:
 /// How much longer than the cell before it a cell is at most, and how much shorter.
 inline constexpr double most_growth = 4.0;
 inline constexpr double least_growth = 0.125;
+/// The error of a form in most_cell_error from which on its cell is shortened: one that is nearly
+/// precise tells almost as much as the next one would.
+inline constexpr double rough_errors = 1.5;
+/// How much shorter the next cell at least is.
+inline constexpr double most_shortened = 0.75;
 
 /// Where the next cells end.
 template <class Real>
@@ -154,6 +160,8 @@ HWY_INLINE CellVerdict<Real> judge(const CellForm<Real>& form, const FrontRules<
                                number<Real>(most_calm_cell_error), number<Real>(most_cell_error)),
                 form.aside);
     verdict.precise = hn::And(known, hn::Le(form.error, most_error));
+    const V<Real> rough_error = hn::Mul(number<Real>(rough_errors), most_error);
+    verdict.rough = hn::Not(hn::And(known, hn::Le(form.error, rough_error)));
     verdict.margin = hn::MulAdd(number<Real>(FrontRules<Real>::unit), hn::Abs(verdict.from),
                                 number<Real>(rules.margin));
     verdict.fair = hn::Max(hn::Mul(number<Real>(rules.fair_width),
@@ -191,8 +199,8 @@ HWY_INLINE CellVerdict<Real> judge(const CellForm<Real>& form, const FrontRules<
 }
 
 inline constexpr std::uint8_t most_open_cells = 8;  // a power of two
-/// In fair lengths: cells whose forms are not precise are not longer.
-inline constexpr double most_rough_lengths = 1.5;
+/// In fair lengths: cells whose forms are rough are not longer.
+inline constexpr double most_rough_lengths = 2.0;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
 inline constexpr double most_fair_lengths = 8.0;
 
@@ -205,7 +213,7 @@ struct CellSteps {
     M<Real> halved;       ///< there may be several roots on a ray, of which the first is wanted
     M<Real> narrowed;     ///< a long cell tells more of f beside the sheet than of the sheet
     M<Real> rooted;       ///< it holds the first root of every ray
-    M<Real> shortened;    ///< the form is not precise
+    M<Real> shortened;    ///< the form is rough
     M<Real> lengthened;   ///< all rays seem to leave it with a root
     M<Real> open;         ///< it is left as a part of a stretch
 };
@@ -252,8 +260,8 @@ HWY_INLINE CellSteps<Real> steps_of(const FrontBlock<Real>& fronts, std::size_t 
     steps.rooted = hn::AndNot(hn::Or(steps.halved, steps.narrowed), first);
     // Of some, or none.
     const M<Real> others = hn::Not(hn::Or(cell.rejected, all));
-    steps.shortened = hn::And(hn::AndNot(cell.precise, others),
-                              hn::Gt(length, times(most_rough_lengths, cell.fair)));
+    steps.shortened =
+        hn::And(hn::And(cell.rough, others), hn::Gt(length, times(most_rough_lengths, cell.fair)));
     const M<Real> fits = hn::And(hn::Lt(cell.to, load(&fronts.end[i])),
                                  hn::Lt(width, times(most_fair_lengths, cell.fair)));
     // Nearly precise is enough for roots of all rays.
@@ -346,7 +354,7 @@ HWY_INLINE M<Real> step(FrontBlock<Real>& fronts, std::size_t i, const CellVerdi
         hn::Min(hn::Max(cell.growth, number<Real>(1.0)), number<Real>(most_growth));
     const V<Real> precise = hn::Mul(number<Real>(0.95), cell.growth);
     const V<Real> shorter =
-        hn::Min(hn::Max(precise, number<Real>(least_growth)), number<Real>(0.6));
+        hn::Min(hn::Max(precise, number<Real>(least_growth)), number<Real>(most_shortened));
     const V<Real> past_roots = hn::Sub(hn::Add(cell.root_to, quarter), near);
     V<Real> next = load(&fronts.step[i]);
     next = where(steps.free, hn::Mul(longer, length), next);

@@ -43,7 +43,8 @@ private:
     [[nodiscard]] FrontRules<Real> rules_of(const CoverSquare& square) const;
     void load(std::size_t i, std::size_t square);
     void store(std::size_t i) const { fronts_.store(i, field_.fronts(squares_[i])[surface_]); }
-    /// Repeats the last one of `count` fronts up to whole batches; returns how many these are.
+    /// Fills up whole batches behind `count` fronts, with fronts that went on no more where there
+    /// are such, else with the last one; returns how many these are.
     std::size_t pad(std::size_t count);
     /// Puts waiting squares in the place of those among the first `count` whose fronts go on no
     /// more; returns how many there are then.
@@ -66,6 +67,7 @@ private:
     FormCells<Real, FrontBlock<Real>::room> cells_;
     std::array<ContinuityMask<Real>, FrontBlock<Real>::room> branches_;
     FrontBlock<Real> fronts_;
+    std::size_t filled_ = 0;  ///< so many of them hold something
     std::array<std::size_t, FrontBlock<Real>::room> squares_;
     std::array<std::uint64_t, FrontBlock<Real>::room / 64> ended_;  ///< a bit each: goes on no more
 };
@@ -109,11 +111,12 @@ void SquareCells<Real>::load(std::size_t i, std::size_t square) {
 template <class Real>
 std::size_t SquareCells<Real>::pad(std::size_t count) {
     const std::size_t size = padded(count, frame_.kernel.lane_multiple);
-    for (std::size_t i = count; i < size; ++i) {
+    for (std::size_t i = std::max(count, filled_); i < size; ++i) {
         cells_.u[i] = cells_.u[count - 1];
         cells_.v[i] = cells_.v[count - 1];
         fronts_.copy(count - 1, i);
     }
+    filled_ = std::max(filled_, size);
     return size;
 }
 
