@@ -81,10 +81,38 @@ public:
 
     void search(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
                 Counters& counters);
+    /// Searches the first stretches that were loaded; up to a multiple of batch_multiple there must
+    /// be some.
+    void search_loaded(const TraceFrame& frame, const TileRays& rays, std::size_t count,
+                       Counters& counters);
+    HWY_INLINE void load_ray(std::size_t i, V<double> u, V<double> v, V<double> from,
+                             V<double> to) {
+        store(u, u_ + i);
+        store(v, v_ + i);
+        store(from, lo_s_ + i);
+        store(to, hi_s_ + i);
+    }
+    /// Loads a stretch again in other places.
+    void repeat_ray(std::size_t i, std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            u_[k] = u_[i];
+            v_[k] = v_[i];
+            lo_s_[k] = lo_s_[i];
+            hi_s_[k] = hi_s_[i];
+        }
+    }
+    /// What was found of stretches from i on.
+    [[nodiscard]] HWY_INLINE V<double> near_at(std::size_t i) const { return load(near_ + i); }
+    [[nodiscard]] HWY_INLINE V<double> least_at(std::size_t i) const { return load(f_ + i); }
+    [[nodiscard]] HWY_INLINE V<double> place_at(std::size_t i) const { return load(s_ + i); }
+    [[nodiscard]] HWY_INLINE M<double> inner_at(std::size_t i) const {
+        return flags_at(inner_ + i);
+    }
+    /// Writes what was found of a stretch.
+    void write(std::size_t i, RayStretch& stretch) const;
 
 private:
     void load_rays(const TileRays& rays, std::span<const RayStretch> stretches, std::size_t size);
-    void store_rays(std::span<RayStretch> stretches) const;
     /// Takes f at the ends; whether df/ds changes its sign in any of a vector's stretches.
     HWY_INLINE bool begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end);
     /// Chooses the next places.
@@ -124,17 +152,14 @@ inline void LeastSearch::load_rays(const TileRays& rays, std::span<const RayStre
     }
 }
 
-inline void LeastSearch::store_rays(std::span<RayStretch> stretches) const {
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        RayStretch& stretch = stretches[i];
-        stretch.near = near_[i];
-        stretch.far = far_[i];
-        stretch.least = f_[i];
-        stretch.at = s_[i];
-        stretch.inner = inner_[i] != 0.0;
-        stretch.by_col = by_col_[i];
-        stretch.by_row = by_row_[i];
-    }
+inline void LeastSearch::write(std::size_t i, RayStretch& stretch) const {
+    stretch.near = near_[i];
+    stretch.far = far_[i];
+    stretch.least = f_[i];
+    stretch.at = s_[i];
+    stretch.inner = inner_[i] != 0.0;
+    stretch.by_col = by_col_[i];
+    stretch.by_row = by_row_[i];
 }
 
 HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double> s, V<double> f,
@@ -220,10 +245,17 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::
 
 inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
                                 std::span<RayStretch> stretches, Counters& counters) {
+    load_rays(rays, stretches, padded(stretches.size()));
+    search_loaded(frame, rays, stretches.size(), counters);
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+        write(i, stretches[i]);
+}
+
+inline void LeastSearch::search_loaded(const TraceFrame& frame, const TileRays& rays,
+                                       std::size_t count, Counters& counters) {
     constexpr int most_steps = 16;
     const TileLines lines(rays);
-    const std::size_t size = padded(stretches.size());
-    load_rays(rays, stretches, size);
+    const std::size_t size = padded(count);
     const auto lines_at = [&](std::size_t i) { return lines.at(load(u_ + i), load(v_ + i)); };
     OpenParts<room> open(size);
     open.for_each([&](std::size_t i, std::size_t) {
@@ -231,7 +263,7 @@ inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
         points_.ask(size + i, lines_at(i), load(hi_s_ + i));
     });
     points_.evaluate(frame, 2 * size);
-    counters.value += 2 * stretches.size();
+    counters.value += 2 * count;
     open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), size); });
     for (int step = 0; step < most_steps && open.size() > 0 && !frame.stopped(); ++step) {
         open.for_each([&](std::size_t i, std::size_t point) {
@@ -249,7 +281,6 @@ inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
         store(lines.by_col(gradient, load(s_ + i)), by_col_ + i);
         store(lines.by_row(gradient, load(s_ + i)), by_row_ + i);
     }
-    store_rays(stretches);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
