@@ -71,6 +71,12 @@ HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least,
     return hn::Or(flat, hn::And(inner, above));
 }
 
+/// How f bends along rays, by cubics: d^2 f/ds^2; by how much it may be off, in parts of it, up to
+/// so far away.
+struct Bends {
+    V<double> curvature, doubt, length;
+};
+
 /// How far the least f may be off, in parts of it.
 inline constexpr double most_error_of_least = 1.0 / 8192;
 
@@ -108,13 +114,22 @@ public:
     [[nodiscard]] HWY_INLINE M<double> inner_at(std::size_t i) const {
         return flags_at(inner_ + i);
     }
+    /// 1 where f is at least 0 at the near ends, else -1.
+    [[nodiscard]] HWY_INLINE V<double> sign_at(std::size_t i) const { return load(sign_ + i); }
+    /// How much f changes at the same depth from the near ends a pixel to the side, at most.
+    [[nodiscard]] HWY_INLINE V<double> near_change_at(std::size_t i) const {
+        return load(near_change_ + i);
+    }
+    /// How f bends where it is least within.
+    [[nodiscard]] HWY_INLINE Bends bends_at(std::size_t i) const;
     /// Writes what was found of a stretch.
     void write(std::size_t i, RayStretch& stretch) const;
 
 private:
     void load_rays(const TileRays& rays, std::span<const RayStretch> stretches, std::size_t size);
     /// Takes f at the ends; whether df/ds changes its sign in any of a vector's stretches.
-    HWY_INLINE bool begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end);
+    HWY_INLINE bool begin(std::size_t i, const LinesOfRays& lines, const TileLines& tile,
+                          std::size_t far_end);
     /// Chooses the next places.
     [[nodiscard]] HWY_INLINE V<double> choose(std::size_t i, int step) const;
     /// Takes f there; whether any of a vector's searches goes on.
@@ -133,7 +148,7 @@ private:
     alignas(64) Column u_, v_;
     /// The stretches; df/ds is below 0 at the one end, and above at the other one.
     alignas(64) Column lo_s_, lo_f_, lo_slope_, hi_s_, hi_f_, hi_slope_;
-    alignas(64) Column near_, far_, sign_, tolerance_, open_;
+    alignas(64) Column near_, far_, near_change_, sign_, tolerance_, open_;
     alignas(64) Column kinked_;  ///< f seems to have a kink where it is least
     /// Where f is least so far.
     alignas(64) Column s_, f_, gradient_[3], inner_, by_col_, by_row_;
@@ -172,7 +187,24 @@ HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double>
     store_in(lanes, hn::Mul(sign, gradient.z), gradient_[2] + i);
 }
 
-HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end) {
+HWY_INLINE Bends LeastSearch::bends_at(std::size_t i) const {
+    const Places lo = lo_at(i);
+    const Places hi = hi_at(i);
+    const V<double> length = hn::Sub(hi.s, lo.s);
+    const V<double> per_length = hn::Div(number(1.0), length);
+    const V<double> chord = hn::Mul(number(3.0), hn::Mul(hn::Sub(hi.f, lo.f), per_length));
+    const V<double> two = number(2.0);
+    const V<double> scale = hn::Mul(two, per_length);
+    const V<double> at_lo = hn::Mul(scale, hn::Sub(chord, hn::MulAdd(two, lo.slope, hi.slope)));
+    const V<double> at_hi = hn::Mul(scale, hn::Sub(hn::MulAdd(two, hi.slope, lo.slope), chord));
+    const V<double> curvature = hn::IfThenElse(hn::Eq(load(s_ + i), lo.s), at_lo, at_hi);
+    return {.curvature = curvature,
+            .doubt = hn::Abs(hn::Div(hn::Sub(at_hi, at_lo), curvature)),
+            .length = length};
+}
+
+HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, const TileLines& tile,
+                                   std::size_t far_end) {
     const V<double> zero = hn::Zero(d<double>);
     const V<double> near = points_.f_at(i);
     const V<double> far = points_.f_at(far_end + i);
@@ -185,6 +217,10 @@ HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std:
     const V<double> hi_slope = hn::Mul(sign, dot(far_gradient, lines.direction));
     store(near, near_ + i);
     store(far, far_ + i);
+    const V<double> from = load(lo_s_ + i);
+    store(hn::Add(hn::Abs(tile.by_col(near_gradient, from)),
+                  hn::Abs(tile.by_row(near_gradient, from))),
+          near_change_ + i);
     store(sign, sign_ + i);
     store(lo, lo_f_ + i);
     store(hi, hi_f_ + i);
@@ -264,7 +300,7 @@ inline void LeastSearch::search_loaded(const TraceFrame& frame, const TileRays& 
     });
     points_.evaluate(frame, 2 * size);
     counters.value += 2 * count;
-    open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), size); });
+    open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), lines, size); });
     for (int step = 0; step < most_steps && open.size() > 0 && !frame.stopped(); ++step) {
         open.for_each([&](std::size_t i, std::size_t point) {
             const V<double> next = choose(i, step);

@@ -242,8 +242,9 @@ void SquareEdges::decide_squares(std::span<const std::size_t> squares,
     }
 }
 
-void SquareEdges::decide_lines(std::span<const std::size_t> squares,
+void SquareEdges::decide_lines(std::span<const std::size_t> squares, bool all_rays,
                                std::vector<std::size_t>& open) {
+    lines_.all_rays = all_rays;
     lines_.side = field_.square(squares.front()).side;
     lines_.rules = rules_of(field_.square(squares.front()), true);
     lines_.count = squares.size();
@@ -257,11 +258,14 @@ void SquareEdges::decide_lines(std::span<const std::size_t> squares,
     }
     find_lines(frame_, field_.rays(), lines_, counters_);
     for (std::size_t i = 0; i < squares.size(); ++i) {
-        const bool goes_on = lines_.is_line[i] != 0.0
-                                 ? take_found_line(squares[i], i)
-                                 : take(squares[i], lines_.stretches[i],
-                                        std::span(corners_).first<square_corners.size()>());
-        if (goes_on) open.push_back(squares[i]);
+        const bool is_line = lines_.is_line[i] != 0.0;
+        if (!is_line && !all_rays) {
+            unclear_.push_back(squares[i]);
+        } else if (is_line ? take_found_line(squares[i], i)
+                           : take(squares[i], lines_.stretches[i],
+                                  std::span(corners_).first<square_corners.size()>())) {
+            open.push_back(squares[i]);
+        }
     }
 }
 
@@ -292,7 +296,10 @@ void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::
         for_each_part(squares, most_rays, [&](auto some) { decide_rays(some, open); });
     } else {
         sort(squares);
-        for_each_part(even_, EdgeLines::room, [&](auto some) { decide_lines(some, open); });
+        unclear_.clear();
+        for_each_part(even_, EdgeLines::room, [&](auto some) { decide_lines(some, false, open); });
+        for_each_part(unclear_, EdgeLines::room_of_all_rays,
+                      [&](auto some) { decide_lines(some, true, open); });
         for_each_part(others_, most_squares, [&](auto some) { decide_squares(some, open); });
     }
     walls_.decide();

@@ -43,7 +43,8 @@ private:
     /// Sorts squares into those of lines_ and the others.
     void sort(std::span<const std::size_t> squares);
     /// Decides squares within the clip region where f is continuous and has no kinks.
-    void decide_lines(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
+    void decide_lines(std::span<const std::size_t> squares, bool all_rays,
+                      std::vector<std::size_t>& open);
     void decide_squares(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
     void decide_rays(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
     /// Whether all rays of these squares are within the clip region where they are open.
@@ -75,7 +76,7 @@ private:
     Counters& counters_;
     SquareCreases creases_;
     SquareWalls walls_;
-    std::vector<std::size_t> even_, others_;  ///< squares
+    std::vector<std::size_t> even_, unclear_, others_;  ///< squares
     EdgeLines lines_;
     std::array<RayStretch, most_rays> stretches_;
     std::array<RayStretch, most_squares * square_corners.size()> corners_;
