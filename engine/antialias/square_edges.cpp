@@ -49,10 +49,14 @@ bool may_hide_roots(const EdgeSamples& samples, SquareStretches stretches,
     return rules_of(square, true).may_hide && !any_inner && samples.roots() == 0;
 }
 
-EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
+EdgeSamples samples_of(SquareStretches stretches, CornerStretches corners,
+                       const CoverSquare& square, const Front& front) {
     const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
-    if (at_walls && !front.kinked && square.level >= first_one_end_level) {
-        if (const auto at_one_end = one_end_samples(stretches)) return *at_one_end;
+    if (at_walls && !front.kinked) {
+        const auto at_one_end = one_end_samples(stretches);
+        if (at_one_end &&
+            (square.level >= first_one_end_level || are_ends_even(stretches, corners)))
+            return *at_one_end;
     }
     return edge_samples(stretches);
 }
@@ -83,7 +87,7 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
 bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStretches corners) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    const EdgeSamples samples = samples_of(stretches, at, front);
+    const EdgeSamples samples = samples_of(stretches, corners, at, front);
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool all = samples.roots() == square_ray_count;
@@ -157,10 +161,16 @@ bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
     const SquareRay middle{.x = part.x, .y = part.y};
     const std::size_t nearest = samples.nearest_hit(middle);
     const Front& front = field_.fronts(square)[surface_];
-    const bool is_sure = front.is_inside(front.at, front.to) || samples.height[nearest] > 0.0;
-    const RayRoot root = samples.bracket(stretches, nearest);
-    drafts_.add(at, is_sure ? middle : square_rays[nearest], part.share, root.from, root.to,
-                Certificate::Certified);
+    const bool is_inside = front.is_inside(front.at, front.to);
+    const bool is_missed = samples.height[nearest] > 0.0;
+    if (is_missed && !is_inside && samples.before_end[nearest]) {
+        const RayStretch stretch = stretch_at(stretches, middle);
+        drafts_.add(at, middle, part.share, stretch.from, stretch.to, Certificate::Certified);
+    } else {
+        const RayRoot root = samples.bracket(stretches, nearest);
+        drafts_.add(at, is_inside || is_missed ? middle : square_rays[nearest], part.share,
+                    root.from, root.to, Certificate::Certified);
+    }
     field_.keep_rest(square, surface_,
                      {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
     return false;
