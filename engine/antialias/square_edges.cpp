@@ -36,8 +36,11 @@ std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSqu
 std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareStretches stretches,
                                             const CoverSquare& square) {
     const EdgeSamples entry = entry_samples(stretches);
-    if (is_all_below(entry)) return line_of(samples, square, false);
-    return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
+    const bool is_entry_below = is_all_below(entry);
+    const bool is_least_below = is_all_below(samples);
+    if (is_entry_below && is_least_below) return all_of_square;
+    if (is_entry_below) return line_of(samples, square, false);
+    return is_least_below ? line_of(entry, square, false) : std::nullopt;
 }
 
 /// Whether f, which is above 0 where samples are, may come to 0 and go away again between the ends
