@@ -136,7 +136,8 @@ EdgeSamples edge_samples(SquareStretches stretches) {
 
 std::optional<EdgeSamples> one_end_samples(SquareStretches stretches) {
     const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
-    EdgeSamples near{.height = {}, .known = true, .before_end = {}};
+    EdgeSamples near;
+    near.known = true;
     EdgeSamples far = near;
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         const RayStretch& ray = stretches[i];

@@ -17,6 +17,7 @@ struct EdgeSamples {
     bool known = false;  ///< whether `height` may go smoothly with the place
     /// Whether roots are before the far ends; else before the places of the least f.
     std::array<bool, square_ray_count> before_end{};
+    bool even_ends = false;  ///< the stretches are known to end in planes
 
     [[nodiscard]] std::size_t roots() const;
     /// The bracket of ray i's root, or of where f comes nearest to 0.

@@ -56,9 +56,9 @@ EdgeSamples samples_of(SquareStretches stretches, CornerStretches corners,
                        const CoverSquare& square, const Front& front) {
     const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
     if (at_walls && !front.kinked) {
-        const auto at_one_end = one_end_samples(stretches);
-        if (at_one_end &&
-            (square.level >= first_one_end_level || are_ends_even(stretches, corners)))
+        auto at_one_end = one_end_samples(stretches);
+        if (at_one_end) at_one_end->even_ends = are_ends_even(stretches, corners);
+        if (at_one_end && (at_one_end->even_ends || square.level >= first_one_end_level))
             return *at_one_end;
     }
     return edge_samples(stretches);
@@ -166,7 +166,7 @@ bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
     const Front& front = field_.fronts(square)[surface_];
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool is_missed = samples.height[nearest] > 0.0;
-    if (is_missed && !is_inside && samples.before_end[nearest]) {
+    if (is_missed && samples.even_ends) {
         const RayStretch stretch = stretch_at(stretches, middle);
         drafts_.add(at, middle, part.share, stretch.from, stretch.to, Certificate::Certified);
     } else {

@@ -28,6 +28,17 @@ std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
 
 }  // namespace
 
+void SquareWalls::Task::take(SquareStretches stretches) {
+    std::size_t hit = 0;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        misses[i] = !stretches[i].has_root();
+        if (!misses[i]) hit = i;
+    }
+    shown = square_rays[hit];
+    from = stretches[hit].from;
+    to = stretches[hit].at;
+}
+
 auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStretches corners,
                       const std::optional<LinearOnSquare>& fit) -> Choice {
     const Front& front = field_.fronts(square)[surface_];
@@ -61,14 +72,7 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStret
     Task& task = tasks_.emplace_back();
     task.square = square;
     task.places = places;
-    std::size_t hit = 0;
-    for (std::size_t i = 0; i < square_ray_count; ++i) {
-        task.misses[i] = !stretches[i].has_root();
-        if (!task.misses[i]) hit = i;
-    }
-    task.shown = square_rays[hit];
-    task.from = stretches[hit].from;
-    task.to = stretches[hit].at;
+    task.take(stretches);
     const auto ray_of = [&](const WallPlace& place) {
         const bool is_corner = place.ray >= square_ray_count;
         return is_corner ? WallRay(corners[place.ray - square_ray_count], false)

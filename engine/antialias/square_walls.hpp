@@ -48,6 +48,9 @@ private:
         double from, to;
         WallPlaces places;
         std::array<WallWay, 2> ways;
+
+        /// Takes what is known of the square's rays.
+        void take(SquareStretches stretches);
     };
     struct Open {
         const Task* task;
