@@ -33,17 +33,13 @@ int sign_over_square(const std::array<double, square_ray_count>& numbers) {
     return numbers[0] > 0.0 ? 1 : -1;
 }
 
-HeightLine plane_through(SquareStretches stretches, double RayStretch::* end) {
-    std::array<double, square_ray_count> depth{};
-    for (std::size_t i = 0; i < square_ray_count; ++i)
-        depth[i] = stretches[i].*end;
-    return line_through(depth);
-}
-
 /// Whether one end of stretches is as deep over the square as a plane is.
 bool is_even(SquareStretches stretches, CornerStretches corners, double RayStretch::* end) {
     constexpr double most = 1.0 / 32;  // in parts of how its depth changes
-    const HeightLine plane = plane_through(stretches, end);
+    std::array<double, square_ray_count> depth{};
+    for (std::size_t i = 0; i < square_ray_count; ++i)
+        depth[i] = stretches[i].*end;
+    const HeightLine plane = line_through(depth);
     const double change = most * (std::abs(plane.fit.by_x) + std::abs(plane.fit.by_y));
     if (!(plane.off <= change)) return false;
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
@@ -136,8 +132,7 @@ EdgeSamples edge_samples(SquareStretches stretches) {
 
 std::optional<EdgeSamples> one_end_samples(SquareStretches stretches) {
     const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
-    EdgeSamples near;
-    near.known = true;
+    EdgeSamples near{.height = {}, .known = true, .before_end = {}};
     EdgeSamples far = near;
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         const RayStretch& ray = stretches[i];
@@ -158,13 +153,6 @@ bool are_ends_even(SquareStretches stretches, CornerStretches corners) {
     return std::ranges::none_of(stretches, is_empty) && std::ranges::none_of(corners, is_empty) &&
            is_even(stretches, corners, &RayStretch::from) &&
            is_even(stretches, corners, &RayStretch::to);
-}
-
-RayStretch stretch_at(SquareStretches stretches, const SquareRay& place) {
-    RayStretch stretch = stretches.front();
-    stretch.from = plane_through(stretches, &RayStretch::from).fit.at(place);
-    stretch.to = plane_through(stretches, &RayStretch::to).fit.at(place);
-    return stretch;
 }
 
 EdgeSamples entry_samples(SquareStretches stretches) {

@@ -17,7 +17,6 @@ struct EdgeSamples {
     bool known = false;  ///< whether `height` may go smoothly with the place
     /// Whether roots are before the far ends; else before the places of the least f.
     std::array<bool, square_ray_count> before_end{};
-    bool even_ends = false;  ///< the stretches are known to end in planes
 
     [[nodiscard]] std::size_t roots() const;
     /// The bracket of ray i's root, or of where f comes nearest to 0.
@@ -37,8 +36,6 @@ std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
 /// Whether the rays' stretches end in a plane on either side: in one wall of the clip region, or at
 /// one depth.
 bool are_ends_even(SquareStretches stretches, CornerStretches corners);
-/// The stretch of the ray through a place, if the rays' stretches end in a plane on either side.
-RayStretch stretch_at(SquareStretches stretches, const SquareRay& place);
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.
 EdgeSamples entry_samples(SquareStretches stretches);

@@ -52,16 +52,20 @@ bool may_hide_roots(const EdgeSamples& samples, SquareStretches stretches,
     return rules_of(square, true).may_hide && !any_inner && samples.roots() == 0;
 }
 
-EdgeSamples samples_of(SquareStretches stretches, CornerStretches corners,
-                       const CoverSquare& square, const Front& front) {
+EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
     const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
-    if (at_walls && !front.kinked) {
-        auto at_one_end = one_end_samples(stretches);
-        if (at_one_end) at_one_end->even_ends = are_ends_even(stretches, corners);
-        if (at_one_end && (at_one_end->even_ends || square.level >= first_one_end_level))
-            return *at_one_end;
+    if (at_walls && !front.kinked && square.level >= first_one_end_level) {
+        if (const auto at_one_end = one_end_samples(stretches)) return *at_one_end;
     }
     return edge_samples(stretches);
+}
+
+/// Whether the edge in a wall that all rays enter or leave by passes by the square.
+bool is_passed_by(SquareStretches stretches, CornerStretches corners, const CoverSquare& square) {
+    const auto samples = one_end_samples(stretches);
+    if (!samples || !are_ends_even(stretches, corners)) return false;
+    const auto fit = line_of(*samples, square, false);
+    return fit && !(part_below_zero(*fit).share > 0.0);
 }
 
 /// Calls do_some for `squares`, at most so many at once.
@@ -90,7 +94,7 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
 bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStretches corners) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    const EdgeSamples samples = samples_of(stretches, corners, at, front);
+    const EdgeSamples samples = samples_of(stretches, at, front);
     if (!front.continuous) return take_rough(square, stretches, samples);
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool all = samples.roots() == square_ray_count;
@@ -102,7 +106,9 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
         const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
-        if (signs == Signs::Kept) return pass(square);
+        const bool is_free =
+            signs == Signs::Kept || (!front.kinked && is_passed_by(stretches, corners, at));
+        if (is_free) return pass(square);
         if (signs == Signs::Changed && !fit && all) fit = all_of_square;
         switch (walls_.add(square, stretches, corners, fit)) {
             case SquareWalls::Choice::None: break;
@@ -164,16 +170,10 @@ bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
     const SquareRay middle{.x = part.x, .y = part.y};
     const std::size_t nearest = samples.nearest_hit(middle);
     const Front& front = field_.fronts(square)[surface_];
-    const bool is_inside = front.is_inside(front.at, front.to);
-    const bool is_missed = samples.height[nearest] > 0.0;
-    if (is_missed && samples.even_ends) {
-        const RayStretch stretch = stretch_at(stretches, middle);
-        drafts_.add(at, middle, part.share, stretch.from, stretch.to, Certificate::Certified);
-    } else {
-        const RayRoot root = samples.bracket(stretches, nearest);
-        drafts_.add(at, is_inside || is_missed ? middle : square_rays[nearest], part.share,
-                    root.from, root.to, Certificate::Certified);
-    }
+    const bool is_sure = front.is_inside(front.at, front.to) || samples.height[nearest] > 0.0;
+    const RayRoot root = samples.bracket(stretches, nearest);
+    drafts_.add(at, is_sure ? middle : square_rays[nearest], part.share, root.from, root.to,
+                Certificate::Certified);
     field_.keep_rest(square, surface_,
                      {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
     return false;
