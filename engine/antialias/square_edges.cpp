@@ -68,6 +68,13 @@ bool is_passed_by(SquareStretches stretches, CornerStretches corners, const Cove
     return fit && !(part_below_zero(*fit).share > 0.0);
 }
 
+/// signs_of a square at walls; where the edge in one of them passes by, f keeps its sign.
+Signs signs_at_walls(SquareStretches stretches, CornerStretches corners, const CoverSquare& square,
+                     const Front& front) {
+    if (front.kinked) return Signs::Unknown;
+    return is_passed_by(stretches, corners, square) ? Signs::Kept : signs_of(stretches);
+}
+
 /// Calls do_some for `squares`, at most so many at once.
 template <class DoSome>
 void for_each_part(std::span<const std::size_t> squares, std::size_t most, const DoSome& do_some) {
@@ -105,10 +112,8 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
-        const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
-        const bool is_free =
-            signs == Signs::Kept || (!front.kinked && is_passed_by(stretches, corners, at));
-        if (is_free) return pass(square);
+        const Signs signs = signs_at_walls(stretches, corners, at, front);
+        if (signs == Signs::Kept) return pass(square);
         if (signs == Signs::Changed && !fit && all) fit = all_of_square;
         switch (walls_.add(square, stretches, corners, fit)) {
             case SquareWalls::Choice::None: break;
