@@ -35,7 +35,7 @@ inline constexpr double most_calm_cell_error = 1.0;
 /// How far an edge may be off from a line: in pixels, within the clip region and at its walls, and
 /// in parts of the square's side.
 inline constexpr double most_error_of_line = 1.0 / 68;
-inline constexpr double most_error_at_walls = 1.0 / 200;
+inline constexpr double most_error_at_walls = 1.0 / 68;
 inline constexpr double most_error_of_edge = 1.0 / 8;
 /// As wide, in pixels, threads are drawn of which no ray is known to have a root; and half the
 /// width from which on it would be known.

@@ -33,6 +33,21 @@ int sign_over_square(const std::array<double, square_ray_count>& numbers) {
     return numbers[0] > 0.0 ? 1 : -1;
 }
 
+/// Whether one end of stretches is as deep over the square as a plane is.
+bool is_even(SquareStretches stretches, CornerStretches corners, double RayStretch::* end) {
+    constexpr double most = 1.0 / 32;  // in parts of how its depth changes
+    std::array<double, square_ray_count> depth{};
+    for (std::size_t i = 0; i < square_ray_count; ++i)
+        depth[i] = stretches[i].*end;
+    const HeightLine plane = line_through(depth);
+    const double change = most * (std::abs(plane.fit.by_x) + std::abs(plane.fit.by_y));
+    if (!(plane.off <= change)) return false;
+    for (std::size_t i = 0; i < square_corners.size(); ++i) {
+        if (!(std::abs(corners[i].*end - plane.fit.at(square_corners[i])) <= change)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Signs signs_of(SquareStretches stretches) {
@@ -131,6 +146,13 @@ std::optional<EdgeSamples> one_end_samples(SquareStretches stretches) {
     }
     if (sign_over_square(near.height) > 0) return far;
     return sign_over_square(far.height) > 0 ? std::optional(near) : std::nullopt;
+}
+
+bool are_ends_even(SquareStretches stretches, CornerStretches corners) {
+    const auto is_empty = [](const RayStretch& ray) { return ray.is_empty(); };
+    return std::ranges::none_of(stretches, is_empty) && std::ranges::none_of(corners, is_empty) &&
+           is_even(stretches, corners, &RayStretch::from) &&
+           is_even(stretches, corners, &RayStretch::to);
 }
 
 EdgeSamples entry_samples(SquareStretches stretches) {

@@ -33,6 +33,9 @@ EdgeSamples edge_samples(SquareStretches stretches);
 /// surely keeps its sign at the other end all over the square, roots are where it does not at this
 /// one. Nothing unless that is so of one end.
 std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
+/// Whether the rays' stretches end in a plane on either side: in one wall of the clip region, or at
+/// one depth.
+bool are_ends_even(SquareStretches stretches, CornerStretches corners);
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.
 EdgeSamples entry_samples(SquareStretches stretches);

@@ -71,6 +71,12 @@ HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least,
     return hn::Or(flat, hn::And(inner, above));
 }
 
+/// How f bends along rays, by cubics: d^2 f/ds^2; by how much it may be off, in parts of it, up to
+/// so far away.
+struct Bends {
+    V<double> curvature, doubt, length;
+};
+
 /// How far the least f may be off, in parts of it.
 inline constexpr double most_error_of_least = 1.0 / 8192;
 
@@ -81,12 +87,49 @@ public:
 
     void search(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
                 Counters& counters);
+    /// Searches the first stretches that were loaded; up to a multiple of batch_multiple there must
+    /// be some.
+    void search_loaded(const TraceFrame& frame, const TileRays& rays, std::size_t count,
+                       Counters& counters);
+    HWY_INLINE void load_ray(std::size_t i, V<double> u, V<double> v, V<double> from,
+                             V<double> to) {
+        store(u, u_ + i);
+        store(v, v_ + i);
+        store(from, lo_s_ + i);
+        store(to, hi_s_ + i);
+    }
+    /// Loads a stretch again in other places.
+    void repeat_ray(std::size_t i, std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            u_[k] = u_[i];
+            v_[k] = v_[i];
+            lo_s_[k] = lo_s_[i];
+            hi_s_[k] = hi_s_[i];
+        }
+    }
+    /// What was found of stretches from i on.
+    [[nodiscard]] HWY_INLINE V<double> near_at(std::size_t i) const { return load(near_ + i); }
+    [[nodiscard]] HWY_INLINE V<double> least_at(std::size_t i) const { return load(f_ + i); }
+    [[nodiscard]] HWY_INLINE V<double> place_at(std::size_t i) const { return load(s_ + i); }
+    [[nodiscard]] HWY_INLINE M<double> inner_at(std::size_t i) const {
+        return flags_at(inner_ + i);
+    }
+    /// 1 where f is at least 0 at the near ends, else -1.
+    [[nodiscard]] HWY_INLINE V<double> sign_at(std::size_t i) const { return load(sign_ + i); }
+    /// How much f changes at the same depth from the near ends a pixel to the side, at most.
+    [[nodiscard]] HWY_INLINE V<double> near_change_at(std::size_t i) const {
+        return load(near_change_ + i);
+    }
+    /// How f bends where it is least within.
+    [[nodiscard]] HWY_INLINE Bends bends_at(std::size_t i) const;
+    /// Writes what was found of a stretch.
+    void write(std::size_t i, RayStretch& stretch) const;
 
 private:
     void load_rays(const TileRays& rays, std::span<const RayStretch> stretches, std::size_t size);
-    void store_rays(std::span<RayStretch> stretches) const;
     /// Takes f at the ends; whether df/ds changes its sign in any of a vector's stretches.
-    HWY_INLINE bool begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end);
+    HWY_INLINE bool begin(std::size_t i, const LinesOfRays& lines, const TileLines& tile,
+                          std::size_t far_end);
     /// Chooses the next places.
     [[nodiscard]] HWY_INLINE V<double> choose(std::size_t i, int step) const;
     /// Takes f there; whether any of a vector's searches goes on.
@@ -105,7 +148,7 @@ private:
     alignas(64) Column u_, v_;
     /// The stretches; df/ds is below 0 at the one end, and above at the other one.
     alignas(64) Column lo_s_, lo_f_, lo_slope_, hi_s_, hi_f_, hi_slope_;
-    alignas(64) Column near_, far_, sign_, tolerance_, open_;
+    alignas(64) Column near_, far_, near_change_, sign_, tolerance_, open_;
     alignas(64) Column kinked_;  ///< f seems to have a kink where it is least
     /// Where f is least so far.
     alignas(64) Column s_, f_, gradient_[3], inner_, by_col_, by_row_;
@@ -124,17 +167,14 @@ inline void LeastSearch::load_rays(const TileRays& rays, std::span<const RayStre
     }
 }
 
-inline void LeastSearch::store_rays(std::span<RayStretch> stretches) const {
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        RayStretch& stretch = stretches[i];
-        stretch.near = near_[i];
-        stretch.far = far_[i];
-        stretch.least = f_[i];
-        stretch.at = s_[i];
-        stretch.inner = inner_[i] != 0.0;
-        stretch.by_col = by_col_[i];
-        stretch.by_row = by_row_[i];
-    }
+inline void LeastSearch::write(std::size_t i, RayStretch& stretch) const {
+    stretch.near = near_[i];
+    stretch.far = far_[i];
+    stretch.least = f_[i];
+    stretch.at = s_[i];
+    stretch.inner = inner_[i] != 0.0;
+    stretch.by_col = by_col_[i];
+    stretch.by_row = by_row_[i];
 }
 
 HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double> s, V<double> f,
@@ -147,7 +187,24 @@ HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double>
     store_in(lanes, hn::Mul(sign, gradient.z), gradient_[2] + i);
 }
 
-HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std::size_t far_end) {
+HWY_INLINE Bends LeastSearch::bends_at(std::size_t i) const {
+    const Places lo = lo_at(i);
+    const Places hi = hi_at(i);
+    const V<double> length = hn::Sub(hi.s, lo.s);
+    const V<double> per_length = hn::Div(number(1.0), length);
+    const V<double> chord = hn::Mul(number(3.0), hn::Mul(hn::Sub(hi.f, lo.f), per_length));
+    const V<double> two = number(2.0);
+    const V<double> scale = hn::Mul(two, per_length);
+    const V<double> at_lo = hn::Mul(scale, hn::Sub(chord, hn::MulAdd(two, lo.slope, hi.slope)));
+    const V<double> at_hi = hn::Mul(scale, hn::Sub(hn::MulAdd(two, hi.slope, lo.slope), chord));
+    const V<double> curvature = hn::IfThenElse(hn::Eq(load(s_ + i), lo.s), at_lo, at_hi);
+    return {.curvature = curvature,
+            .doubt = hn::Abs(hn::Div(hn::Sub(at_hi, at_lo), curvature)),
+            .length = length};
+}
+
+HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, const TileLines& tile,
+                                   std::size_t far_end) {
     const V<double> zero = hn::Zero(d<double>);
     const V<double> near = points_.f_at(i);
     const V<double> far = points_.f_at(far_end + i);
@@ -160,6 +217,10 @@ HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, std:
     const V<double> hi_slope = hn::Mul(sign, dot(far_gradient, lines.direction));
     store(near, near_ + i);
     store(far, far_ + i);
+    const V<double> from = load(lo_s_ + i);
+    store(hn::Add(hn::Abs(tile.by_col(near_gradient, from)),
+                  hn::Abs(tile.by_row(near_gradient, from))),
+          near_change_ + i);
     store(sign, sign_ + i);
     store(lo, lo_f_ + i);
     store(hi, hi_f_ + i);
@@ -220,10 +281,17 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::
 
 inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
                                 std::span<RayStretch> stretches, Counters& counters) {
+    load_rays(rays, stretches, padded(stretches.size()));
+    search_loaded(frame, rays, stretches.size(), counters);
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+        write(i, stretches[i]);
+}
+
+inline void LeastSearch::search_loaded(const TraceFrame& frame, const TileRays& rays,
+                                       std::size_t count, Counters& counters) {
     constexpr int most_steps = 16;
     const TileLines lines(rays);
-    const std::size_t size = padded(stretches.size());
-    load_rays(rays, stretches, size);
+    const std::size_t size = padded(count);
     const auto lines_at = [&](std::size_t i) { return lines.at(load(u_ + i), load(v_ + i)); };
     OpenParts<room> open(size);
     open.for_each([&](std::size_t i, std::size_t) {
@@ -231,8 +299,8 @@ inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
         points_.ask(size + i, lines_at(i), load(hi_s_ + i));
     });
     points_.evaluate(frame, 2 * size);
-    counters.value += 2 * stretches.size();
-    open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), size); });
+    counters.value += 2 * count;
+    open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), lines, size); });
     for (int step = 0; step < most_steps && open.size() > 0 && !frame.stopped(); ++step) {
         open.for_each([&](std::size_t i, std::size_t point) {
             const V<double> next = choose(i, step);
@@ -249,7 +317,6 @@ inline void LeastSearch::search(const TraceFrame& frame, const TileRays& rays,
         store(lines.by_col(gradient, load(s_ + i)), by_col_ + i);
         store(lines.by_row(gradient, load(s_ + i)), by_row_ + i);
     }
-    store_rays(stretches);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

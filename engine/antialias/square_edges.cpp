@@ -17,21 +17,30 @@ constexpr LinearOnSquare all_of_square{.value = -1.0, .by_x = 0.0, .by_y = 0.0};
 /// The level of which edges are not divided.
 int last_level_of(bool is_inside) { return is_inside ? last_edge_level : last_wall_level; }
 
+LineRules rules_of(const CoverSquare& square, bool is_inside) {
+    const double in_pixels = is_inside ? most_error_of_line : most_error_at_walls;
+    return {.error = square.level < last_level_of(is_inside)
+                         ? std::min(in_pixels / square.side, most_error_of_edge)
+                         : 2.0 * most_error_of_edge,
+            .flat_too = square.level >= first_flat_level,
+            .may_hide = square.level < first_one_slope_level};
+}
+
 std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square,
                                       bool is_inside) {
-    const double in_pixels = is_inside ? most_error_of_line : most_error_at_walls;
-    const double error = square.level < last_level_of(is_inside)
-                             ? std::min(in_pixels / square.side, most_error_of_edge)
-                             : 2.0 * most_error_of_edge;
-    return fit_edge(samples, error, square.level >= first_flat_level);
+    const LineRules rules = rules_of(square, is_inside);
+    return fit_edge(samples, rules.error, rules.flat_too);
 }
 
 /// The edge of a root that rays may miss at their far ends, or have cut away where they enter.
 std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples, SquareStretches stretches,
                                             const CoverSquare& square) {
     const EdgeSamples entry = entry_samples(stretches);
-    if (is_all_below(entry)) return line_of(samples, square, false);
-    return is_all_below(samples) ? line_of(entry, square, false) : std::nullopt;
+    const bool is_entry_below = is_all_below(entry);
+    const bool is_least_below = is_all_below(samples);
+    if (is_entry_below && is_least_below) return all_of_square;
+    if (is_entry_below) return line_of(samples, square, false);
+    return is_least_below ? line_of(entry, square, false) : std::nullopt;
 }
 
 /// Whether f, which is above 0 where samples are, may come to 0 and go away again between the ends
@@ -40,7 +49,7 @@ bool may_hide_roots(const EdgeSamples& samples, SquareStretches stretches,
                     const CoverSquare& square) {
     const bool any_inner =
         std::ranges::any_of(stretches, [](const RayStretch& ray) { return ray.inner; });
-    return square.level < first_one_slope_level && !any_inner && samples.roots() == 0;
+    return rules_of(square, true).may_hide && !any_inner && samples.roots() == 0;
 }
 
 EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
@@ -49,6 +58,28 @@ EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, con
         if (const auto at_one_end = one_end_samples(stretches)) return *at_one_end;
     }
     return edge_samples(stretches);
+}
+
+/// Whether the edge in a wall that all rays enter or leave by passes by the square.
+bool is_passed_by(SquareStretches stretches, CornerStretches corners, const CoverSquare& square) {
+    const auto samples = one_end_samples(stretches);
+    if (!samples || !are_ends_even(stretches, corners)) return false;
+    const auto fit = line_of(*samples, square, false);
+    return fit && !(part_below_zero(*fit).share > 0.0);
+}
+
+/// signs_of a square at walls; where the edge in one of them passes by, f keeps its sign.
+Signs signs_at_walls(SquareStretches stretches, CornerStretches corners, const CoverSquare& square,
+                     const Front& front) {
+    if (front.kinked) return Signs::Unknown;
+    return is_passed_by(stretches, corners, square) ? Signs::Kept : signs_of(stretches);
+}
+
+/// Calls do_some for `squares`, at most so many at once.
+template <class DoSome>
+void for_each_part(std::span<const std::size_t> squares, std::size_t most, const DoSome& do_some) {
+    for (; !squares.empty(); squares = squares.subspan(std::min(most, squares.size())))
+        do_some(squares.first(std::min(most, squares.size())));
 }
 
 }  // namespace
@@ -81,7 +112,7 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
-        const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
+        const Signs signs = signs_at_walls(stretches, corners, at, front);
         if (signs == Signs::Kept) return pass(square);
         if (signs == Signs::Changed && !fit && all) fit = all_of_square;
         switch (walls_.add(square, stretches, corners, fit)) {
@@ -105,6 +136,28 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     }
     return fit ? take_line(square, stretches, samples, *fit)
                : take_rough(square, stretches, samples);
+}
+
+bool SquareEdges::take_found_line(std::size_t square, std::size_t i) {
+    constexpr unsigned all = (1U << square_ray_count) - 1;
+    const CoverSquare& at = field_.square(square);
+    const Front& front = field_.fronts(square)[surface_];
+    const auto hits = static_cast<unsigned>(lines_.hits[i]);
+    if (hits == all && front.calm && field_.is_hit_between(square, front.at, front.to)) {
+        field_.leave_plain(square);
+        return false;
+    }
+    const SquarePart part{.share = lines_.share[i], .x = lines_.x[i], .y = lines_.y[i]};
+    if (!(part.share > 0.0)) return pass(square);
+    drafts_.add(at, {.x = part.x, .y = part.y}, part.share, front.at, lines_.end[i],
+                Certificate::Certified);
+    if (!(1.0 - part.share > least_share)) return false;
+    SquareRayFlags misses{};
+    for (std::size_t k = 0; k < square_ray_count; ++k)
+        misses[k] = (hits >> k & 1U) == 0;
+    field_.keep_rest(square, surface_,
+                     {.share = 1.0 - part.share, .part = part.rest(), .misses = misses});
+    return false;
 }
 
 bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
@@ -207,6 +260,33 @@ void SquareEdges::decide_squares(std::span<const std::size_t> squares,
     }
 }
 
+void SquareEdges::decide_lines(std::span<const std::size_t> squares, bool all_rays,
+                               std::vector<std::size_t>& open) {
+    lines_.all_rays = all_rays;
+    lines_.side = field_.square(squares.front()).side;
+    lines_.rules = rules_of(field_.square(squares.front()), true);
+    lines_.count = squares.size();
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+        const CoverSquare& square = field_.square(squares[i]);
+        const Front& front = field_.fronts(squares[i])[surface_];
+        lines_.col[i] = SquareField::col_of(square, square_middle);
+        lines_.row[i] = SquareField::row_of(square, square_middle);
+        lines_.from[i] = front.at;
+        lines_.to[i] = front.to;
+    }
+    find_lines(frame_, field_.rays(), lines_, counters_);
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+        const bool is_line = lines_.is_line[i] != 0.0;
+        if (!is_line && !all_rays) {
+            unclear_.push_back(squares[i]);
+        } else if (is_line ? take_found_line(squares[i], i)
+                           : take(squares[i], lines_.stretches[i],
+                                  std::span(corners_).first<square_corners.size()>())) {
+            open.push_back(squares[i]);
+        }
+    }
+}
+
 void SquareEdges::decide_rays(std::span<const std::size_t> squares,
                               std::vector<std::size_t>& open) {
     const auto stretches = std::span(stretches_).first(squares.size());
@@ -217,13 +297,28 @@ void SquareEdges::decide_rays(std::span<const std::size_t> squares,
     }
 }
 
+void SquareEdges::sort(std::span<const std::size_t> squares) {
+    even_.clear();
+    others_.clear();
+    for (const std::size_t square : squares) {
+        const Front& front = field_.fronts(square)[surface_];
+        const bool is_even =
+            front.continuous && !front.kinked && front.is_inside(front.at, front.to);
+        (is_even ? even_ : others_).push_back(square);
+    }
+}
+
 void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open) {
     const bool are_rays = !squares.empty() && field_.square(squares.front()).is_ray();
-    while (!squares.empty()) {
-        const auto some =
-            squares.first(std::min(are_rays ? most_rays : most_squares, squares.size()));
-        are_rays ? decide_rays(some, open) : decide_squares(some, open);
-        squares = squares.subspan(some.size());
+    if (are_rays) {
+        for_each_part(squares, most_rays, [&](auto some) { decide_rays(some, open); });
+    } else {
+        sort(squares);
+        unclear_.clear();
+        for_each_part(even_, EdgeLines::room, [&](auto some) { decide_lines(some, false, open); });
+        for_each_part(unclear_, EdgeLines::room_of_all_rays,
+                      [&](auto some) { decide_lines(some, true, open); });
+        for_each_part(others_, most_squares, [&](auto some) { decide_squares(some, open); });
     }
     walls_.decide();
     creases_.decide();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/antialias/edge_fit.hpp"
+#include "engine/antialias/edge_lines.hpp"
 #include "engine/antialias/sample_drafts.hpp"
 #include "engine/antialias/square_creases.hpp"
 #include "engine/antialias/square_field.hpp"
@@ -39,6 +40,11 @@ private:
     static constexpr std::size_t most_rays = 128;
     static constexpr std::size_t most_squares = most_rays / square_ray_count;
 
+    /// Sorts squares into those of lines_ and the others.
+    void sort(std::span<const std::size_t> squares);
+    /// Decides squares within the clip region where f is continuous and has no kinks.
+    void decide_lines(std::span<const std::size_t> squares, bool all_rays,
+                      std::vector<std::size_t>& open);
     void decide_squares(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
     void decide_rays(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
     /// Whether all rays of these squares are within the clip region where they are open.
@@ -49,6 +55,8 @@ private:
                        bool inside, std::span<RayStretch> stretches) const;
     /// Whether the search of the square goes on behind the edge.
     bool take(std::size_t square, SquareStretches stretches, CornerStretches corners);
+    /// As take, of square i of lines_.
+    bool take_found_line(std::size_t square, std::size_t i);
     bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
                    const LinearOnSquare& fit);
     bool take_thread(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
@@ -68,6 +76,8 @@ private:
     Counters& counters_;
     SquareCreases creases_;
     SquareWalls walls_;
+    std::vector<std::size_t> even_, unclear_, others_;  ///< squares
+    EdgeLines lines_;
     std::array<RayStretch, most_rays> stretches_;
     std::array<RayStretch, most_squares * square_corners.size()> corners_;
 };

@@ -28,6 +28,17 @@ std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
 
 }  // namespace
 
+void SquareWalls::Task::take(SquareStretches stretches) {
+    std::size_t hit = 0;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        misses[i] = !stretches[i].has_root();
+        if (!misses[i]) hit = i;
+    }
+    shown = square_rays[hit];
+    from = stretches[hit].from;
+    to = stretches[hit].at;
+}
+
 auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStretches corners,
                       const std::optional<LinearOnSquare>& fit) -> Choice {
     const Front& front = field_.fronts(square)[surface_];
@@ -61,59 +72,47 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStret
     Task& task = tasks_.emplace_back();
     task.square = square;
     task.places = places;
-    std::ranges::copy(stretches, task.stretches.begin());
+    task.take(stretches);
     const auto ray_of = [&](const WallPlace& place) {
         const bool is_corner = place.ray >= square_ray_count;
         return is_corner ? WallRay(corners[place.ray - square_ray_count], false)
                          : WallRay(stretches[place.ray], true);
     };
     for (std::size_t i = 0; i < task.ways.size(); ++i) {
-        const WallPlace& hit = ways->hit[i];
-        const WallPlace& miss = ways->miss[i];
-        task.ways[i] = WallWay(hit.at, ray_of(hit), miss.at, ray_of(miss));
+        const WallPlace& from = ways->hit[i];
+        const WallPlace& to = ways->miss[i];
+        task.ways[i] = WallWay(from.at, ray_of(from), to.at, ray_of(to));
     }
     return Choice::Sought;
 }
 
 void SquareWalls::narrow() {
-    struct Open {
-        const Task* task;
-        WallWay* way;
-    };
-    std::vector<Open> open;
+    open_.clear();
     for (Task& task : tasks_) {
         for (WallWay& way : task.ways)
-            open.push_back({.task = &task, .way = &way});
+            open_.push_back({.task = &task, .way = &way});
     }
-    std::vector<RayStretch> stretches;
-    while (!open.empty() && !frame_.stopped()) {
-        stretches.clear();
-        for (const Open& at : open) {
+    while (!open_.empty() && !frame_.stopped()) {
+        stretches_.clear();
+        for (const Open& at : open_) {
             const std::size_t square = at.task->square;
-            stretches.push_back(SquareField::stretch_of(
+            stretches_.push_back(SquareField::stretch_of(
                 field_.square(square), field_.fronts(square)[surface_], at.way->next()));
         }
-        clip_stretches(field_.rays(), stretches);
-        find_least(frame_, field_.rays(), stretches, counters_);
-        for (std::size_t i = 0; i < open.size(); ++i)
-            open[i].way->take(stretches[i]);
-        std::erase_if(open, [](const Open& at) { return at.way->is_done(); });
+        clip_stretches(field_.rays(), stretches_);
+        find_least(frame_, field_.rays(), stretches_, counters_);
+        for (std::size_t i = 0; i < open_.size(); ++i)
+            open_[i].way->take(stretches_[i]);
+        std::erase_if(open_, [](const Open& at) { return at.way->is_done(); });
     }
 }
 
 void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
-    SquareRayFlags misses{};
-    std::size_t hit = 0;
-    for (std::size_t i = 0; i < square_ray_count; ++i) {
-        misses[i] = !task.stretches[i].has_root();
-        if (!misses[i]) hit = i;
-    }
     const SquarePart part = part_below_zero(line);
-    const RayStretch& ray = task.stretches[hit];
-    drafts_.add(field_.square(task.square), square_rays[hit], part.share, ray.from, ray.at,
+    drafts_.add(field_.square(task.square), task.shown, part.share, task.from, task.to,
                 Certificate::Certified);
     field_.keep_rest(task.square, surface_,
-                     {.share = 1.0 - part.share, .part = part.rest(), .misses = misses});
+                     {.share = 1.0 - part.share, .part = part.rest(), .misses = task.misses});
 }
 
 void SquareWalls::decide() {

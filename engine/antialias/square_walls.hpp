@@ -43,9 +43,18 @@ private:
     };
     struct Task {
         std::size_t square;
-        std::array<RayStretch, square_ray_count> stretches;
+        SquareRayFlags misses;
+        SquareRay shown;  ///< a ray with a root, between these depths
+        double from, to;
         WallPlaces places;
         std::array<WallWay, 2> ways;
+
+        /// Takes what is known of the square's rays.
+        void take(SquareStretches stretches);
+    };
+    struct Open {
+        const Task* task;
+        WallWay* way;
     };
     /// Searches the ways of all tasks.
     void narrow();
@@ -57,6 +66,8 @@ private:
     SampleDrafts& drafts_;
     Counters& counters_;
     std::vector<Task> tasks_;
+    std::vector<Open> open_;
+    std::vector<RayStretch> stretches_;  ///< of the ways that are open
 };
 
 }  // namespace zeroset

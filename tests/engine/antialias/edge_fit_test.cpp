@@ -67,6 +67,33 @@ TEST(EdgeFit, NothingIsSaidOfRaysBesideTheClipRegion) {
     EXPECT_FALSE(one_end_samples(five));
 }
 
+TEST(EdgeFit, EndsAreEvenWhereTheyAreInOneWall) {
+    constexpr LinearOnSquare wall{.value = 2.0, .by_x = 0.5, .by_y = -0.25};
+    Five five = stretches_of(far_from_zero, far_from_zero);
+    std::array<RayStretch, square_corners.size()> corners{};
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        five[i].from = wall.at(square_rays[i]);
+        five[i].to = 9.0;
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i].from = wall.at(square_corners[i]);
+        corners[i].to = 9.0;
+    }
+    EXPECT_TRUE(are_ends_even(five, corners));
+    // Another wall cuts a corner; a ray; the far end; a corner is outside.
+    for (RayStretch* ray : {&corners[2], &five[3]}) {
+        ray->from += 0.1;
+        EXPECT_FALSE(are_ends_even(five, corners));
+        ray->from -= 0.1;
+        ray->to -= 0.1;
+        EXPECT_FALSE(are_ends_even(five, corners));
+        ray->to = 0.0;
+        EXPECT_FALSE(are_ends_even(five, corners));
+        ray->to = 9.0;
+    }
+    EXPECT_TRUE(are_ends_even(five, corners));
+}
+
 TEST(EdgeFit, ASlopeIsOneWhereItIsNearlyTheSameAtAllRays) {
     Five five = stretches_of(cut_corner, far_from_zero);
     for (RayStretch& ray : five) {
