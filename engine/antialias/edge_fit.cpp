@@ -148,7 +148,7 @@ EdgeSamples entry_samples(SquareStretches stretches) {
 std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too) {
     if (!samples.known) return std::nullopt;
     const auto [fit, off] = line_through(samples.height);
-    if (off <= error * std::sqrt(fit.by_x * fit.by_x + fit.by_y * fit.by_y)) return fit;
+    if (off <= error * std::hypot(fit.by_x, fit.by_y)) return fit;  // squares may overflow
     const double least = std::abs(fit.value) - std::abs(fit.by_x) - std::abs(fit.by_y);
     return flat_too && least > 4.0 * off ? std::optional(fit) : std::nullopt;
 }

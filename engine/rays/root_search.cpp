@@ -1,6 +1,7 @@
 #include "engine/rays/root_search.hpp"
 
 #include "engine/kernel/form_cells.hpp"
+#include "engine/kernel/form_signs.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/scalar.hpp"
 
@@ -176,8 +177,10 @@ void Search<Real>::evaluate(double from, double to) {
         cells_.s_radius[i] = upper_end(Real{}, radius + off);
     }
     counters_.form += parts;
-    surface_.kernel.ray_form(
-        cells_.batch(parts, frustum_, surface_.scene.uniforms.template boxes<Real>()));
+    const Real* const uniforms = surface_.scene.uniforms.template boxes<Real>();
+    surface_.kernel.ray_form(cells_.batch(parts, frustum_, uniforms));
+    counters_.range += ask_unknown_signs(surface_.kernel.template in<Real>().range, frustum_, true,
+                                         uniforms, parts, cells_);
 }
 
 template <class Real>
