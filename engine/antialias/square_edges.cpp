@@ -149,13 +149,29 @@ bool SquareEdges::take_thread(std::size_t square, SquareStretches stretches,
     return false;
 }
 
+bool SquareEdges::is_touched_nearby(SquareStretches stretches) {
+    constexpr double reach = 0.25;  // in pixels: exponentials are small beside what they are far away
+    std::array<RayStretch, square_ray_count> near{};
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        const double length = field_.width_of(reach, ray.at);
+        near[i] = {.col = ray.col,
+                   .row = ray.row,
+                   .from = std::max(ray.from, ray.at - length),
+                   .to = std::min(ray.to, ray.at + length)};
+    }
+    find_least(frame_, field_.rays(), near, counters_);
+    return is_touched_everywhere(edge_samples(near), near);
+}
+
 bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
                              const EdgeSamples& samples) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
     const std::size_t roots = samples.roots();
     const bool is_inside = front.is_inside(front.at, front.to);
-    const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches);
+    const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches) &&
+                       is_touched_nearby(stretches);
     const int last = front.continuous ? last_level_of(is_inside) : last_broken_level;
     const bool all = sheet || (roots == square_ray_count && at.level >= std::min(last, last_level));
     if (!all && at.level < last) {
