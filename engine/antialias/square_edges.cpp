@@ -2,6 +2,7 @@
 
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/square_depths.hpp"
+#include "engine/rays/root_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,8 +61,29 @@ bool SquareEdges::are_inside(std::span<const std::size_t> squares) const {
     });
 }
 
+bool SquareEdges::take_broken_ray(std::size_t square, const RayStretch& stretch) {
+    if (stretch.is_empty()) return pass(square);
+    const TileRays& rays = field_.rays();
+    const glm::dvec3 begin = rays.point(stretch.col, stretch.row, stretch.from);
+    const glm::dvec3 end = rays.point(stretch.col, stretch.row, stretch.to);
+    const double length = glm::distance(begin, end);
+    if (!(length > 0.0)) return pass(square);
+    const SceneRay ray{.origin = begin, .direction = UnitVector(end - begin), .to = length};
+    const RootFinding finding =
+        search_ray(frame_, ray, RayStart::Anywhere, RootWish::First, counters_);
+    if (!finding.bracket) return pass(square);
+    const auto depth_of = [&](double t) {
+        return stretch.from + (stretch.to - stretch.from) * (t / length);
+    };
+    drafts_.add(field_.square(square), square_middle, 1.0, depth_of(finding.bracket->from),
+                depth_of(finding.bracket->to),
+                finding.bracket->is_proved ? Certificate::Certified : Certificate::Undecided);
+    return false;
+}
+
 bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
-    if (!field_.fronts(square)[surface_].continuous || !stretch.has_root()) return pass(square);
+    if (!field_.fronts(square)[surface_].continuous) return take_broken_ray(square, stretch);
+    if (!stretch.has_root()) return pass(square);
     drafts_.add(field_.square(square), square_middle, 1.0, stretch.from, stretch.at,
                 Certificate::Certified);
     return false;
