@@ -184,4 +184,15 @@ bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches
                                [&](double height) { return std::abs(height) <= most * size; });
 }
 
+bool is_flush(SquareStretches stretches) {
+    constexpr double most = 1e-12;  // of f at the other end
+    const auto are_zero = [&](double RayStretch::*end, double RayStretch::*other) {
+        return std::ranges::all_of(stretches, [&](const RayStretch& ray) {
+            return !ray.is_empty() && std::abs(ray.*end) <= most * std::abs(ray.*other);
+        });
+    };
+    return are_zero(&RayStretch::near, &RayStretch::far) ||
+           are_zero(&RayStretch::far, &RayStretch::near);
+}
+
 }  // namespace zeroset

@@ -47,6 +47,10 @@ bool is_one_slope(SquareStretches stretches);
 /// Whether f comes to 0 on all rays, and on none goes through it.
 bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches);
 
+/// Whether f is 0, but for rounding, at the same end of all stretches: where these end at a wall of
+/// the clip region, the surface lies in it.
+bool is_flush(SquareStretches stretches);
+
 /// Whether all of the square has a root, as far as the heights tell.
 bool is_all_below(const EdgeSamples& samples);
 

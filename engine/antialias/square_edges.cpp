@@ -100,6 +100,10 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
         field_.leave_plain(square);
         return false;
     }
+    if (!is_inside && at.whole != nullptr && is_flush(stretches)) {
+        field_.leave_plain(square);
+        return false;
+    }
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
