@@ -38,7 +38,7 @@ std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
 EdgeSamples entry_samples(SquareStretches stretches);
 
 /// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
-bool is_touched(const EdgeSamples& samples);
+bool is_touched(const EdgeSamples& samples, SquareStretches stretches);
 
 /// Whether f changes from ray to ray in nearly the same way at all rays: where it may have kinks
 /// elsewhere on them, these leave the edge alone.

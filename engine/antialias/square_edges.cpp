@@ -176,7 +176,8 @@ bool SquareEdges::take_thread(std::size_t square, SquareStretches stretches,
 }
 
 bool SquareEdges::is_touched_nearby(SquareStretches stretches) {
-    constexpr double reach = 0.25;  // in pixels: exponentials are small beside what they are far away
+    constexpr double reach =
+        0.25;  // in pixels: exponentials are small beside what they are far away
     std::array<RayStretch, square_ray_count> near{};
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         const RayStretch& ray = stretches[i];
@@ -211,7 +212,7 @@ bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
     // The square is as small as squares get: where f comes near to 0 it is drawn
     // [Florez08, sec. 5.5.2].
     const bool thread = !sheet && roots == 0;
-    if (thread && !(is_inside && is_touched(samples))) return pass(square);
+    if (thread && !(is_inside && is_touched(samples, stretches))) return pass(square);
     const std::size_t deepest = samples.deepest();
     const RayRoot root = samples.bracket(stretches, deepest);
     const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;

@@ -36,8 +36,9 @@ constexpr double extreme = 1e30;
 /// Lower bounds of |f| in boxes, by ranges of this type; 0 where f may have a zero.
 template <class Real>
 std::array<double, boxes> distances_from_zero(const KernelFunction<RangeBatchOf<Real>>& range,
-                                 const std::array<double, 3>& lo, const std::array<double, 3>& hi,
-                                 const Uniforms& uniforms) {
+                                              const std::array<double, 3>& lo,
+                                              const std::array<double, 3>& hi,
+                                              const Uniforms& uniforms) {
     RangeBoxes<Real, boxes> cells;
     for (std::size_t i = 0; i < boxes; ++i) {
         const std::array<double, 3> at = place(i);

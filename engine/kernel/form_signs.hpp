@@ -31,9 +31,10 @@ void put_box_of_cell(const FormCells<Real, cell_room>& cells, std::size_t i,
         const double up = number(frustum.up[k]);
         const double across = u * right + v * up;
         const double along = number(frustum.forward[k]) + across;
-        const double middle = number(frustum.base[k]) + number(frustum.distance) * across + s * along;
-        const double aside = std::abs(right) * number(frustum.u_radius) +
-                             std::abs(up) * number(frustum.v_radius);
+        const double middle =
+            number(frustum.base[k]) + number(frustum.distance) * across + s * along;
+        const double aside =
+            std::abs(right) * number(frustum.u_radius) + std::abs(up) * number(frustum.v_radius);
         const double size =
             number(frustum.size[k]) + (std::abs(s) + radius) * number(frustum.direction_size[k]);
         const double reach =

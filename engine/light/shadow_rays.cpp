@@ -82,8 +82,8 @@ void RaySearch<Real>::evaluate(std::size_t count) {
     const Kernel& kernel = search_.light.kernel;
     const Real* const uniforms = search_.light.scene.uniforms.template boxes<Real>();
     kernel.ray_form(cells_.batch(size, frustum_, uniforms));
-    counters_.range += ask_unknown_signs(kernel.template in<Real>().range, frustum_, true,
-                                         uniforms, count, cells_);
+    counters_.range += ask_unknown_signs(kernel.template in<Real>().range, frustum_, true, uniforms,
+                                         count, cells_);
 }
 
 template <class Real>
