@@ -170,7 +170,7 @@ EdgeSamples entry_samples(SquareStretches stretches) {
 std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too) {
     if (!samples.known) return std::nullopt;
     const auto [fit, off] = line_through(samples.height);
-    if (off <= error * std::sqrt(fit.by_x * fit.by_x + fit.by_y * fit.by_y)) return fit;
+    if (off <= error * std::hypot(fit.by_x, fit.by_y)) return fit;  // squares may overflow
     const double least = std::abs(fit.value) - std::abs(fit.by_x) - std::abs(fit.by_y);
     return flat_too && least > 4.0 * off ? std::optional(fit) : std::nullopt;
 }
@@ -181,10 +181,21 @@ bool is_all_below(const EdgeSamples& samples) {
     return fit.value + std::abs(fit.by_x) + std::abs(fit.by_y) + 2.0 * off < 0.0;
 }
 
-bool is_touched(const EdgeSamples& samples) {
+bool is_touched(const EdgeSamples& samples, SquareStretches stretches) {
     constexpr double most = 0.2;  // above that a thread is thicker than the square, or beside it
     const auto [least, greatest] = std::ranges::minmax(samples.height);
-    return samples.known && least <= most * (greatest - least);
+    if (!samples.known || !(least <= most * (greatest - least))) return false;
+    // Exponentials, too, are small beside what they are at other rays. But by their slopes they
+    // come to 0 equally far from all rays; a thread is nearer to some.
+    constexpr double equal = 1.5;
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const double slope = std::hypot(stretches[i].by_col, stretches[i].by_row);
+        nearest = std::min(nearest, std::abs(samples.height[i]) / slope);
+        farthest = std::max(farthest, std::abs(samples.height[i]) / slope);
+    }
+    return !(farthest < equal * nearest);
 }
 
 bool is_one_slope(SquareStretches stretches) {
@@ -204,6 +215,17 @@ bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches
         size = std::max({size, std::abs(ray.near), std::abs(ray.far)});
     return std::ranges::all_of(samples.height,
                                [&](double height) { return std::abs(height) <= most * size; });
+}
+
+bool is_flush(SquareStretches stretches) {
+    constexpr double most = 1e-12;  // of f at the other end
+    const auto are_zero = [&](double RayStretch::* end, double RayStretch::* other) {
+        return std::ranges::all_of(stretches, [&](const RayStretch& ray) {
+            return !ray.is_empty() && std::abs(ray.*end) <= most * std::abs(ray.*other);
+        });
+    };
+    return are_zero(&RayStretch::near, &RayStretch::far) ||
+           are_zero(&RayStretch::far, &RayStretch::near);
 }
 
 }  // namespace zeroset

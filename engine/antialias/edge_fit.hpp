@@ -41,7 +41,7 @@ bool are_ends_even(SquareStretches stretches, CornerStretches corners);
 EdgeSamples entry_samples(SquareStretches stretches);
 
 /// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
-bool is_touched(const EdgeSamples& samples);
+bool is_touched(const EdgeSamples& samples, SquareStretches stretches);
 
 /// Whether f changes from ray to ray in nearly the same way at all rays: where it may have kinks
 /// elsewhere on them, these leave the edge alone.
@@ -49,6 +49,10 @@ bool is_one_slope(SquareStretches stretches);
 
 /// Whether f comes to 0 on all rays, and on none goes through it.
 bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches);
+
+/// Whether f is 0, but for rounding, at the same end of all stretches: where these end at a wall of
+/// the clip region, the surface lies in it.
+bool is_flush(SquareStretches stretches);
 
 /// Whether all of the square has a root, as far as the heights tell.
 bool is_all_below(const EdgeSamples& samples);

@@ -289,9 +289,11 @@ HWY_INLINE RootPart<Real> root_part_of(const FrontBlock<Real>& fronts, std::size
                                     hn::Gt(cell.to, load(&fronts.inside_to[i])));
     const V<Real> width = hn::Sub(cell.root_to, cell.root_from);
     const V<Real> from = hn::Min(hn::Max(cell.from, cell.root_from), cell.to);
-    const V<Real> to = hn::MulAdd(number<Real>(0.25), width, cell.root_to);
+    // Behind where the cell begins, or the search would stay there.
+    const V<Real> onward = hn::Max(from, hn::Add(cell.from, cell.margin));
+    const V<Real> to = hn::Max(onward, hn::MulAdd(number<Real>(0.25), width, cell.root_to));
     return {.from = hn::IfThenElse(at_walls, cell.from, from),
-            .to = hn::IfThenElse(at_walls, cell.to, hn::Min(hn::Max(from, to), cell.to))};
+            .to = hn::IfThenElse(at_walls, cell.to, hn::Min(to, cell.to))};
 }
 
 /// Stretches that end with their cells, and where.

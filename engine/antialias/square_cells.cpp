@@ -3,6 +3,7 @@
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/front_block.hpp"
 #include "engine/kernel/form_cells.hpp"
+#include "engine/kernel/form_signs.hpp"
 #include "engine/real/scalar.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -38,7 +39,8 @@ public:
     void advance(std::span<const std::size_t> squares, bool to_end, Counters& counters);
 
 private:
-    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules<Real>& rules);
+    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules<Real>& rules,
+                  Counters& counters);
     [[nodiscard]] FrustumOf<Real> frustum_of(const CoverSquare& square) const;
     [[nodiscard]] FrontRules<Real> rules_of(const CoverSquare& square) const;
     void load(std::size_t i, std::size_t square);
@@ -203,15 +205,18 @@ void SquareCells<Real>::take_cells(const FrontRules<Real>& rules, std::size_t si
 
 template <class Real>
 void SquareCells<Real>::evaluate(std::size_t size, const FrustumOf<Real>& frustum,
-                                 const FrontRules<Real>& rules) {
+                                 const FrontRules<Real>& rules, Counters& counters) {
     place_cells(size);
     auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
     batch.branches = branches_.data();
-    if (rules.half_width > Real{0}) {
-        frame_.kernel.form(batch);
-    } else {
+    const bool in_rays = !(rules.half_width > Real{0});
+    if (in_rays) {
         frame_.kernel.ray_form(batch);
+    } else {
+        frame_.kernel.form(batch);
     }
+    counters.range += ask_unknown_signs(frame_.kernel.template in<Real>().range, frustum, in_rays,
+                                        batch.uniforms, size, cells_);
     take_cells(rules, size);
 }
 
@@ -229,7 +234,7 @@ void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_en
             squares = squares.subspan(1);
         }
         counters.form += count;
-        evaluate(pad(count), frustum, rules);
+        evaluate(pad(count), frustum, rules, counters);
         if (to_end) {
             count = replace_ended(count, squares);
             continue;

@@ -2,6 +2,7 @@
 
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/square_depths.hpp"
+#include "engine/rays/root_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,8 +92,29 @@ bool SquareEdges::are_inside(std::span<const std::size_t> squares) const {
     });
 }
 
+bool SquareEdges::take_broken_ray(std::size_t square, const RayStretch& stretch) {
+    if (stretch.is_empty()) return pass(square);
+    const TileRays& rays = field_.rays();
+    const glm::dvec3 begin = rays.point(stretch.col, stretch.row, stretch.from);
+    const glm::dvec3 end = rays.point(stretch.col, stretch.row, stretch.to);
+    const double length = glm::distance(begin, end);
+    if (!(length > 0.0)) return pass(square);
+    const SceneRay ray{.origin = begin, .direction = UnitVector(end - begin), .to = length};
+    const RootFinding finding =
+        search_ray(frame_, ray, RayStart::Anywhere, RootWish::First, counters_);
+    if (!finding.bracket) return pass(square);
+    const auto depth_of = [&](double t) {
+        return stretch.from + (stretch.to - stretch.from) * (t / length);
+    };
+    drafts_.add(field_.square(square), square_middle, 1.0, depth_of(finding.bracket->from),
+                depth_of(finding.bracket->to),
+                finding.bracket->is_proved ? Certificate::Certified : Certificate::Undecided);
+    return false;
+}
+
 bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
-    if (!field_.fronts(square)[surface_].continuous || !stretch.has_root()) return pass(square);
+    if (!field_.fronts(square)[surface_].continuous) return take_broken_ray(square, stretch);
+    if (!stretch.has_root()) return pass(square);
     drafts_.add(field_.square(square), square_middle, 1.0, stretch.from, stretch.at,
                 Certificate::Certified);
     return false;
@@ -106,6 +128,10 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool all = samples.roots() == square_ray_count;
     if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
+        field_.leave_plain(square);
+        return false;
+    }
+    if (!is_inside && at.whole != nullptr && is_flush(stretches)) {
         field_.leave_plain(square);
         return false;
     }
@@ -202,13 +228,30 @@ bool SquareEdges::take_thread(std::size_t square, SquareStretches stretches,
     return false;
 }
 
+bool SquareEdges::is_touched_nearby(SquareStretches stretches) {
+    constexpr double reach =
+        0.25;  // in pixels: exponentials are small beside what they are far away
+    std::array<RayStretch, square_ray_count> near{};
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        const double length = field_.width_of(reach, ray.at);
+        near[i] = {.col = ray.col,
+                   .row = ray.row,
+                   .from = std::max(ray.from, ray.at - length),
+                   .to = std::min(ray.to, ray.at + length)};
+    }
+    find_least(frame_, field_.rays(), near, counters_);
+    return is_touched_everywhere(edge_samples(near), near);
+}
+
 bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
                              const EdgeSamples& samples) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
     const std::size_t roots = samples.roots();
     const bool is_inside = front.is_inside(front.at, front.to);
-    const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches);
+    const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches) &&
+                       is_touched_nearby(stretches);
     const int last = front.continuous ? last_level_of(is_inside) : last_broken_level;
     const bool all = sheet || (roots == square_ray_count && at.level >= std::min(last, last_level));
     if (!all && at.level < last) {
@@ -222,7 +265,7 @@ bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
     // The square is as small as squares get: where f comes near to 0 it is drawn
     // [Florez08, sec. 5.5.2].
     const bool thread = !sheet && roots == 0;
-    if (thread && !(is_inside && is_touched(samples))) return pass(square);
+    if (thread && !(is_inside && is_touched(samples, stretches))) return pass(square);
     const std::size_t deepest = samples.deepest();
     const RayRoot root = samples.bracket(stretches, deepest);
     const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;

@@ -62,7 +62,11 @@ private:
     bool take_thread(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
                      const Thread& thread);
     bool take_rough(std::size_t square, SquareStretches stretches, const EdgeSamples& samples);
+    /// Whether f comes to 0 on all rays in the places where it is least, as f near to these tells.
+    bool is_touched_nearby(SquareStretches stretches);
     bool take_ray(std::size_t square, const RayStretch& stretch);
+    /// Searches a stretch in which f may jump, or not be defined.
+    bool take_broken_ray(std::size_t square, const RayStretch& stretch);
     /// Nothing is seen of the surface at the edge.
     bool pass(std::size_t square) {
         field_.fronts(square)[surface_].pass();

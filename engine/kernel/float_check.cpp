@@ -4,6 +4,7 @@
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -28,11 +29,16 @@ std::array<double, 3> place(std::size_t i) {
     return at;
 }
 
-/// Which boxes f surely has no zero in, by ranges of this type.
+/// Where |f| is above this in all boxes, or below its inverse in a quarter of them, floats leave
+/// their range in what is made of f: slopes, products and squares of these.
+constexpr double extreme = 1e30;
+
+/// Lower bounds of |f| in boxes, by ranges of this type; 0 where f may have a zero.
 template <class Real>
-std::array<bool, boxes> excluded(const KernelFunction<RangeBatchOf<Real>>& range,
-                                 const std::array<double, 3>& lo, const std::array<double, 3>& hi,
-                                 const Uniforms& uniforms) {
+std::array<double, boxes> distances_from_zero(const KernelFunction<RangeBatchOf<Real>>& range,
+                                              const std::array<double, 3>& lo,
+                                              const std::array<double, 3>& hi,
+                                              const Uniforms& uniforms) {
     RangeBoxes<Real, boxes> cells;
     for (std::size_t i = 0; i < boxes; ++i) {
         const std::array<double, 3> at = place(i);
@@ -44,10 +50,17 @@ std::array<bool, boxes> excluded(const KernelFunction<RangeBatchOf<Real>>& range
         }
     }
     range(cells.batch(boxes, uniforms.boxes<Real>()));
-    std::array<bool, boxes> result{};
+    std::array<double, boxes> result{};
     for (std::size_t i = 0; i < boxes; ++i)
-        result[i] = cells.excludes_zero(i);
+        result[i] = static_cast<double>(std::max({-cells.f_neg_lo[i], -cells.f_hi[i], Real{0}}));
     return result;
+}
+
+bool are_extreme(std::array<double, boxes> distances) {
+    const auto told = std::ranges::partition(distances, [](double f) { return !(f > 0.0); });
+    if (told.empty()) return false;
+    std::ranges::sort(told);
+    return told.front() > extreme || told[told.size() / 4] < 1.0 / extreme;
 }
 
 }  // namespace
@@ -58,12 +71,12 @@ FloatCheck::FloatCheck(const Kernel& ranges)
 bool FloatCheck::measured(const std::array<double, 3>& lo, const std::array<double, 3>& hi,
                           const Uniforms& uniforms) const {
     const UpwardRounding upward;
-    const auto by_float = excluded(in_float_, lo, hi, uniforms);
-    const auto by_double = excluded(in_double_, lo, hi, uniforms);
+    const auto by_float = distances_from_zero(in_float_, lo, hi, uniforms);
+    const auto by_double = distances_from_zero(in_double_, lo, hi, uniforms);
     std::size_t untold = 0;
     for (std::size_t i = 0; i < boxes; ++i)
-        untold += by_double[i] && !by_float[i] ? 1U : 0U;
-    return untold <= most_untold;
+        untold += by_double[i] > 0.0 && !(by_float[i] > 0.0) ? 1U : 0U;
+    return untold <= most_untold && !are_extreme(by_double);
 }
 
 bool FloatCheck::suffices(const std::array<double, 3>& lo, const std::array<double, 3>& hi,

@@ -61,9 +61,9 @@ HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, M<flo
     }
     // Scaled by the largest component first, so that squares neither overflow nor vanish.
     const V<float> size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
-    const auto usable =
-        hn::And(hn::Gt(size, hn::Set(d<float>, 1e-37F)), hn::Lt(size, hn::Set(d<float>, 1e37F)));
-    const V3 b = scaled(a, hn::Div(hn::Set(d<float>, 1.0F), size));
+    const auto usable = hn::And(hn::Gt(size, hn::Set(d<float>, 1e-42F)), hn::IsFinite(size));
+    // Not times 1 / size, which may leave the range of floats where the quotients do not.
+    const V3 b{.x = hn::Div(a.x, size), .y = hn::Div(a.y, size), .z = hn::Div(a.z, size)};
     const auto pick = [&](V<float> usual, V<float> rare) {
         return hn::IfThenElse(usable, usual, rare);
     };

@@ -1,3 +1,4 @@
+#include "engine/kernel/form_signs.hpp"
 #include "engine/light/shadow_cells.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
@@ -266,8 +267,11 @@ void BeamSearch<Real>::evaluate(std::span<const Beam> beams) {
     frustum_.u_radius = upper_end(Real{}, widest_u_ * per_distance_);
     frustum_.v_radius = upper_end(Real{}, widest_v_ * per_distance_);
     counters_.form += beams.size();
-    search_.light.kernel.form(
-        cells_.batch(size, frustum_, search_.light.scene.uniforms.template boxes<Real>()));
+    const Kernel& kernel = search_.light.kernel;
+    const Real* const uniforms = search_.light.scene.uniforms.template boxes<Real>();
+    kernel.form(cells_.batch(size, frustum_, uniforms));
+    counters_.range += ask_unknown_signs(kernel.template in<Real>().range, frustum_, false,
+                                         uniforms, beams.size(), cells_);
 }
 
 /// The form of a box holds in the slanted cell inside it: a depth there is

@@ -1,4 +1,5 @@
 #include "engine/kernel/form_cells.hpp"
+#include "engine/kernel/form_signs.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
 
@@ -78,8 +79,11 @@ void RaySearch<Real>::evaluate(std::size_t count) {
     for (std::size_t i = 0; i < size; i += lanes<Real>)
         place_cells(block_, rules_, i, cells_);
     counters_.form += count;
-    search_.light.kernel.ray_form(
-        cells_.batch(size, frustum_, search_.light.scene.uniforms.template boxes<Real>()));
+    const Kernel& kernel = search_.light.kernel;
+    const Real* const uniforms = search_.light.scene.uniforms.template boxes<Real>();
+    kernel.ray_form(cells_.batch(size, frustum_, uniforms));
+    counters_.range += ask_unknown_signs(kernel.template in<Real>().range, frustum_, true, uniforms,
+                                         count, cells_);
 }
 
 template <class Real>

@@ -1,6 +1,7 @@
 #include "engine/rays/root_search.hpp"
 
 #include "engine/kernel/form_cells.hpp"
+#include "engine/kernel/form_signs.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/scalar.hpp"
 
@@ -137,7 +138,13 @@ private:
     bool ends_approach(const Cell<Real>& f, const Verdict& verdict);
     bool take_root(const Cell<Real>& f, double from, double to);
     bool take_approach();
+    /// Makes box i one about a stretch.
+    void set_box(RangeBoxes<double, parts>& boxes, std::size_t i, double from, double to) const;
+    void evaluate_boxes(RangeBoxes<double, parts>& boxes);
     int sign_by_boxes(double from, double to);
+    /// Whether f changes its sign in a stretch and comes to 0 there from both sides, as far as f
+    /// around it tells.
+    bool closes(double from, double to);
     bool take_undecided(const Cell<Real>& f, double from, double to);
 
     const TraceFrame& surface_;
@@ -176,8 +183,10 @@ void Search<Real>::evaluate(double from, double to) {
         cells_.s_radius[i] = upper_end(Real{}, radius + off);
     }
     counters_.form += parts;
-    surface_.kernel.ray_form(
-        cells_.batch(parts, frustum_, surface_.scene.uniforms.template boxes<Real>()));
+    const Real* const uniforms = surface_.scene.uniforms.template boxes<Real>();
+    surface_.kernel.ray_form(cells_.batch(parts, frustum_, uniforms));
+    counters_.range += ask_unknown_signs(surface_.kernel.template in<Real>().range, frustum_, true,
+                                         uniforms, parts, cells_);
 }
 
 template <class Real>
@@ -236,6 +245,42 @@ bool Search<Real>::take_root(const Cell<Real>& f, double from, double to) {
     return true;
 }
 
+template <class Real>
+void Search<Real>::set_box(RangeBoxes<double, parts>& boxes, std::size_t i, double from,
+                           double to) const {
+    const glm::dvec3 a = ray_.at(from);
+    const glm::dvec3 b = ray_.at(to);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<int>(k);
+        boxes.ends[k][i] = place_error_ - std::min(a[axis], b[axis]);
+        boxes.ends[k + 3][i] = place_error_ + std::max(a[axis], b[axis]);
+    }
+}
+
+template <class Real>
+void Search<Real>::evaluate_boxes(RangeBoxes<double, parts>& boxes) {
+    counters_.range += parts;
+    surface_.kernel.range(boxes.batch(parts, surface_.scene.uniforms.template boxes<double>()));
+}
+
+template <class Real>
+bool Search<Real>::closes(double from, double to) {
+    constexpr double nearer = 0.75;  // half as far away f is half as far from 0, or a little more
+    const double width = to - from;
+    RangeBoxes<double, parts> boxes;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const std::array places{from - width, from, to, to + width};
+        set_box(boxes, i, places[i % places.size()], places[i % places.size()]);
+    }
+    evaluate_boxes(boxes);
+    const auto distance = [&](std::size_t i) {
+        return std::max({-boxes.f_neg_lo[i], -boxes.f_hi[i], 0.0});
+    };
+    const bool turns = (boxes.f_neg_lo[0] < 0.0 && boxes.f_hi[3] < 0.0) ||
+                       (boxes.f_hi[0] < 0.0 && boxes.f_neg_lo[3] < 0.0);
+    return turns && distance(1) <= nearer * distance(0) && distance(2) <= nearer * distance(3);
+}
+
 /// The sign of f on a stretch, by boxes about parts of it, in double; 0: not known. Beside a pole
 /// those are tighter than forms.
 template <class Real>
@@ -244,16 +289,9 @@ int Search<Real>::sign_by_boxes(double from, double to) {
     const double width = (to - from) / parts;
     for (std::size_t i = 0; i < parts; ++i) {
         const double near = from + static_cast<double>(i) * width;
-        const glm::dvec3 a = ray_.at(near);
-        const glm::dvec3 b = ray_.at(near + width);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<int>(k);
-            boxes.ends[k][i] = place_error_ - std::min(a[axis], b[axis]);
-            boxes.ends[k + 3][i] = place_error_ + std::max(a[axis], b[axis]);
-        }
+        set_box(boxes, i, near, near + width);
     }
-    counters_.range += parts;
-    surface_.kernel.range(boxes.batch(parts, surface_.scene.uniforms.template boxes<double>()));
+    evaluate_boxes(boxes);
     bool above = true;
     bool below = true;
     for (std::size_t i = 0; i < parts; ++i) {
@@ -274,7 +312,8 @@ bool Search<Real>::take_undecided(const Cell<Real>& f, double from, double to) {
     at_.unsettled = true;
     // Beside the origin it is the root there that cannot be told from others; beside a pole there
     // is no enclosure.
-    if (!at_.left || !f.continuous || !std::isfinite(f.spread) || !std::isfinite(f.c)) {
+    const bool is_known = f.continuous && std::isfinite(f.spread) && std::isfinite(f.c);
+    if (!at_.left || !(is_known || closes(from, to))) {
         at_.sign = 0;
         return false;
     }

@@ -125,6 +125,24 @@ std::optional<Trend> RayMarcher<Real, Cell>::jump(const RangeList<Real>& ranges,
 }
 
 template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::closes(const RangeList<Real>& ranges, std::size_t first,
+                                    Real finest) const {
+    // From there on it is twice as near to 0 half as far away.
+    constexpr Real nearer = static_cast<Real>(0.75);
+    const std::size_t count = margins_around(finest).count;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        const std::size_t near = first + 3 * k;
+        const std::size_t far = near + 3;
+        if (ranges.sign(far + 1) * ranges.sign(far + 2) >= 0) continue;
+        const auto falls = [&](std::size_t side) {
+            return ranges.least_size(near + side) <= nearer * ranges.least_size(far + side);
+        };
+        if (falls(1) && falls(2)) return true;
+    }
+    return false;
+}
+
+template <class Real, class Cell>
 template <class Undecided>
 std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t leftover,
                                                                const MarchSettings<Real>& settings,
@@ -159,7 +177,7 @@ std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t lefto
             return std::nullopt;
         }
         goes_on = undecided(segment.part(what.from, what.to, what.to - what.from), segment.to,
-                            continuous);
+                            continuous || closes(ranges_, box, settings.finest));
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;

@@ -112,6 +112,9 @@ private:
                                                    bool continuous) const;
     /// The trend of f where it changes its sign in a jump.
     [[nodiscard]] std::optional<Trend> jump(const RangeList<Real>& ranges, std::size_t first) const;
+    /// Whether f changes its sign in a leftover and comes to 0 there from both sides, as far as f
+    /// around it tells: a product of a sign and a root may be 0 where the sign jumps.
+    [[nodiscard]] bool closes(const RangeList<Real>& ranges, std::size_t first, Real finest) const;
     /// Whether f surely is defined around a leftover.
     bool is_defined(const LeftoverSegment<Real>& what, Real finest);
     /// The root of a leftover where a function crosses 0 whose zeros are zeros of f.

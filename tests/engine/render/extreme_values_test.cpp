@@ -1,0 +1,112 @@
+#include "engine/render/render.hpp"
+#include "tests/support/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <ostream>
+#include <string>
+#include <vector>
+
+// Functions that leave the range of floats, or of doubles, jump where they are 0, or are 0 in a
+// wall of the clip box: their pictures are those of plain functions with the same zeros.
+
+namespace zeroset::test {
+namespace {
+
+struct Lights {
+    Antialias antialias = Antialias::None;
+    bool shadows = false;
+};
+std::ostream& operator<<(std::ostream& out, const Lights& lights) {
+    return out << (lights.antialias == Antialias::Beams ? "smooth" : "plain")
+               << (lights.shadows ? ", with shadows" : "");
+}
+const std::vector<Lights> all_lights{
+    {}, {.antialias = Antialias::Beams}, {.shadows = true}, {Antialias::Beams, true}};
+
+Framebuffer picture_of(const std::string& text, double half, const Lights& lights) {
+    const Scene scene = scene_of(text, Box::cube(half));
+    Framebuffer frame(96, 96);
+    TraceSettings settings;
+    settings.antialias = lights.antialias;
+    settings.shadows = lights.shadows;
+    render_frame(scene, default_camera(scene.clip), settings, frame);
+    return frame;
+}
+
+/// How many pixels of two pictures differ by more than this in a channel, of 255.
+std::size_t different_pixels(const Framebuffer& a, const Framebuffer& b, int most) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < a.color.size(); ++at) {
+        int change = 0;
+        for (unsigned shift = 0; shift < 24; shift += 8)
+            change = std::max(change, std::abs(static_cast<int>(a.color[at] >> shift & 255U) -
+                                               static_cast<int>(b.color[at] >> shift & 255U)));
+        count += change > most ? 1U : 0U;
+    }
+    return count;
+}
+
+/// Expects the picture of one text to be that of another but for so many pixels.
+void expect_same_pictures(const std::string& text, const std::string& plain, double half,
+                          std::size_t most = 0) {
+    for (const Lights& lights : all_lights) {
+        SCOPED_TRACE(testing::Message() << text << ", " << lights);
+        const Framebuffer expected = picture_of(plain, half, lights);
+        EXPECT_LE(different_pixels(picture_of(text, half, lights), expected, 16), most);
+    }
+}
+
+const std::string ball = "x^2 + y^2 + z^2 = 1";
+
+TEST(ExtremeValues, OfAnySizeShowTheSame) {
+    for (const std::string factor :
+         {"1e20", "1e37", "2e38", "1e40", "1e140", "1e-20", "1e-40", "1e-140"}) {
+        expect_same_pictures(factor + " (x^2 + y^2 + z^2 - 1) = 0", ball, 1.5);
+    }
+}
+
+TEST(ExtremeValues, BeyondFloatsAndDoublesCastNoShadowsAndLeaveNoDebris) {
+    // 12^50 is beyond floats; exp(2700) is beyond doubles.
+    expect_same_pictures("(x^2 + y^2 + z^2)^50 = 1", ball, 2.0, 10);
+    expect_same_pictures("exp(x^2 + y^2 + z^2) = exp(400)", "x^2 + y^2 + z^2 = 400", 30.0, 30);
+    expect_same_pictures("cosh(50 (x^2 + y^2 + z^2)) = cosh(50)", ball, 2.0, 10);
+    expect_same_pictures("exp(150 (x^2 + y^2 + z^2)) = exp(150)", ball, 1.5, 10);
+    expect_same_pictures("x^200 + y^200 + z^200 = 1", "max(abs(x), abs(y), abs(z)) = 1", 2.0, 300);
+}
+
+TEST(ExtremeValues, AreZeroInAWallOfTheBox) {
+    for (const std::string wall : {"y = -2", "y = 2", "x^2 = 4"}) {
+        SCOPED_TRACE(wall);
+        const Framebuffer one_ray = picture_of(wall, 2.0, {});
+        const Framebuffer smooth = picture_of(wall, 2.0, {.antialias = Antialias::Beams});
+        // Only pixels at borders are others.
+        EXPECT_LT(different_pixels(smooth, one_ray, 16), 450U);
+    }
+}
+
+TEST(ExtremeValues, EndWhereFEnds) {
+    // Searches of edges once stayed where f ends.
+    expect_same_pictures("x^2 + y^2 + z^2 = 1 + 0 sqrt(0.5 - z)",
+                         "if(z < 0.5, x^2 + y^2 + z^2 - 1, 1) = 0", 1.5, 40);
+    const Framebuffer smooth = picture_of("floor(x) = y", 1.9, {.antialias = Antialias::Beams});
+    const Framebuffer one_ray = picture_of("floor(x) = y", 1.9, {});
+    EXPECT_LT(different_pixels(smooth, one_ray, 60), 150U);
+    EXPECT_GT(different_pixels(smooth, Framebuffer(96, 96), 60), 1000U);
+}
+
+TEST(ExtremeValues, CloseWhereASignTimesARootIsZero) {
+    expect_same_pictures(
+        "sign(x^2 + y^2 + z^2 - 1) sqrt(min((sqrt(x^2 + y^2 + z^2) - 1)^2, 4)) = 0", ball, 1.5, 8);
+    // A jump that stays as high as it is shows nothing.
+    const Scene jump = scene_of("sign(x) (1 + y^2) = 0", Box::cube(1.5));
+    Framebuffer frame(48, 48);
+    render_frame(jump, default_camera(jump.clip), {}, frame);
+    EXPECT_TRUE(std::ranges::all_of(frame.surface, [](auto of) { return of == no_surface; }));
+}
+
+}  // namespace
+}  // namespace zeroset::test
