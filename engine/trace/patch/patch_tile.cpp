@@ -38,14 +38,6 @@ void fetch(const PatchNode& node) {
         hwy::Prefetch(bytes + i);
 }
 
-/// What a form says of the part that it stands for: that is narrower than its box.
-PatchSight within(const PatchSight& sight) {
-    PatchSight part = sight;
-    part.kp *= form_inner;
-    part.kq *= form_inner;
-    return part;
-}
-
 std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
 
 }  // namespace
@@ -238,7 +230,8 @@ void PatchTile::visit(Part& part) {
     if (room_.rest.size() >= most_rest) empty_rest();
     PatchNode& node = *part.node;
     std::optional<PatchOutline> outline;
-    if (wish_ == Wish::FirstHits) outline.emplace(within(part.sight), axes_.distance, grid_);
+    if (wish_ == Wish::FirstHits)
+        outline.emplace(without_growth(part.sight), axes_.distance, grid_);
     const PatchOutline* const seen = outline ? &*outline : nullptr;
     const Rect rect = pixels_of(seen);
     if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
