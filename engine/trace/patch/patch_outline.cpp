@@ -1,5 +1,7 @@
 #include "engine/trace/patch/patch_outline.hpp"
 
+#include "engine/trace/patch/patch_tree.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,6 +28,13 @@ int end_pixel(double place, int from, int end) {
 }
 
 }  // namespace
+
+PatchSight without_growth(const PatchSight& sight) {
+    PatchSight part = sight;
+    part.kp *= form_inner;
+    part.kq *= form_inner;
+    return part;
+}
 
 PatchOutline::PatchOutline(const PatchSight& sight, double distance, const PixelGrid& grid)
     : grid_(grid), per_pixel_(1.0 / grid.pixel) {

@@ -16,6 +16,10 @@ struct ColumnSpan {
     [[nodiscard]] bool empty() const { return col >= end_col; }
 };
 
+/// The form over what a part stands for, by that over its box, which is larger by form_growth. A
+/// root beyond is in another part.
+PatchSight without_growth(const PatchSight& sight);
+
 /// Where on a grid of pixels a part of the patch is seen, by its linear form: within a rectangle
 /// and between two pairs of parallels, the edges of the form. In upward rounding.
 ///

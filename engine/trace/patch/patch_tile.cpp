@@ -230,7 +230,8 @@ void PatchTile::visit(Part& part) {
     if (room_.rest.size() >= most_rest) empty_rest();
     PatchNode& node = *part.node;
     std::optional<PatchOutline> outline;
-    if (wish_ == Wish::FirstHits) outline.emplace(part.sight, axes_.distance, grid_);
+    if (wish_ == Wish::FirstHits)
+        outline.emplace(without_growth(part.sight), axes_.distance, grid_);
     const PatchOutline* const seen = outline ? &*outline : nullptr;
     const Rect rect = pixels_of(seen);
     if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;

@@ -29,7 +29,7 @@ constexpr std::size_t width = lanes<double>;
 
 /// How much of a box its form stands for; wider than what rounding may take from it.
 constexpr double half_shift = 0.5 / form_growth;
-constexpr double inner = (1.0 + 0x1p-20) / form_growth;
+constexpr double inner = form_inner;
 constexpr double rounding = sight_rounding;
 
 HWY_INLINE Vector number(double x) { return hn::Set(D(), x); }
@@ -131,7 +131,7 @@ public:
         const Floats qq = hn::NegMulAdd(v, kq_.z, kq_.y);
         const Floats e1 = hn::MulAdd(hn::Abs(u), e_.z, e_.x);
         const Floats e2 = hn::MulAdd(hn::Abs(v), e_.z, e_.y);
-        const Floats wider = float_number(1.0 + float_rounding);
+        const Floats wider = float_number(inner * (1.0 + float_rounding));
         const Floats reach1 = hn::MulAdd(hn::Add(hn::Abs(pp), hn::Abs(pq)), wider, e1);
         const Floats reach2 = hn::MulAdd(hn::Add(hn::Abs(qp), hn::Abs(qq)), wider, e2);
         const FloatMask beside = hn::Or(hn::Gt(hn::Abs(g1), reach1), hn::Gt(hn::Abs(g2), reach2));

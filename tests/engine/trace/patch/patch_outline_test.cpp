@@ -1,6 +1,7 @@
 #include "engine/trace/patch/patch_outline.hpp"
 
 #include "engine/real/rounding.hpp"
+#include "engine/trace/patch/patch_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,20 +47,22 @@ bool has(const PatchOutline& outline, int col, int row) {
     return col >= span.col && col < span.end_col;
 }
 
-TEST(PatchOutline, HoldsThePixelsThatSeeThePart) {
+/// Outlines by `of` hold the pixels that see the places with |p|, |q| <= most.
+template <class Sight>
+void expect_held(double most, Sight of) {
     RandomSights sights;
     int seen = 0;
     for (int i = 0; i < 4000; ++i) {
         // Half a pixel is 0.0045 wide there.
         const PatchSight sight = sights.next(i % 2 == 0 ? 0.006 : 0.02);
         const UpwardRounding upward;
-        const PatchOutline outline(sight, distance, grid);
+        const PatchOutline outline(of(sight), distance, grid);
         for (int k = 0; k < 20; ++k) {
             // A corner of the form now and then, and the nearest ray that is within its error.
             const double p =
-                k % 4 == 0 ? std::copysign(1.0, sights.number(1.0)) : sights.number(1.0);
+                k % 4 == 0 ? std::copysign(most, sights.number(1.0)) : sights.number(most);
             const double q =
-                k % 3 == 0 ? std::copysign(1.0, sights.number(1.0)) : sights.number(1.0);
+                k % 3 == 0 ? std::copysign(most, sights.number(1.0)) : sights.number(most);
             const glm::dvec3 at = sight.c + p * sight.kp + q * sight.kq;
             const double along = distance + at.z + sights.number(1.0) * sight.e.z;
             const auto col = static_cast<int>(std::lround((at.x / along - grid.u) / grid.pixel));
@@ -74,6 +77,14 @@ TEST(PatchOutline, HoldsThePixelsThatSeeThePart) {
         }
     }
     EXPECT_GT(seen, 5000);
+}
+
+TEST(PatchOutline, HoldsThePixelsThatSeeThePart) {
+    expect_held(1.0, [](const PatchSight& sight) { return sight; });
+}
+
+TEST(PatchOutline, HoldsThoseThatSeeWhatAPartStandsFor) {
+    expect_held(1.0 / form_growth, [](const PatchSight& sight) { return without_growth(sight); });
 }
 
 /// The pixels that an outline holds.
