@@ -97,7 +97,7 @@ tell_progress() {
     done
 }
 
-# Runs ninja with its output in a log; if it fails, shows the log without the progress lines.
+# Runs ninja with its output in a log; if it fails, shows what failed, without the progress lines.
 build_telling_progress() {
     local log=$1 teller result=0
     shift
@@ -107,7 +107,7 @@ build_telling_progress() {
     NINJA_STATUS='[%f/%t] ' "$@" >"$log" 2>&1 </dev/null || result=$?
     kill "$teller" 2>/dev/null || true
     wait "$teller" 2>/dev/null || true
-    ((result == 0)) || grep -v '^\[[0-9]*/[0-9]*\]' "$log" >&2 || true
+    ((result == 0)) || sed -n '/^\[[0-9]*\/[0-9]*\]/d; /^\(FAILED\|ninja\): /,$p' "$log" >&2
     return "$result"
 }
 

@@ -1,24 +1,34 @@
 #!/usr/bin/env bash
-# Checks how the code is written, after a build: clang-format, shellcheck, pyflakes, and clang-tidy
-# over those sources of the program that the last commits changed. (Over all it takes a quarter of an
-# hour: scripts/tidy.sh, and scripts/tidy.sh tests.) Prints what they find; exits 1 if they find
-# anything. packages.txt lists them under [lint].
+# Checks how the code is written, after a build: clang-format, shellcheck, pyflakes, clang-tidy over
+# those sources of the program that the last commits changed, and whether the tests and headers that
+# these changed include what they use. (clang-tidy over all takes a quarter of an hour: scripts/tidy.sh,
+# and scripts/tidy.sh tests.) Prints what they find; exits 1 if they find anything. packages.txt lists
+# them under [lint].
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-# Prints the sources of the program that the last 20 commits changed, all where fewer are known.
+# Prints the files of such patterns that the last 20 commits changed, all where fewer are known.
+changed() {
+    if git rev-parse --quiet --verify HEAD~20 >/dev/null; then
+        git diff --name-only --diff-filter=d HEAD~20 -- "$@"
+    else
+        git ls-files -- "$@"
+    fi
+}
+# Prints the sources of the program that changed.
 changed_sources() {
-    listed_sources | while IFS= read -r source; do
+    changed '*.cpp' ':!tests' | while IFS= read -r source; do
         # Some are of other builds only, such as those without a library.
         if grep -qF "/$source\"" build/release/compile_commands.json; then printf '%s\n' "$source"; fi
     done
 }
-listed_sources() {
-    if git rev-parse --quiet --verify HEAD~20 >/dev/null; then
-        git diff --name-only --diff-filter=d HEAD~20 -- '*.cpp' ':!tests'
-    else
-        git ls-files -- '*.cpp' ':!tests'
-    fi
+# Prints the tests that changed, and the headers that did so without the source of their name, which
+# begins with them. The build gives all of them precompiled headers, clang-tidy none.
+changed_without_tidy() {
+    changed 'tests/*.cpp'
+    changed '*.hpp' | while IFS= read -r header; do
+        [[ -n $(changed "${header%.hpp}.cpp") ]] || printf '%s\n' "$header"
+    done
 }
 
 # In a shallow clone the commits to compare with are fetched; without them all files are read.
@@ -31,4 +41,6 @@ git grep -lzE '^(#!.*[/ ](ba)?sh$|# shellcheck shell=)' | xargs -0 shellcheck ||
 git ls-files -z '*.py' | xargs -0 pyflakes3 || result=1
 mapfile -t sources < <(changed_sources)
 ((${#sources[@]} == 0)) || scripts/tidy.sh "${sources[@]}" || result=1
+mapfile -t alone < <(changed_without_tidy)
+((${#alone[@]} == 0)) || scripts/includes.py "${alone[@]}" || result=1
 exit "$result"

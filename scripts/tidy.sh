@@ -38,8 +38,8 @@ cd -- "$root"
 mapfile -t files < <(sources "$@")
 ((${#files[@]})) || die "no source that was compiled begins with $*"
 
-# One command for each source, though some are compiled for several programs, and without options
-# that only g++ knows.
+# One command for each source, though some are compiled for several programs, without options that
+# only g++ knows, and without precompiled headers: each source must include what it uses.
 export commands=$build/tidy
 mkdir -p -- "$commands"
 awk -F'"' '
@@ -48,7 +48,8 @@ awk -F'"' '
     /^\}/ && file in seen { next }
     /^\}/ { seen[file]; printf "%s{\n%s}", count++ ? ",\n" : "[\n", entry; next }
     $2 == "file" { file = $4 }
-    { sub(/ -mmemset-strategy=[^ ]*/, ""); entry = entry $0 "\n" }
+    { sub(/ -mmemset-strategy=[^ ]*/, ""); sub(/ -include [^ ]*\/cmake_pch.hxx/, "") }
+    { entry = entry $0 "\n" }
     END { print "\n]" }
 ' "$build/compile_commands.json" >"$commands/compile_commands.json"
 
