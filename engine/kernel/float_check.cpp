@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <span>
 
 namespace zeroset {
 namespace {
@@ -33,7 +35,8 @@ std::array<double, 3> place(std::size_t i) {
 /// their range in what is made of f: slopes, products and squares of these.
 constexpr double extreme = 1e30;
 
-/// Lower bounds of |f| in boxes, by ranges of this type; 0 where f may have a zero.
+/// Lower bounds of |f| in boxes, by ranges of this type; 0 where f may have a zero, +inf where it
+/// is not defined.
 template <class Real>
 std::array<double, boxes> distances_from_zero(const KernelFunction<RangeBatchOf<Real>>& range,
                                               const std::array<double, 3>& lo,
@@ -51,15 +54,19 @@ std::array<double, boxes> distances_from_zero(const KernelFunction<RangeBatchOf<
     }
     range(cells.batch(boxes, uniforms.boxes<Real>()));
     std::array<double, boxes> result{};
-    for (std::size_t i = 0; i < boxes; ++i)
-        result[i] = static_cast<double>(std::max({-cells.f_neg_lo[i], -cells.f_hi[i], Real{0}}));
+    for (std::size_t i = 0; i < boxes; ++i) {
+        const Real least = std::max(-cells.f_neg_lo[i], -cells.f_hi[i]);
+        if (least > Real{0}) result[i] = static_cast<double>(least);
+    }
     return result;
 }
 
 bool are_extreme(std::array<double, boxes> distances) {
-    const auto told = std::ranges::partition(distances, [](double f) { return !(f > 0.0); });
+    constexpr double undefined = std::numeric_limits<double>::infinity();
+    std::ranges::sort(distances);
+    const std::span told(std::ranges::upper_bound(distances, 0.0),
+                         std::ranges::lower_bound(distances, undefined));
     if (told.empty()) return false;
-    std::ranges::sort(told);
     return told.front() > extreme || told[told.size() / 4] < 1.0 / extreme;
 }
 

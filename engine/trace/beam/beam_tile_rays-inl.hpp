@@ -82,7 +82,7 @@ void BeamTile<Real>::leave_pixels(const LinearCell& linear, const PixelForm& for
         const auto pixel = static_cast<std::size_t>((tile.row() + row) * tile_size + tile.col());
         const Real first =
             cells.places.s[linear.cell] - form.at(0, static_cast<Real>(row)) * per_kt;
-        for (int col = 0; col < pixels; col += hn::MaxLanes(tag)) {
+        for (int col = 0; col < pixels; col += static_cast<int>(hn::MaxLanes(tag))) {
             const auto middle = hn::NegMulAdd(hn::Iota(tag, static_cast<Real>(col)),
                                               hn::Set(tag, form.ku * per_kt), hn::Set(tag, first));
             const auto lo = hn::Sub(middle, reach);
