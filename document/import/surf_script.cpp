@@ -24,6 +24,8 @@ struct Polynomial {
     std::string row;  ///< its definition
     std::size_t line;
     std::vector<std::string> uses;  ///< other polynomials in it
+    std::string function = {};      ///< of a surface that others go on from: what the row calls
+    std::size_t order = 0;          ///< greater than that of each of those that it uses
 };
 
 /// Words that do not change what the picture shows.
@@ -52,16 +54,27 @@ public:
                 {.reason = tr("it has no draw_surface; its surface is drawn")});
             draw(0);
         }
-        if (imported_.documents.empty()) {
-            return import_error(0, saw_curve_
-                                       ? tr("it draws plane curves only, no surface")
-                                       : tr("it has no draw_surface, as a script of surf has"));
-        }
+        if (imported_.documents.empty()) return nothing_drawn();
         return std::move(imported_);
     }
 
 private:
     static constexpr std::size_t most_steps = 1'000'000;
+
+    /// Why there is no surface.
+    [[nodiscard]] ReadImport nothing_drawn() const {
+        if (saw_curve_ && !saw_draw_)
+            return import_error(0, tr("it draws plane curves only, no surface"));
+        if (lost_) return import_error(lost_->line, lost_->entry + ": " + lost_->reason);
+        return import_error(0, saw_draw_ ? tr("no surface has been named before")
+                                         : tr("it has no draw_surface, as a script of surf has"));
+    }
+
+    /// Notes that a value is left out.
+    void lose(std::size_t line, std::string_view entry, std::string reason) {
+        note(line, entry, std::move(reason));
+        if (!lost_) lost_ = notes_.back();
+    }
 
     void note(std::size_t line, std::string_view entry, std::string reason) {
         ImportNote added{.line = line, .entry = std::string(entry), .reason = std::move(reason)};
@@ -104,9 +117,10 @@ private:
         if (is_text || name == "filename" || tokens_.peek().kind == ScriptKind::Text) return;
         auto term = read_term(tokens_, surf_dialect);
         if (!term || !tokens_.at_sign(";")) {
-            note(line, name,
-                 term ? tr("its value cannot be read; it is left out")
-                      : filled(tr("{0}; it is left out"), {term.error().reason}));
+            const std::string reason = term ? filled(tr("'{0}' does not continue the formula"),
+                                                     {tokens_.peek().text.substr(0, 20)})
+                                            : term.error().reason;
+            lose(line, name, filled(tr("{0}; it is left out"), {reason}));
             return;
         }
         if (const auto value = number_of(*term)) {
@@ -186,7 +200,7 @@ private:
             if (part.kind == TermKind::Call) translate_call(part, result, wrong);
         });
         if (!wrong.empty()) {
-            note(line, name, filled(tr("{0} is not known; it is left out"), {wrong}));
+            lose(line, name, filled(tr("{0} is not known; it is left out"), {wrong}));
             return std::nullopt;
         }
         result.row = text_of(term);
@@ -199,11 +213,35 @@ private:
         if (found != polynomials_of_.end()) {
             result.uses.push_back(found->second);
             part.text = found->second + "(x, y, z)";
+        } else if (terms_.contains(part.text)) {
+            part.text = function_of_surface(part.text, result) + "(x, y, z)";
         } else if (const auto value = constant(part.text)) {
             part = number_term(*value, part.line);
         } else if (!part.text.ends_with("Axis")) {
             wrong = part.text;
         }
+    }
+
+    /// The function that is what a surface is so far: a script may go on from it.
+    std::string function_of_surface(const std::string& name, Polynomial& result) {
+        Polynomial& surface = terms_.at(name);
+        if (surface.function.empty()) {
+            const std::string function = names_.fresh(name + "_before");
+            define(function, surface);
+            surface = {.row = function + "(x, y, z)",
+                       .line = surface.line,
+                       .uses = {function},
+                       .function = function};
+        }
+        result.uses.push_back(surface.function);
+        return surface.function;
+    }
+
+    /// Adds the function with the polynomial's row as its formula.
+    void define(const std::string& function, Polynomial polynomial) {
+        polynomial.row.insert(0, function + "(x, y, z) = ");
+        polynomial.order = polynomials_.size();
+        polynomials_[function] = std::move(polynomial);
     }
 
     void translate_call(ForeignTerm& part, Polynomial& result, std::string& wrong) {
@@ -224,9 +262,7 @@ private:
             return;
         }
         const std::string turned = names_.fresh("part");
-        polynomials_[turned] = {.row = turned + "(x, y, z) = " + text_of(part.operands[0]),
-                                .line = part.line,
-                                .uses = result.uses};
+        define(turned, {.row = text_of(part.operands[0]), .line = part.line, .uses = result.uses});
         result.uses.push_back(turned);
         const auto back = surf_turning(axis[0] - 'x', *angle).inverse();
         part = {.kind = TermKind::Name,
@@ -244,8 +280,7 @@ private:
         }
         numbers_.erase(name);
         const std::string function = names_.fresh(name);
-        polynomial->row.insert(0, function + "(x, y, z) = ");
-        polynomials_[function] = std::move(*polynomial);
+        define(function, std::move(*polynomial));
         polynomials_of_[name] = function;
     }
 
@@ -284,8 +319,8 @@ private:
             const auto& inner = polynomials_.at(name).uses;
             open.insert(open.end(), inner.begin(), inner.end());
         }
-        std::ranges::stable_sort(
-            needed, {}, [this](const std::string& name) { return polynomials_.at(name).line; });
+        std::ranges::sort(needed, {},
+                          [this](const std::string& name) { return polynomials_.at(name).order; });
         for (const std::string& name : needed) {
             drawn.add_definition(polynomials_.at(name).row, polynomials_.at(name).line);
             done.insert(name);
@@ -293,6 +328,7 @@ private:
     }
 
     void draw(std::size_t line) {
+        saw_draw_ = true;
         if (terms_.empty())
             return note(line, "draw_surface", tr("no surface has been named before"));
         if (imported_.documents.size() == most_imported) return;
@@ -360,6 +396,8 @@ private:
     TokenReader tokens_;
     std::size_t steps_ = 0;
     bool saw_curve_ = false;
+    bool saw_draw_ = false;
+    std::optional<ImportNote> lost_;  ///< the first value that is left out
     ImportedNames names_;
     SurfViewNames view_;
     std::map<std::string, double, std::less<>> numbers_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace zeroset {
@@ -14,7 +15,8 @@ namespace {
 constexpr int clip_ball = 0;
 constexpr int clip_cube = 4;
 
-constexpr std::array<std::pair<std::string_view, double>, 23> constants{{
+constexpr std::array<std::pair<std::string_view, double>, 24> constants{{
+    {"Pi", std::numbers::pi},
     {"parallel", 0},
     {"central", 1},
     {"translate", 0},

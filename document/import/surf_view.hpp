@@ -14,7 +14,7 @@
 
 namespace zeroset {
 
-/// The number of a constant of surf's language: central, yes, cube.
+/// The number of a constant of surf's language: Pi, central, yes, cube.
 std::optional<double> surf_constant(std::string_view name);
 
 /// The turn about an axis, as rot_x and rotate() do it: left-handed about y.
