@@ -1,5 +1,6 @@
 #include "document/import/implicit_graph.hpp"
 
+#include "document/import/implicit_matrices.hpp"
 #include "document/import/imported.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
@@ -32,6 +33,11 @@ constexpr std::array componentwise{Componentwise{.node = "addition", .pattern = 
                                    Componentwise{.node = "arccos", .pattern = "acos(A)"},
                                    Componentwise{.node = "arctan", .pattern = "atan(A)"},
                                    Componentwise{.node = "arctan2", .pattern = "atan2(A, B)"},
+                                   // lib3mf calls them so, other than the specification.
+                                   Componentwise{.node = "asin", .pattern = "asin(A)"},
+                                   Componentwise{.node = "acos", .pattern = "acos(A)"},
+                                   Componentwise{.node = "atan", .pattern = "atan(A)"},
+                                   Componentwise{.node = "atan2", .pattern = "atan2(A, B)"},
                                    Componentwise{.node = "min", .pattern = "min(A, B)"},
                                    Componentwise{.node = "max", .pattern = "max(A, B)"},
                                    Componentwise{.node = "abs", .pattern = "abs(A)"},
@@ -103,54 +109,70 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     if (depth_ >= deepest_call || ++calls_ > most_calls)
         return std::unexpected(tr("functions that call each other are nested too deeply"));
     ++depth_;
-    Values values;
+    Scope scope;
     for (const auto& [name, value] : inputs)
-        values["inputs." + name] = value;
-    std::expected<void, std::string> done;
+        scope.values["inputs." + name] = value;
     for (const pugi::xml_node& node : found->second.children()) {
         const std::string_view kind = local_name(node);
         if (node.type() != pugi::node_element || kind == "in" || kind == "out") continue;
-        done = evaluate(node, values);
-        if (!done) break;
+        // A node that fails matters only where another one refers to it.
+        if (const auto done = evaluate(node, scope); !done)
+            scope.failures[node.attribute("identifier").value()] = done.error();
+        if (is_too_long()) break;
     }
     --depth_;
-    if (!done) return std::unexpected(done.error());
+    if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
+    const std::string missing = filled(tr("function {0} has no output {1}"), {id, channel});
     for (const pugi::xml_node& out : child(found->second, "out").children()) {
-        if (channel != out.attribute("identifier").value()) continue;
-        const auto value = values.find(out.attribute("ref").value());
-        if (value != values.end()) return value->second;
+        if (channel == out.attribute("identifier").value())
+            return scope.value(out.attribute("ref").value(), missing);
     }
-    return std::unexpected(filled(tr("function {0} has no output {1}"), {id, channel}));
+    return std::unexpected(missing);
+}
+
+std::expected<GraphValue, std::string> GraphWriter::Scope::value(
+    const std::string& reference, const std::string& otherwise) const {
+    const auto found = values.find(reference);
+    if (found != values.end()) return found->second;
+    for (const std::string& name : {reference, reference.substr(0, reference.find('.'))}) {
+        const auto failure = failures.find(name);
+        if (failure != failures.end()) return std::unexpected(failure->second);
+    }
+    return std::unexpected(otherwise);
+}
+
+bool GraphWriter::is_too_long() const {
+    return nodes_ > most_nodes || count_ > most_definitions || calls_ > most_calls;
 }
 
 std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pugi::xml_node& node,
-                                                                       const Values& values) {
+                                                                       const Scope& scope) {
     Inputs inputs;
     for (const pugi::xml_node& in : child(node, "in").children()) {
-        const auto value = values.find(in.attribute("ref").value());
-        if (value == values.end()) {
-            return std::unexpected(
-                filled(tr("{0} refers to {1}, which is not before it"),
-                       {node.attribute("identifier").value(), in.attribute("ref").value()}));
-        }
-        inputs[in.attribute("identifier").value()] = value->second;
+        const std::string reference = in.attribute("ref").value();
+        auto value =
+            scope.value(reference, filled(tr("{0} refers to {1}, which is not before it"),
+                                          {node.attribute("identifier").value(), reference}));
+        if (!value) return std::unexpected(value.error());
+        inputs[in.attribute("identifier").value()] = std::move(*value);
     }
     return inputs;
 }
 
-std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Values& values) {
-    if (++nodes_ > most_nodes || count_ > most_definitions)
-        return std::unexpected(tr("its functions have too many nodes"));
+std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Scope& scope) {
+    ++nodes_;
+    if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
     const std::string_view kind = local_name(node);
     const std::string name = node.attribute("identifier").value();
+    auto& values = scope.values;
     if (kind == "constresourceid") {
         // Files of drafts of the extension call it resourceid.
         const pugi::xml_attribute id = node.attribute("value");
         values[name + ".value"] = {(id ? id : node.attribute("resourceid")).value()};
         return {};
     }
-    if (kind == "functioncall") return call_node(node, values);
-    auto inputs = inputs_of(node, values);
+    if (kind == "functioncall") return call_node(node, scope);
+    auto inputs = inputs_of(node, scope);
     if (!inputs) return std::unexpected(inputs.error());
     if (kind == "decomposevector") {
         const GraphValue& vector = (*inputs)["A"];
@@ -170,17 +192,19 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     return {};
 }
 
-std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node,
-                                                        Values& values) {
-    auto inputs = inputs_of(node, values);
+std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node, Scope& scope) {
+    auto inputs = inputs_of(node, scope);
     if (!inputs) return std::unexpected(inputs.error());
     const GraphValue id = (*inputs)["functionID"];
     inputs->erase("functionID");
+    const std::string name = node.attribute("identifier").value();
     for (const pugi::xml_node& out : child(node, "out").children()) {
         const std::string channel = out.attribute("identifier").value();
         auto result = call(id.empty() ? std::string() : id[0], channel, *inputs);
-        if (!result) return std::unexpected(result.error());
-        values[std::string(node.attribute("identifier").value()) + "." + channel] = *result;
+        if (result)
+            scope.values[name + "." + channel] = std::move(*result);
+        else
+            scope.failures[name + "." + channel] = result.error();
     }
     return {};
 }
@@ -243,15 +267,7 @@ GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::x
         }
         return result;
     }
-    if (kind == "matvecmultiplication" && in["A"].size() == 16) {
-        GraphValue result;
-        for (std::size_t row = 0; row < 3; ++row) {
-            const std::string turned = sum_of_products(in["A"], 4 * row, 1, in["B"]);
-            result.push_back(named(turned + " + " + in["A"][4 * row + 3]));
-        }
-        return result;
-    }
-    return GraphValue{};
+    return matrix_value(kind, in, [this](const std::string& text) { return named(text); });
 }
 
 GraphWriter::Result GraphWriter::of_components(std::string_view kind, Inputs& in) {
