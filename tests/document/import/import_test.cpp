@@ -153,6 +153,15 @@ TEST(Imports, K3dSurfEquations) {
     EXPECT_NEAR(value(cut, 0, 1.0, 1.0, 1.0, 0.5), 3.0 - 0.5 - 1.0, 1e-12);
 }
 
+TEST(Imports, K3dSurfNotesHaveItsWords) {
+    const ImportedDocument surface =
+        read("a.k3ds", "F(): x + who\n[x]: 1\n[y]: -1, 1\n[z]: -1, 1\nA[u]: 3\n;").documents[0];
+    EXPECT_TRUE(has_note(surface, "[x]"));
+    EXPECT_TRUE(has_note(surface, "F()"));
+    EXPECT_TRUE(has_note(surface, "A[u]"));
+    EXPECT_FALSE(has_note(surface, "Iso3D"));
+}
+
 TEST(Imports, Instructions) {
     const Imported imported = read("ball.vm", instruction_list);
     const ImportedDocument& ball = imported.documents[0];
