@@ -72,6 +72,64 @@ std::optional<std::string> number_text(const char* text) {
     return exact_number(*number, true);
 }
 
+/// Nodes with inputs that make or take apart vectors and matrices.
+constexpr std::array<std::string_view, 14> of_vectors_kinds{"composevector",
+                                                            "decomposevector",
+                                                            "vectorfromscalar",
+                                                            "dot",
+                                                            "length",
+                                                            "cross",
+                                                            "composematrix",
+                                                            "matrixfromrows",
+                                                            "transpose",
+                                                            "matrixfromcolumns",
+                                                            "inverse",
+                                                            "matvecmultiplication",
+                                                            "matrixvectormultiplication",
+                                                            "functioncall"};
+
+bool is_known(std::string_view kind) {
+    return kind.starts_with("const") ||
+           std::ranges::find(of_vectors_kinds, kind) != of_vectors_kinds.end() ||
+           std::ranges::find(componentwise, kind, &Componentwise::node) != componentwise.end();
+}
+
+/// The nodes of a function, each behind those that it refers to, as far as that is possible.
+std::vector<pugi::xml_node> nodes_in_order(const pugi::xml_node& function) {
+    std::vector<pugi::xml_node> nodes;
+    std::map<std::string_view, std::size_t> index;
+    for (const pugi::xml_node& node : function.children()) {
+        const std::string_view kind = local_name(node);
+        if (node.type() != pugi::node_element || kind == "in" || kind == "out") continue;
+        index.emplace(node.attribute("identifier").value(), nodes.size());
+        nodes.push_back(node);
+    }
+    enum class State : std::uint8_t { New, Begun, Done };
+    std::vector<State> states(nodes.size(), State::New);
+    std::vector<pugi::xml_node> result;
+    std::vector<std::size_t> open;
+    for (std::size_t first = 0; first < nodes.size(); ++first) {
+        open.push_back(first);
+        while (!open.empty()) {
+            const std::size_t at = open.back();
+            if (states[at] != State::New) {
+                open.pop_back();
+                if (states[at] == State::Begun) result.push_back(nodes[at]);
+                states[at] = State::Done;
+                continue;
+            }
+            states[at] = State::Begun;
+            for (const pugi::xml_node& in : child(nodes[at], "in").children()) {
+                const std::string_view reference = in.attribute("ref").value();
+                const auto needed = index.find(reference.substr(0, reference.find('.')));
+                if (needed != index.end() && states[needed->second] == State::New)
+                    open.push_back(needed->second);
+            }
+        }
+    }
+    return result;
+}
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 }  // namespace
@@ -83,7 +141,8 @@ std::string_view local_name(const pugi::xml_node& node) {
 }
 
 void GraphWriter::add_function(const pugi::xml_node& function) {
-    functions_.insert_or_assign(function.attribute("id").value(), function);
+    functions_.insert_or_assign(function.attribute("id").value(),
+                                Function{.element = function, .nodes = nodes_in_order(function)});
 }
 
 std::string GraphWriter::named(const std::string& expression) {
@@ -112,9 +171,7 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     Scope scope;
     for (const auto& [name, value] : inputs)
         scope.values["inputs." + name] = value;
-    for (const pugi::xml_node& node : found->second.children()) {
-        const std::string_view kind = local_name(node);
-        if (node.type() != pugi::node_element || kind == "in" || kind == "out") continue;
+    for (const pugi::xml_node& node : found->second.nodes) {
         // A node that fails matters only where another one refers to it.
         if (const auto done = evaluate(node, scope); !done)
             scope.failures[node.attribute("identifier").value()] = done.error();
@@ -123,7 +180,7 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     --depth_;
     if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
     const std::string missing = filled(tr("function {0} has no output {1}"), {id, channel});
-    for (const pugi::xml_node& out : child(found->second, "out").children()) {
+    for (const pugi::xml_node& out : child(found->second.element, "out").children()) {
         if (channel == out.attribute("identifier").value())
             return scope.value(out.attribute("ref").value(), missing);
     }
@@ -151,7 +208,7 @@ std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pug
     for (const pugi::xml_node& in : child(node, "in").children()) {
         const std::string reference = in.attribute("ref").value();
         auto value =
-            scope.value(reference, filled(tr("{0} refers to {1}, which is not before it"),
+            scope.value(reference, filled(tr("{0} refers to {1}, which has no value"),
                                           {node.attribute("identifier").value(), reference}));
         if (!value) return std::unexpected(value.error());
         inputs[in.attribute("identifier").value()] = std::move(*value);
@@ -163,6 +220,7 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     ++nodes_;
     if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
     const std::string_view kind = local_name(node);
+    if (!is_known(kind)) return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
     const std::string name = node.attribute("identifier").value();
     auto& values = scope.values;
     if (kind == "constresourceid") {

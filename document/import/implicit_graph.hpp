@@ -25,7 +25,7 @@ using GraphInputs = std::map<std::string, GraphValue, std::less<>>;  ///< by the
 /// Writes the functions of a 3MF model as definitions of the language, node by node.
 class GraphWriter {
 public:
-    /// Makes `function` known, an implicitfunction element.
+    /// Makes `function` known, an implicitfunction element. Its nodes may stand in any order.
     void add_function(const pugi::xml_node& function);
 
     /// The output `channel` of a function at a position; the error is one line.
@@ -63,7 +63,11 @@ private:
     /// Whether the functions take more than is read.
     [[nodiscard]] bool is_too_long() const;
 
-    std::map<std::string, pugi::xml_node, std::less<>> functions_;
+    struct Function {
+        pugi::xml_node element;
+        std::vector<pugi::xml_node> nodes;  ///< each behind those that it refers to
+    };
+    std::map<std::string, Function, std::less<>> functions_;
     std::string definitions_;
     std::size_t count_ = 0;
     std::size_t nodes_ = 0;  ///< that were evaluated

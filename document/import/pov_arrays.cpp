@@ -53,7 +53,9 @@ bool PovScript::declare_array(const std::string& name, bool local) {
         if (!take_sign("]")) break;
     }
     arrays_.insert_or_assign(name, std::move(sizes));
-    if (at_sign("{")) read_elements(name, local, 0);
+    const std::size_t line = this->line();
+    if (at_sign("{") && !read_elements(name, local, 0))
+        note(line, "#declare " + name, tr("its value is not known; it is left out"));
     return true;
 }
 
@@ -68,20 +70,19 @@ std::optional<PovValue> PovScript::array_size() {
     return std::nullopt;
 }
 
-void PovScript::read_elements(const std::string& name, bool local, int depth) {
+bool PovScript::read_elements(const std::string& name, bool local, int depth) {
+    bool known = true;
     take_sign("{");
     for (std::size_t i = 0; !take_sign("}") && !tokens_.at_end(); ++i) {
-        const std::size_t line = this->line();
         if (at_sign("{") && depth < deepest) {
-            read_elements(element(name, i), local, depth + 1);
+            known = read_elements(element(name, i), local, depth + 1) && known;
         } else {
             auto read = value();
             if (read && local)
                 set_local(element(name, i), std::move(*read));
             else if (read)
                 values_.insert_or_assign(element(name, i), std::move(*read));
-            else
-                note(line, element(name, i), tr("its value is not known; it is left out"));
+            known = known && read;
             while (!at_sign(",") && !at_sign("}") && !tokens_.at_end()) {
                 if (at_sign("{"))
                     skip_block();
@@ -91,6 +92,7 @@ void PovScript::read_elements(const std::string& name, bool local, int depth) {
         }
         take_sign(",");
     }
+    return known;
 }
 
 }  // namespace zeroset

@@ -125,8 +125,9 @@ private:
     bool declare_array(const std::string& name, bool local);
     /// Reads "(A, n)" behind dimension_size.
     std::optional<PovValue> array_size();
-    /// Reads "{ ... }" as the elements of an array, or of a part of one.
-    void read_elements(const std::string& name, bool local, int depth);
+    /// Reads "{ ... }" as the elements of an array, or of a part of one; false where a value is
+    /// not known.
+    bool read_elements(const std::string& name, bool local, int depth);
     void include();
     void leave_loop();
     void begin_if(bool holds);

@@ -126,7 +126,7 @@ TEST(ThreeMf, WhatIsLostSaysWhy) {
     unknown.replace(unknown.find("</i:length"), 10, "</i:warp");
     EXPECT_EQ(why_refused(unknown), "object 2: nodes warp are not taken over; it is left out");
     EXPECT_EQ(why_refused(with("ref=\"R.value\"", "ref=\"Q.value\"")),
-              "object 2: Call refers to Q.value, which is not before it; it is left out");
+              "object 2: Call refers to Q.value, which has no value; it is left out");
     EXPECT_EQ(why_refused(with("ref=\"S.result\"", "ref=\"T.result\"")),
               "object 2: function 5 has no output shape; it is left out");
     EXPECT_EQ(
@@ -225,6 +225,23 @@ TEST(ThreeMf, MatricesAreMadeOfRowsAndColumns) {
                   node("transpose", "t", input("A", "m.result")) +
                   node("matvecmultiplication", "v", input("A", "t.result") + at) + sum_of_v);
     EXPECT_NEAR(level(turned, 1, 2, 3), 0.18 + 1.9 + 23.0, 1e-12);
+}
+
+TEST(ThreeMf, NodesMayStandInAnyOrder) {
+    const std::string sum = node("addition", "r", input("A", "d.x") + input("B", "d.y"));
+    const std::string parts = node("decomposevector", "d", input("A", "inputs.pos"));
+    EXPECT_NEAR(level(level_set(sum + parts), 1, 2, 3), 3.0, 1e-12);
+    // Those that lead back to themselves have no value.
+    std::string loop = with("ref=\"D.result\"", "ref=\"E.result\"");
+    loop.insert(
+        loop.find("<i:subtraction identifier=\"D\""),
+        node("abs", "E", input("A", "G.result")) + node("abs", "G", input("A", "E.result")));
+    EXPECT_EQ(why_refused(loop),
+              "object 2: G refers to E.result, which has no value; it is left out");
+    // Of a node that is not known it does not matter what it lacks.
+    std::string unknown = with("ref=\"D.result\"", "ref=\"M.result\"");
+    unknown.insert(unknown.find("<i:constant"), node("mesh", "M", input("A", "")));
+    EXPECT_EQ(why_refused(unknown), "object 2: nodes mesh are not taken over; it is left out");
 }
 
 TEST(ThreeMf, ArcsHaveTwoNames) {
