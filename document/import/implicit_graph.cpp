@@ -1,6 +1,7 @@
 #include "document/import/implicit_graph.hpp"
 
 #include "document/import/implicit_matrices.hpp"
+#include "document/import/implicit_nodes.hpp"
 #include "document/import/imported.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
@@ -60,12 +61,6 @@ constexpr std::array componentwise{Componentwise{.node = "addition", .pattern = 
                                    Componentwise{.node = "clamp", .pattern = "clamp(A, min, max)"},
                                    Componentwise{.node = "select", .pattern = "if(A < B, C, D)"}};
 
-pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
-    for (const pugi::xml_node& inner : node.children())
-        if (local_name(inner) == name) return inner;
-    return {};
-}
-
 std::optional<std::string> number_text(const char* text) {
     const auto number = number_from<double>(trimmed(text));
     if (!number || !(std::abs(*number) <= largest_number)) return std::nullopt;
@@ -94,51 +89,11 @@ bool is_known(std::string_view kind) {
            std::ranges::find(componentwise, kind, &Componentwise::node) != componentwise.end();
 }
 
-/// The nodes of a function, each behind those that it refers to, as far as that is possible.
-std::vector<pugi::xml_node> nodes_in_order(const pugi::xml_node& function) {
-    std::vector<pugi::xml_node> nodes;
-    std::map<std::string_view, std::size_t> index;
-    for (const pugi::xml_node& node : function.children()) {
-        const std::string_view kind = local_name(node);
-        if (node.type() != pugi::node_element || kind == "in" || kind == "out") continue;
-        index.emplace(node.attribute("identifier").value(), nodes.size());
-        nodes.push_back(node);
-    }
-    enum class State : std::uint8_t { New, Begun, Done };
-    std::vector<State> states(nodes.size(), State::New);
-    std::vector<pugi::xml_node> result;
-    std::vector<std::size_t> open;
-    for (std::size_t first = 0; first < nodes.size(); ++first) {
-        open.push_back(first);
-        while (!open.empty()) {
-            const std::size_t at = open.back();
-            if (states[at] != State::New) {
-                open.pop_back();
-                if (states[at] == State::Begun) result.push_back(nodes[at]);
-                states[at] = State::Done;
-                continue;
-            }
-            states[at] = State::Begun;
-            for (const pugi::xml_node& in : child(nodes[at], "in").children()) {
-                const std::string_view reference = in.attribute("ref").value();
-                const auto needed = index.find(reference.substr(0, reference.find('.')));
-                if (needed != index.end() && states[needed->second] == State::New)
-                    open.push_back(needed->second);
-            }
-        }
-    }
-    return result;
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 }  // namespace
-
-std::string_view local_name(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    const std::size_t colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
 
 void GraphWriter::add_function(const pugi::xml_node& function) {
     functions_.insert_or_assign(function.attribute("id").value(),
@@ -180,7 +135,7 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     --depth_;
     if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
     const std::string missing = filled(tr("function {0} has no output {1}"), {id, channel});
-    for (const pugi::xml_node& out : child(found->second.element, "out").children()) {
+    for (const pugi::xml_node& out : child_named(found->second.element, "out").children()) {
         if (channel == out.attribute("identifier").value())
             return scope.value(out.attribute("ref").value(), missing);
     }
@@ -205,7 +160,7 @@ bool GraphWriter::is_too_long() const {
 std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pugi::xml_node& node,
                                                                        const Scope& scope) {
     Inputs inputs;
-    for (const pugi::xml_node& in : child(node, "in").children()) {
+    for (const pugi::xml_node& in : child_named(node, "in").children()) {
         const std::string reference = in.attribute("ref").value();
         auto value =
             scope.value(reference, filled(tr("{0} refers to {1}, which has no value"),
@@ -245,7 +200,7 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     // The outputs have one value; constants call it value, vector or matrix.
     for (const char* const output : {"result", "value", "vector", "matrix"})
         values[name + "." + output] = *result;
-    for (const pugi::xml_node& out : child(node, "out").children())
+    for (const pugi::xml_node& out : child_named(node, "out").children())
         values[name + "." + out.attribute("identifier").value()] = *result;
     return {};
 }
@@ -256,7 +211,7 @@ std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& no
     const GraphValue id = (*inputs)["functionID"];
     inputs->erase("functionID");
     const std::string name = node.attribute("identifier").value();
-    for (const pugi::xml_node& out : child(node, "out").children()) {
+    for (const pugi::xml_node& out : child_named(node, "out").children()) {
         const std::string channel = out.attribute("identifier").value();
         auto result = call(id.empty() ? std::string() : id[0], channel, *inputs);
         if (result)
@@ -331,7 +286,8 @@ GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::x
 GraphWriter::Result GraphWriter::of_components(std::string_view kind, Inputs& in) {
     const auto* const found = std::ranges::find(componentwise, kind, &Componentwise::node);
     if (found == componentwise.end())
-        return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
+        return std::unexpected(
+            filled(tr("{0} lacks an input, or has one of another type"), {kind}));
     std::size_t parts = 1;
     for (const auto& [name, value] : in)
         parts = std::max(parts, value.size());
@@ -341,16 +297,20 @@ GraphWriter::Result GraphWriter::of_components(std::string_view kind, Inputs& in
         const std::string_view pattern = found->pattern;
         for (std::size_t at = 0; at < pattern.size();) {
             std::size_t end = at;
-            while (end < pattern.size() && is_letter(pattern[end]))
+            while (end < pattern.size() && is_letter_or_digit(pattern[end]))
                 ++end;
-            const auto input = in.find(pattern.substr(at, end - at));
             const bool is_call = end < pattern.size() && pattern[end] == '(';
-            if (end == at || is_call || input == in.end() || input->second.empty()) {
-                text += pattern.substr(at, std::max(end, at + 1) - at);
+            if (end == at || is_call) {
+                end = std::max(end, at + 1);
+                text += pattern.substr(at, end - at);
             } else {
+                const auto input = in.find(pattern.substr(at, end - at));
+                if (input == in.end() || input->second.empty())
+                    return std::unexpected(
+                        filled(tr("{0} lacks an input, or has one of another type"), {kind}));
                 text += input->second[std::min(i, input->second.size() - 1)];
             }
-            at = std::max(end, at + 1);
+            at = end;
         }
         result.push_back(named(text));
     }

@@ -14,9 +14,6 @@
 
 namespace zeroset {
 
-/// An element's name without its prefix.
-std::string_view local_name(const pugi::xml_node& node);
-
 /// A scalar, vector or matrix (row by row) of a function of 3MF: the texts of its components, each
 /// a name or a number.
 using GraphValue = std::vector<std::string>;

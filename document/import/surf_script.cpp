@@ -28,20 +28,6 @@ struct Polynomial {
     std::size_t order = 0;          ///< greater than that of each of those that it uses
 };
 
-/// Words that do not change what the picture shows.
-constexpr std::array<std::string_view, 12> without_effect{"width",
-                                                          "height",
-                                                          "filename",
-                                                          "root_finder",
-                                                          "epsilon",
-                                                          "iterations",
-                                                          "clear_screen",
-                                                          "set_size",
-                                                          "antialiasing",
-                                                          "antialiasing_threshold",
-                                                          "antialiasing_radius",
-                                                          "color_file_format"};
-
 class SurfReader {
 public:
     explicit SurfReader(std::string_view text) : tokens_(script_tokens(text)) {}
@@ -130,44 +116,11 @@ private:
                 assign_polynomial(name, number_term(*value, line), line);
             else if (view_.knows(name))
                 set_lines_[name] = line;
-            else if (!is_own_number(name))
+            else if (surf_draws_with(name))
                 note_setting(name, line);
         } else {
             assign_polynomial(name, std::move(*term), line);
         }
-    }
-
-    /// Whether a number of this name is the script's own, or one that a document is made of.
-    [[nodiscard]] bool is_own_number(std::string_view name) const {
-        static constexpr std::array<std::string_view, 26> others{"ambient",
-                                                                 "diffuse",
-                                                                 "reflected",
-                                                                 "transmitted",
-                                                                 "smoothness",
-                                                                 "thickness",
-                                                                 "illumination",
-                                                                 "depth_cueing",
-                                                                 "depth_value",
-                                                                 "depth",
-                                                                 "stereo_eye",
-                                                                 "stereo_z",
-                                                                 "normalize",
-                                                                 "normalize_factor",
-                                                                 "normalize_brightness",
-                                                                 "curve_red",
-                                                                 "curve_green",
-                                                                 "curve_blue",
-                                                                 "curve_width",
-                                                                 "curve_gamma",
-                                                                 "dither_colors",
-                                                                 "dither_steps",
-                                                                 "optimize_colors",
-                                                                 "gamma",
-                                                                 "dither_file_format",
-                                                                 "surf_nr"};
-        while (!name.empty() && name.back() >= '0' && name.back() <= '9')
-            name.remove_suffix(1);
-        return std::ranges::find(others, name) == others.end();
     }
 
     void note_setting(const std::string& name, std::size_t line) {
@@ -287,7 +240,7 @@ private:
     void command(const std::string& name, std::size_t line) {
         if (name == "draw_surface") return draw(line);
         if (name == "draw_curve") saw_curve_ = true;
-        if (std::ranges::find(without_effect, name) != without_effect.end()) return;
+        if (surf_only_sets(name)) return;
         if (name.starts_with("save_") || name.starts_with("dither_") || name == "clear_pixmap")
             return;
         note(line, name, tr("not taken over"));

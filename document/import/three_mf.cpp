@@ -1,4 +1,5 @@
 #include "document/import/implicit_graph.hpp"
+#include "document/import/implicit_nodes.hpp"
 #include "document/import/placement.hpp"
 #include "document/import/readers.hpp"
 #include "engine/base/text.hpp"

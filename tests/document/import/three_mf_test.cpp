@@ -244,6 +244,19 @@ TEST(ThreeMf, NodesMayStandInAnyOrder) {
     EXPECT_EQ(why_refused(unknown), "object 2: nodes mesh are not taken over; it is left out");
 }
 
+TEST(ThreeMf, NodesNeedTheirInputs) {
+    const auto with_node = [](const std::string& kind, const std::string& inputs) {
+        std::string model = with("ref=\"D.result\"", "ref=\"N.result\"");
+        model.insert(model.find("<i:constant"), node(kind, "N", inputs));
+        return why_refused(model);
+    };
+    for (const std::string kind : {"addition", "inverse", "composematrix", "atan2", "clamp"})
+        EXPECT_EQ(
+            with_node(kind, input("A", "inputs.pos")),
+            "object 2: " + kind + " lacks an input, or has one of another type; it is left out");
+    EXPECT_EQ(with_node("log10", input("A", "inputs.pos")), "");
+}
+
 TEST(ThreeMf, ArcsHaveTwoNames) {
     for (const std::string prefix : {"a", "arc"}) {
         const auto set =
