@@ -100,8 +100,7 @@ private:
         const ScriptToken word = script_.next();
         if (word.kind != ScriptKind::Name) return;
         if (word.text == "camera") {
-            if (const auto camera = read_pov_camera(script_, modifiers_, result_))
-                camera_ = camera;
+            if (const auto camera = read_pov_camera(script_, modifiers_, result_)) camera_ = camera;
             return;
         }
         if (word.text == "background") return background();

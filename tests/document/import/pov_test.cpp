@@ -256,6 +256,7 @@ TEST(Imports, PovScenesSayWhyTheyShowNothing) {
     EXPECT_EQ(reason("parametric { function { u } <0, 0> <1, 1> }"),
               "line 1: parametric: without its function it is left out");
     EXPECT_TRUE(reason("sphere { 0, 1 }").starts_with("it shows no isosurface"));
+    EXPECT_EQ(reason("isosurface { transform { \"a\nb\" } }"), "line 1: a b: not taken over");
 }
 
 TEST(Imports, PovCamerasMayBeRightHanded) {
