@@ -28,6 +28,7 @@ struct Brought {
     std::string file, name, session;
     std::string failure;  ///< why nothing is drawn; empty where something is
     bool empty = false;   ///< the picture shows no pixel of a surface
+    bool late = false;    ///< its picture took too long, which says nothing about the file
     std::vector<ImportNote> notes;
 };
 
@@ -67,13 +68,19 @@ public:
             if (!written) return report_run_time(written.error().message);
         }
         if (command_.json != "-") print_summary();
-        return refused_ > 0 ? exit_wrong_input : exit_ok;
+        return refused_ > 0 || nothing_draws() ? exit_wrong_input : exit_ok;
     }
 
     /// Whether a thread of a picture still runs.
     [[nodiscard]] bool is_stuck() const { return stuck_; }
 
 private:
+    /// Whether no surface of any file can be drawn.
+    [[nodiscard]] bool nothing_draws() const {
+        return std::ranges::none_of(brought_,
+                                    [](const Brought& b) { return b.failure.empty() || b.late; });
+    }
+
     int bring(const std::string& file) {
         auto imported = load_import(file);
         if (!imported) {
@@ -147,7 +154,7 @@ private:
         const RenderedPicture& made = *outcome.picture;
         if (outcome.stuck) {
             // Its thread goes on; the process ends without waiting for it.
-            stuck_ = true;
+            stuck_ = brought.late = true;
             brought.failure = "its picture takes much longer than the budget";
             return exit_ok;
         }
@@ -157,6 +164,7 @@ private:
         }
         if (!made.in_time && made.frame.color.empty()) {
             brought.failure = budget_note(made);
+            brought.late = true;
             return exit_ok;
         }
         imported.document = made.plan.document;

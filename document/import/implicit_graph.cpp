@@ -1,5 +1,7 @@
 #include "document/import/implicit_graph.hpp"
 
+#include "document/import/implicit_matrices.hpp"
+#include "document/import/implicit_nodes.hpp"
 #include "document/import/imported.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
@@ -32,6 +34,11 @@ constexpr std::array componentwise{Componentwise{.node = "addition", .pattern = 
                                    Componentwise{.node = "arccos", .pattern = "acos(A)"},
                                    Componentwise{.node = "arctan", .pattern = "atan(A)"},
                                    Componentwise{.node = "arctan2", .pattern = "atan2(A, B)"},
+                                   // lib3mf calls them so, other than the specification.
+                                   Componentwise{.node = "asin", .pattern = "asin(A)"},
+                                   Componentwise{.node = "acos", .pattern = "acos(A)"},
+                                   Componentwise{.node = "atan", .pattern = "atan(A)"},
+                                   Componentwise{.node = "atan2", .pattern = "atan2(A, B)"},
                                    Componentwise{.node = "min", .pattern = "min(A, B)"},
                                    Componentwise{.node = "max", .pattern = "max(A, B)"},
                                    Componentwise{.node = "abs", .pattern = "abs(A)"},
@@ -54,30 +61,43 @@ constexpr std::array componentwise{Componentwise{.node = "addition", .pattern = 
                                    Componentwise{.node = "clamp", .pattern = "clamp(A, min, max)"},
                                    Componentwise{.node = "select", .pattern = "if(A < B, C, D)"}};
 
-pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
-    for (const pugi::xml_node& inner : node.children())
-        if (local_name(inner) == name) return inner;
-    return {};
-}
-
 std::optional<std::string> number_text(const char* text) {
     const auto number = number_from<double>(trimmed(text));
     if (!number || !(std::abs(*number) <= largest_number)) return std::nullopt;
     return exact_number(*number, true);
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/// Nodes with inputs that make or take apart vectors and matrices.
+constexpr std::array<std::string_view, 14> of_vectors_kinds{"composevector",
+                                                            "decomposevector",
+                                                            "vectorfromscalar",
+                                                            "dot",
+                                                            "length",
+                                                            "cross",
+                                                            "composematrix",
+                                                            "matrixfromrows",
+                                                            "transpose",
+                                                            "matrixfromcolumns",
+                                                            "inverse",
+                                                            "matvecmultiplication",
+                                                            "matrixvectormultiplication",
+                                                            "functioncall"};
+
+bool is_known(std::string_view kind) {
+    return kind.starts_with("const") ||
+           std::ranges::find(of_vectors_kinds, kind) != of_vectors_kinds.end() ||
+           std::ranges::find(componentwise, kind, &Componentwise::node) != componentwise.end();
+}
+
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
 
 }  // namespace
 
-std::string_view local_name(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    const std::size_t colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
-
 void GraphWriter::add_function(const pugi::xml_node& function) {
-    functions_.insert_or_assign(function.attribute("id").value(), function);
+    functions_.insert_or_assign(function.attribute("id").value(),
+                                Function{.element = function, .nodes = nodes_in_order(function)});
 }
 
 std::string GraphWriter::named(const std::string& expression) {
@@ -103,54 +123,69 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     if (depth_ >= deepest_call || ++calls_ > most_calls)
         return std::unexpected(tr("functions that call each other are nested too deeply"));
     ++depth_;
-    Values values;
+    Scope scope;
     for (const auto& [name, value] : inputs)
-        values["inputs." + name] = value;
-    std::expected<void, std::string> done;
-    for (const pugi::xml_node& node : found->second.children()) {
-        const std::string_view kind = local_name(node);
-        if (node.type() != pugi::node_element || kind == "in" || kind == "out") continue;
-        done = evaluate(node, values);
-        if (!done) break;
+        scope.values["inputs." + name] = value;
+    for (const pugi::xml_node& node : found->second.nodes) {
+        // A node that fails matters only where another one refers to it.
+        if (const auto done = evaluate(node, scope); !done)
+            scope.failures[node.attribute("identifier").value()] = done.error();
+        if (is_too_long()) break;
     }
     --depth_;
-    if (!done) return std::unexpected(done.error());
-    for (const pugi::xml_node& out : child(found->second, "out").children()) {
-        if (channel != out.attribute("identifier").value()) continue;
-        const auto value = values.find(out.attribute("ref").value());
-        if (value != values.end()) return value->second;
+    if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
+    const std::string missing = filled(tr("function {0} has no output {1}"), {id, channel});
+    for (const pugi::xml_node& out : child_named(found->second.element, "out").children()) {
+        if (channel == out.attribute("identifier").value())
+            return scope.value(out.attribute("ref").value(), missing);
     }
-    return std::unexpected(filled(tr("function {0} has no output {1}"), {id, channel}));
+    return std::unexpected(missing);
+}
+
+std::expected<GraphValue, std::string> GraphWriter::Scope::value(
+    const std::string& reference, const std::string& otherwise) const {
+    const auto found = values.find(reference);
+    if (found != values.end()) return found->second;
+    for (const std::string& name : {reference, reference.substr(0, reference.find('.'))}) {
+        const auto failure = failures.find(name);
+        if (failure != failures.end()) return std::unexpected(failure->second);
+    }
+    return std::unexpected(otherwise);
+}
+
+bool GraphWriter::is_too_long() const {
+    return nodes_ > most_nodes || count_ > most_definitions || calls_ > most_calls;
 }
 
 std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pugi::xml_node& node,
-                                                                       const Values& values) {
+                                                                       const Scope& scope) {
     Inputs inputs;
-    for (const pugi::xml_node& in : child(node, "in").children()) {
-        const auto value = values.find(in.attribute("ref").value());
-        if (value == values.end()) {
-            return std::unexpected(
-                filled(tr("{0} refers to {1}, which is not before it"),
-                       {node.attribute("identifier").value(), in.attribute("ref").value()}));
-        }
-        inputs[in.attribute("identifier").value()] = value->second;
+    for (const pugi::xml_node& in : child_named(node, "in").children()) {
+        const std::string reference = in.attribute("ref").value();
+        auto value =
+            scope.value(reference, filled(tr("{0} refers to {1}, which has no value"),
+                                          {node.attribute("identifier").value(), reference}));
+        if (!value) return std::unexpected(value.error());
+        inputs[in.attribute("identifier").value()] = std::move(*value);
     }
     return inputs;
 }
 
-std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Values& values) {
-    if (++nodes_ > most_nodes || count_ > most_definitions)
-        return std::unexpected(tr("its functions have too many nodes"));
+std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Scope& scope) {
+    ++nodes_;
+    if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
     const std::string_view kind = local_name(node);
+    if (!is_known(kind)) return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
     const std::string name = node.attribute("identifier").value();
+    auto& values = scope.values;
     if (kind == "constresourceid") {
         // Files of drafts of the extension call it resourceid.
         const pugi::xml_attribute id = node.attribute("value");
         values[name + ".value"] = {(id ? id : node.attribute("resourceid")).value()};
         return {};
     }
-    if (kind == "functioncall") return call_node(node, values);
-    auto inputs = inputs_of(node, values);
+    if (kind == "functioncall") return call_node(node, scope);
+    auto inputs = inputs_of(node, scope);
     if (!inputs) return std::unexpected(inputs.error());
     if (kind == "decomposevector") {
         const GraphValue& vector = (*inputs)["A"];
@@ -165,22 +200,24 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     // The outputs have one value; constants call it value, vector or matrix.
     for (const char* const output : {"result", "value", "vector", "matrix"})
         values[name + "." + output] = *result;
-    for (const pugi::xml_node& out : child(node, "out").children())
+    for (const pugi::xml_node& out : child_named(node, "out").children())
         values[name + "." + out.attribute("identifier").value()] = *result;
     return {};
 }
 
-std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node,
-                                                        Values& values) {
-    auto inputs = inputs_of(node, values);
+std::expected<void, std::string> GraphWriter::call_node(const pugi::xml_node& node, Scope& scope) {
+    auto inputs = inputs_of(node, scope);
     if (!inputs) return std::unexpected(inputs.error());
     const GraphValue id = (*inputs)["functionID"];
     inputs->erase("functionID");
-    for (const pugi::xml_node& out : child(node, "out").children()) {
+    const std::string name = node.attribute("identifier").value();
+    for (const pugi::xml_node& out : child_named(node, "out").children()) {
         const std::string channel = out.attribute("identifier").value();
         auto result = call(id.empty() ? std::string() : id[0], channel, *inputs);
-        if (!result) return std::unexpected(result.error());
-        values[std::string(node.attribute("identifier").value()) + "." + channel] = *result;
+        if (result)
+            scope.values[name + "." + channel] = std::move(*result);
+        else
+            scope.failures[name + "." + channel] = result.error();
     }
     return {};
 }
@@ -243,21 +280,14 @@ GraphWriter::Result GraphWriter::of_vectors(std::string_view kind, const pugi::x
         }
         return result;
     }
-    if (kind == "matvecmultiplication" && in["A"].size() == 16) {
-        GraphValue result;
-        for (std::size_t row = 0; row < 3; ++row) {
-            const std::string turned = sum_of_products(in["A"], 4 * row, 1, in["B"]);
-            result.push_back(named(turned + " + " + in["A"][4 * row + 3]));
-        }
-        return result;
-    }
-    return GraphValue{};
+    return matrix_value(kind, in, [this](const std::string& text) { return named(text); });
 }
 
 GraphWriter::Result GraphWriter::of_components(std::string_view kind, Inputs& in) {
     const auto* const found = std::ranges::find(componentwise, kind, &Componentwise::node);
     if (found == componentwise.end())
-        return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
+        return std::unexpected(
+            filled(tr("{0} lacks an input, or has one of another type"), {kind}));
     std::size_t parts = 1;
     for (const auto& [name, value] : in)
         parts = std::max(parts, value.size());
@@ -267,16 +297,20 @@ GraphWriter::Result GraphWriter::of_components(std::string_view kind, Inputs& in
         const std::string_view pattern = found->pattern;
         for (std::size_t at = 0; at < pattern.size();) {
             std::size_t end = at;
-            while (end < pattern.size() && is_letter(pattern[end]))
+            while (end < pattern.size() && is_letter_or_digit(pattern[end]))
                 ++end;
-            const auto input = in.find(pattern.substr(at, end - at));
             const bool is_call = end < pattern.size() && pattern[end] == '(';
-            if (end == at || is_call || input == in.end() || input->second.empty()) {
-                text += pattern.substr(at, std::max(end, at + 1) - at);
+            if (end == at || is_call) {
+                end = std::max(end, at + 1);
+                text += pattern.substr(at, end - at);
             } else {
+                const auto input = in.find(pattern.substr(at, end - at));
+                if (input == in.end() || input->second.empty())
+                    return std::unexpected(
+                        filled(tr("{0} lacks an input, or has one of another type"), {kind}));
                 text += input->second[std::min(i, input->second.size() - 1)];
             }
-            at = std::max(end, at + 1);
+            at = end;
         }
         result.push_back(named(text));
     }

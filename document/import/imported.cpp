@@ -99,8 +99,12 @@ void ImportedDocument::add_definition(std::string text, std::size_t line) {
 }
 
 std::unexpected<std::string> import_error(std::size_t line, const std::string& reason) {
-    if (line == 0) return std::unexpected(reason);
-    return std::unexpected(filled(tr("line {0}: {1}"), {std::to_string(line), reason}));
+    // A reason may have names of the file in it.
+    std::string one_line = reason;
+    for (char& letter : one_line)
+        letter = static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    if (line == 0) return std::unexpected(one_line);
+    return std::unexpected(filled(tr("line {0}: {1}"), {std::to_string(line), one_line}));
 }
 
 std::uint32_t shown_color(double red, double green, double blue) {

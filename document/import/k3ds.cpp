@@ -92,12 +92,20 @@ private:
         notes_.push_back({.line = line, .entry = open_, .reason = tr("two limits are missing")});
     }
 
+    void name_fields() {
+        for (const Mark& mark : marks) {
+            const std::string field = std::string(mark.field) + (mark.is_limit ? "min" : "");
+            model_.names_in_file[field] = mark.mark.substr(0, mark.mark.size() - 1);
+        }
+    }
+
     void finish() {
         const bool implicit = model_.fields.contains("Fxyz");
         const bool parametric = model_.fields.contains("Fx");
         if ((implicit || parametric) && imported_.documents.size() < most_imported) {
             model_.kind = implicit ? "Iso3D" : "Param3D";
             model_.name = model_.text("Name", 0);
+            name_fields();
             ImportedDocument document = document_of(model_);
             document.notes.insert(document.notes.end(), notes_.begin(), notes_.end());
             imported_.documents.push_back(std::move(document));

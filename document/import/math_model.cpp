@@ -79,6 +79,9 @@ public:
 private:
     void note(const std::string& field, std::size_t index, std::string reason) {
         const bool one = model_.texts(field).size() < 2;
+        const auto own = model_.names_in_file.find(field);
+        if (own != model_.names_in_file.end())
+            return result_.note(model_.line, own->second, std::move(reason));
         result_.note(model_.line,
                      model_.kind + "." + field + (one ? "" : "[" + std::to_string(index) + "]"),
                      std::move(reason));

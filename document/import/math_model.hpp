@@ -25,6 +25,8 @@ struct MathModel {
     std::size_t line = 0;
     std::map<std::string, std::vector<std::string>, std::less<>> fields = {};
     std::vector<ModelSlider> sliders = {};
+    /// Names of fields as notes tell them, where the file calls them otherwise: "[x]".
+    std::map<std::string, std::string, std::less<>> names_in_file = {};
 
     /// The texts of a field; none where it is missing.
     [[nodiscard]] const std::vector<std::string>& texts(std::string_view field) const;

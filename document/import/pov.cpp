@@ -1,4 +1,5 @@
 #include "document/import/pov_camera.hpp"
+#include "document/import/pov_container.hpp"
 #include "document/import/pov_formulas.hpp"
 #include "document/import/pov_modifiers.hpp"
 #include "document/import/pov_script.hpp"
@@ -10,24 +11,17 @@
 #include <cmath>
 
 // Scenes of POV-Ray 3.7: their isosurfaces. POV-Ray's axes are left-handed, y is up and z leads
-// into the picture: (x, y, z) there is (x, z, y) here, where z is up. f below the threshold is
-// inside, and what is not open is closed by its container.
+// into the picture: (x, y, z) there is (x, z, y) here, where z is up (but PovAxes). f below the
+// threshold is inside, and what is not open is closed by its container.
 
 namespace zeroset {
 namespace {
-
-struct Container {
-    bool ball = false;
-    glm::dvec3 lo{-1.0}, hi{1.0};  ///< of a box
-    glm::dvec3 centre{0.0};
-    double radius = 1.0;
-};
 
 /// An isosurface or a parametric surface in its own coordinates, and where it stands.
 struct PovSurface {
     std::vector<std::string> functions;    ///< one of (x, y, z), or three of (u, v)
     std::vector<glm::dvec3> corners = {};  ///< of (u, v): the least and the greatest
-    Container container;
+    PovContainer container;
     double threshold = 0.0;
     bool open = false;
     Placement placement;
@@ -37,12 +31,6 @@ struct PovSurface {
 
 constexpr int deepest = 60;
 constexpr std::size_t most_surfaces = 90;
-
-Placement swap_axes() {
-    Placement result;
-    result.linear = glm::dmat3(1, 0, 0, 0, 0, 1, 0, 1, 0);
-    return result;
-}
 
 class SceneReader {
 public:
@@ -57,13 +45,16 @@ public:
     ReadImport run() {
         while (script_.peek().kind != ScriptKind::End)
             item(shown_);
-        if (shown_.empty())
-            return import_error(0, tr("it shows no isosurface or parametric surface, which is what "
-                                      "is read of scenes of POV-Ray"));
+        if (shown_.empty()) show_declared();
+        if (shown_.empty()) {
+            return import_error(
+                lost_ ? lost_->line : 0,
+                lost_ ? lost_->entry + ": " + lost_->reason
+                      : tr("it shows no isosurface or parametric surface, which is what is read of "
+                           "scenes of POV-Ray"));
+        }
         add_rows();
-        result_.note(
-            0, "",
-            tr("y is up there and z leads into the picture; here z is up: (x, z, y) in the rows"));
+        note_axes();
         Imported imported;
         imported.documents.push_back(std::move(result_));
         return imported;
@@ -77,6 +68,31 @@ private:
         for (const PovSurface& surface : more) {
             if (to.size() <= most_surfaces) to.push_back(surface);
         }
+    }
+
+    /// Shows the last object that is declared, where the scene itself shows nothing: files of
+    /// POV-Ray's that others include are so.
+    void show_declared() {
+        const auto found = objects_.find(last_declared_);
+        if (found == objects_.end()) return;
+        shown_ = found->second;
+        result_.note(0, last_declared_,
+                     tr("the file shows nothing; this, which it declares, is drawn"));
+    }
+
+    [[nodiscard]] PovAxes axes() const { return camera_ ? camera_->axes : PovAxes::LeftHanded; }
+
+    void note_axes() {
+        if (axes() == PovAxes::LeftHanded)
+            result_.note(
+                0, "",
+                tr("y is up there and z leads into the picture; here z is up: (x, z, y) in "
+                   "the rows"));
+        if (axes() == PovAxes::RightHanded)
+            result_.note(
+                0, "",
+                tr("the camera's right makes the scene right-handed; here z is up: (x, -z, "
+                   "y) in the rows"));
     }
 
     /// Reads an item of the scene or of a union, and adds its surfaces.
@@ -140,6 +156,7 @@ private:
         }
         PovSurface surface{
             .functions = {}, .container = {}, .placement = {}, .look = {}, .line = line};
+        const std::size_t notes = result_.notes.size();
         script_.take_sign("{");
         while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
             surface_item(surface, parametric);
@@ -147,6 +164,7 @@ private:
         const std::size_t corners = surface.corners.size();
         if (surface.functions.size() != (parametric ? 3U : 1U) || (parametric && corners != 2)) {
             result_.note(line, kind, tr("without its function it is left out"));
+            if (!lost_ && notes < result_.notes.size()) lost_ = result_.notes[notes];
             return {};
         }
         return {surface};
@@ -163,7 +181,7 @@ private:
             const auto own = parametric ? formulas_.read("", {"u", "v"}) : formulas_.read("");
             if (own) surface.functions.push_back(*own);
         } else if (word.text == "contained_by") {
-            container(surface.container);
+            surface.container = containers_.read();
         } else if (word.text == "threshold") {
             if (const auto value = modifiers_.number(word)) surface.threshold = *value;
         } else if (word.text == "open") {
@@ -172,30 +190,6 @@ private:
             script_.skip_block();
             result_.note(word.line, word.text, tr("not taken over"));
         }
-    }
-
-    void container(Container& container) {
-        script_.take_sign("{");
-        const ScriptToken word = script_.next();
-        script_.take_sign("{");
-        const auto first = modifiers_.vector(word);
-        script_.take_sign(",");
-        if (word.text == "sphere") {
-            const auto radius = modifiers_.number(word);
-            if (first && radius && *radius > 0.0) {
-                container.ball = true;
-                container.centre = *first;
-                container.radius = *radius;
-            }
-        } else {
-            const auto second = modifiers_.vector(word);
-            if (first && second) {
-                container.lo = glm::min(*first, *second);
-                container.hi = glm::max(*first, *second);
-            }
-        }
-        script_.take_sign("}");
-        script_.take_sign("}");
     }
 
     bool declare(const std::string& name) {
@@ -211,13 +205,16 @@ private:
             formulas_.define_as(name, same);
             return true;
         }
-        if (modifiers_.declare(name)) return true;
+        if (modifiers_.declare(name) || containers_.declare(name)) return true;
         if (script_.sign_follows("{")) {
             script_.next();
-            if (auto parts = object(word.text, word.line))
-                objects_.insert_or_assign(name, std::move(*parts));
-            else
+            auto parts = object(word.text, word.line);
+            if (!parts) {
                 script_.skip_block();
+                return true;
+            }
+            if (!parts->empty()) last_declared_ = name;
+            objects_.insert_or_assign(name, std::move(*parts));
             return true;
         }
         return false;
@@ -231,31 +228,6 @@ private:
         if (look.color)
             result_.document.light.background =
                 Background{.top = *look.color, .bottom = *look.color};
-    }
-
-    /// What is 0 on the container and negative in it.
-    static std::string inside(const Container& container) {
-        constexpr std::array letters{"x", "y", "z"};
-        const auto moved = [&](int axis, double by) {
-            std::string letter = letters[static_cast<std::size_t>(axis)];
-            if (by == 0.0) return letter;
-            return letter + (by < 0.0 ? " + " : " - ") + exact_number(std::abs(by));
-        };
-        std::string text;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (container.ball) {
-                const std::string part = moved(axis, container.centre[axis]);
-                text +=
-                    (axis > 0 ? " + " : "") + (part.size() > 1 ? "(" + part + ")" : part) + "^2";
-                continue;
-            }
-            const double centre = 0.5 * (container.lo[axis] + container.hi[axis]);
-            const double half = 0.5 * (container.hi[axis] - container.lo[axis]);
-            text += (axis > 0 ? ", " : "") + ("abs(" + moved(axis, centre)) + ") - " +
-                    exact_number(half, true);
-        }
-        return container.ball ? text + " - " + exact_number(container.radius * container.radius)
-                              : text;
     }
 
     /// "(x(u, v), y(u, v), z(u, v)), 0 < u < 1, 0 < v < 1", moved to where it is placed.
@@ -282,13 +254,26 @@ private:
         return text + ")" + range(0, "u") + range(1, "v");
     }
 
+    /// A surface whose back can be seen has one colour there, and another one here.
+    void note_back(const PovSurface& surface) {
+        if (surface.look.color)
+            result_.note(surface.line, "pigment",
+                         tr("the back has a colour that suits the front's"));
+    }
+
     /// Adds the rows of a surface and returns the box that it is in.
     std::optional<Box> add_surface(const PovSurface& surface) {
-        const Placement placed = surface.placement.then(swap_axes());
+        const Placement placed = surface.placement.then(placement_of(axes()));
         if (surface.functions.size() == 3) {
-            result_.add_row(parametric_row(surface, placed), surface.line, surface.look.color)
-                .opacity = surface.look.opacity;
-            return box_of(surface.container, placed);
+            const Box box = box_of(surface.container, placed);
+            Statement& row =
+                result_.add_row(parametric_row(surface, placed), surface.line, surface.look.color);
+            row.opacity = surface.look.opacity;
+            // A flat container has nothing in it.
+            const glm::dvec3 size = box.hi - box.lo;
+            if (std::min({size.x, size.y, size.z}) > 0.0) row.box = box;
+            note_back(surface);
+            return box;
         }
         const auto back = placed.inverse();
         if (!back) {
@@ -296,9 +281,10 @@ private:
             return std::nullopt;
         }
         const std::string coordinates = "(" + coordinates_of(*back) + ")";
-        const std::string limits = inside(surface.container);
+        const std::string limits = inside_formula(surface.container);
         std::string text;
         if (surface.open) {
+            note_back(surface);
             const std::string container = surface.container.ball ? limits : "max(" + limits + ")";
             text = surface.functions[0] + coordinates + " = " + exact_number(surface.threshold);
             text +=
@@ -313,19 +299,6 @@ private:
         }
         result_.add_row(text, surface.line, surface.look.color).opacity = surface.look.opacity;
         return box_of(surface.container, placed);
-    }
-
-    static Box box_of(const Container& container, const Placement& placed) {
-        const glm::dvec3 lo = container.ball ? container.centre - container.radius : container.lo;
-        const glm::dvec3 hi = container.ball ? container.centre + container.radius : container.hi;
-        Box box{.lo = placed.of(lo), .hi = placed.of(lo)};
-        for (int corner = 1; corner < 8; ++corner) {
-            const glm::dvec3 at((corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
-                                (corner & 4) != 0 ? hi.z : lo.z);
-            box.lo = glm::min(box.lo, placed.of(at));
-            box.hi = glm::max(box.hi, placed.of(at));
-        }
-        return box;
     }
 
     void add_rows() {
@@ -349,17 +322,20 @@ private:
             // The containers' walls are surfaces, too, and must not lie in the box's.
             result_.document.clip = scaled(*all, 1.02);
             result_.tells_box = true;
-            if (camera_) result_.document.camera = result_.document.home = camera_;
+            if (camera_) result_.document.camera = result_.document.home = camera_->camera;
         }
     }
 
     ImportedDocument result_{.name = {}};
     PovScript script_;
     PovModifiers modifiers_{script_, result_};
+    PovContainers containers_{script_, modifiers_, result_};
     PovFormulas formulas_;
     Surfaces shown_;
     std::map<std::string, Surfaces, std::less<>> objects_;
-    std::optional<Camera> camera_;
+    std::optional<PovCamera> camera_;
+    std::optional<ImportNote> lost_;  ///< why the first surface that is left out is so
+    std::string last_declared_;       ///< the last name of surfaces
     std::size_t read_ = 0;
     int depth_ = 0;
 };

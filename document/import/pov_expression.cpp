@@ -124,7 +124,9 @@ std::optional<PovValue> PovScript::vector() {
 }
 
 std::optional<PovValue> PovScript::named() {
+    if (at_array()) return value_of(element_name());
     const std::string name(next().text);
+    if (name == "dimension_size" && at_sign("(")) return array_size();
     static constexpr std::array<std::string_view, 9> colors{
         "rgb", "rgbf", "rgbt", "rgbft", "srgb", "color", "colour", "srgbf", "srgbt"};
     if (is_one_of(colors, name)) {

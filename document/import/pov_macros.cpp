@@ -209,6 +209,10 @@ std::vector<ScriptToken> PovScript::block(std::span<const std::string> kept) {
     const bool outer = std::exchange(in_formula_, true);
     int depth = take_sign("{") ? 1 : 0;
     while (depth > 0 && peek().kind != ScriptKind::End) {
+        if (at_array()) {
+            result.push_back(element_token());
+            continue;
+        }
         const ScriptToken token = next();
         depth += token.kind == ScriptKind::Sign ? (token.text == "{") - (token.text == "}") : 0;
         if (depth == 0) break;

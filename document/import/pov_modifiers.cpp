@@ -99,7 +99,12 @@ Placement PovModifiers::transform() {
         const auto known = transforms_.find(script_.next().text);
         return known == transforms_.end() ? result : known->second;
     }
+    bool inverse = false;
     while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
+        if (script_.take_name("inverse")) {
+            inverse = true;
+            continue;
+        }
         const auto known = transforms_.find(script_.peek().text);
         if (known != transforms_.end()) {
             script_.next();
@@ -116,7 +121,7 @@ Placement PovModifiers::transform() {
             script_.next();
         }
     }
-    return result;
+    return inverse ? result.inverse().value_or(result) : result;
 }
 
 void PovModifiers::read_look(const ScriptToken& word, PovLook& look) {

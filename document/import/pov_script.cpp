@@ -142,9 +142,15 @@ void PovScript::include() {
 
 void PovScript::declare(bool local) {
     const std::size_t line = tokens_.line();
-    const std::string name(tokens_.next().text);
+    const bool is_element = at_array();
+    const std::string name = is_element ? element_name() : std::string(tokens_.next().text);
     if (!tokens_.take_sign("=")) {
         skip_line(line);
+        return;
+    }
+    if (!is_element) arrays_.erase(name);
+    if (declare_array(name, local)) {
+        tokens_.take_sign(";");
         return;
     }
     if (on_declare && on_declare(name)) {

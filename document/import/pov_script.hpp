@@ -114,6 +114,20 @@ private:
     void go_back(const Block& block);
     void directive();
     void declare(bool local);
+    /// Whether an array with an index is next.
+    [[nodiscard]] bool at_array() const;
+    /// Reads "A[i][j]" as the name of that element; empty where an index is none.
+    std::string element_name();
+    /// Reads an element within a formula as its number; as a sign that no formula has, with a note,
+    /// where that is not known.
+    ScriptToken element_token();
+    /// Reads an array that is declared; false where none is next.
+    bool declare_array(const std::string& name, bool local);
+    /// Reads "(A, n)" behind dimension_size.
+    std::optional<PovValue> array_size();
+    /// Reads "{ ... }" as the elements of an array, or of a part of one; false where a value is
+    /// not known.
+    bool read_elements(const std::string& name, bool local, int depth);
     void include();
     void leave_loop();
     void begin_if(bool holds);
@@ -139,6 +153,8 @@ private:
 
     TokenReader tokens_;
     std::map<std::string, PovValue, std::less<>> values_;
+    /// Sizes of arrays; their elements are values.
+    std::map<std::string, std::vector<double>, std::less<>> arrays_;
     std::vector<Block> blocks_;
     std::map<std::string, std::shared_ptr<const Macro>, std::less<>> macros_;
     std::vector<Frame> frames_;

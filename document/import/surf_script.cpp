@@ -24,21 +24,9 @@ struct Polynomial {
     std::string row;  ///< its definition
     std::size_t line;
     std::vector<std::string> uses;  ///< other polynomials in it
+    std::string function = {};      ///< of a surface that others go on from: what the row calls
+    std::size_t order = 0;          ///< greater than that of each of those that it uses
 };
-
-/// Words that do not change what the picture shows.
-constexpr std::array<std::string_view, 12> without_effect{"width",
-                                                          "height",
-                                                          "filename",
-                                                          "root_finder",
-                                                          "epsilon",
-                                                          "iterations",
-                                                          "clear_screen",
-                                                          "set_size",
-                                                          "antialiasing",
-                                                          "antialiasing_threshold",
-                                                          "antialiasing_radius",
-                                                          "color_file_format"};
 
 class SurfReader {
 public:
@@ -52,16 +40,27 @@ public:
                 {.reason = tr("it has no draw_surface; its surface is drawn")});
             draw(0);
         }
-        if (imported_.documents.empty()) {
-            return import_error(0, saw_curve_
-                                       ? tr("it draws plane curves only, no surface")
-                                       : tr("it has no draw_surface, as a script of surf has"));
-        }
+        if (imported_.documents.empty()) return nothing_drawn();
         return std::move(imported_);
     }
 
 private:
     static constexpr std::size_t most_steps = 1'000'000;
+
+    /// Why there is no surface.
+    [[nodiscard]] ReadImport nothing_drawn() const {
+        if (saw_curve_ && !saw_draw_)
+            return import_error(0, tr("it draws plane curves only, no surface"));
+        if (lost_) return import_error(lost_->line, lost_->entry + ": " + lost_->reason);
+        return import_error(0, saw_draw_ ? tr("no surface has been named before")
+                                         : tr("it has no draw_surface, as a script of surf has"));
+    }
+
+    /// Notes that a value is left out.
+    void lose(std::size_t line, std::string_view entry, std::string reason) {
+        note(line, entry, std::move(reason));
+        if (!lost_) lost_ = notes_.back();
+    }
 
     void note(std::size_t line, std::string_view entry, std::string reason) {
         ImportNote added{.line = line, .entry = std::string(entry), .reason = std::move(reason)};
@@ -104,9 +103,10 @@ private:
         if (is_text || name == "filename" || tokens_.peek().kind == ScriptKind::Text) return;
         auto term = read_term(tokens_, surf_dialect);
         if (!term || !tokens_.at_sign(";")) {
-            note(line, name,
-                 term ? tr("its value cannot be read; it is left out")
-                      : filled(tr("{0}; it is left out"), {term.error().reason}));
+            const std::string reason = term ? filled(tr("'{0}' does not continue the formula"),
+                                                     {tokens_.peek().text.substr(0, 20)})
+                                            : term.error().reason;
+            lose(line, name, filled(tr("{0}; it is left out"), {reason}));
             return;
         }
         if (const auto value = number_of(*term)) {
@@ -116,44 +116,11 @@ private:
                 assign_polynomial(name, number_term(*value, line), line);
             else if (view_.knows(name))
                 set_lines_[name] = line;
-            else if (!is_own_number(name))
+            else if (surf_draws_with(name))
                 note_setting(name, line);
         } else {
             assign_polynomial(name, std::move(*term), line);
         }
-    }
-
-    /// Whether a number of this name is the script's own, or one that a document is made of.
-    [[nodiscard]] bool is_own_number(std::string_view name) const {
-        static constexpr std::array<std::string_view, 26> others{"ambient",
-                                                                 "diffuse",
-                                                                 "reflected",
-                                                                 "transmitted",
-                                                                 "smoothness",
-                                                                 "thickness",
-                                                                 "illumination",
-                                                                 "depth_cueing",
-                                                                 "depth_value",
-                                                                 "depth",
-                                                                 "stereo_eye",
-                                                                 "stereo_z",
-                                                                 "normalize",
-                                                                 "normalize_factor",
-                                                                 "normalize_brightness",
-                                                                 "curve_red",
-                                                                 "curve_green",
-                                                                 "curve_blue",
-                                                                 "curve_width",
-                                                                 "curve_gamma",
-                                                                 "dither_colors",
-                                                                 "dither_steps",
-                                                                 "optimize_colors",
-                                                                 "gamma",
-                                                                 "dither_file_format",
-                                                                 "surf_nr"};
-        while (!name.empty() && name.back() >= '0' && name.back() <= '9')
-            name.remove_suffix(1);
-        return std::ranges::find(others, name) == others.end();
     }
 
     void note_setting(const std::string& name, std::size_t line) {
@@ -186,7 +153,7 @@ private:
             if (part.kind == TermKind::Call) translate_call(part, result, wrong);
         });
         if (!wrong.empty()) {
-            note(line, name, filled(tr("{0} is not known; it is left out"), {wrong}));
+            lose(line, name, filled(tr("{0} is not known; it is left out"), {wrong}));
             return std::nullopt;
         }
         result.row = text_of(term);
@@ -199,11 +166,35 @@ private:
         if (found != polynomials_of_.end()) {
             result.uses.push_back(found->second);
             part.text = found->second + "(x, y, z)";
+        } else if (terms_.contains(part.text)) {
+            part.text = function_of_surface(part.text, result) + "(x, y, z)";
         } else if (const auto value = constant(part.text)) {
             part = number_term(*value, part.line);
         } else if (!part.text.ends_with("Axis")) {
             wrong = part.text;
         }
+    }
+
+    /// The function that is what a surface is so far: a script may go on from it.
+    std::string function_of_surface(const std::string& name, Polynomial& result) {
+        Polynomial& surface = terms_.at(name);
+        if (surface.function.empty()) {
+            const std::string function = names_.fresh(name + "_before");
+            define(function, surface);
+            surface = {.row = function + "(x, y, z)",
+                       .line = surface.line,
+                       .uses = {function},
+                       .function = function};
+        }
+        result.uses.push_back(surface.function);
+        return surface.function;
+    }
+
+    /// Adds the function with the polynomial's row as its formula.
+    void define(const std::string& function, Polynomial polynomial) {
+        polynomial.row.insert(0, function + "(x, y, z) = ");
+        polynomial.order = polynomials_.size();
+        polynomials_[function] = std::move(polynomial);
     }
 
     void translate_call(ForeignTerm& part, Polynomial& result, std::string& wrong) {
@@ -224,9 +215,7 @@ private:
             return;
         }
         const std::string turned = names_.fresh("part");
-        polynomials_[turned] = {.row = turned + "(x, y, z) = " + text_of(part.operands[0]),
-                                .line = part.line,
-                                .uses = result.uses};
+        define(turned, {.row = text_of(part.operands[0]), .line = part.line, .uses = result.uses});
         result.uses.push_back(turned);
         const auto back = surf_turning(axis[0] - 'x', *angle).inverse();
         part = {.kind = TermKind::Name,
@@ -244,15 +233,14 @@ private:
         }
         numbers_.erase(name);
         const std::string function = names_.fresh(name);
-        polynomial->row.insert(0, function + "(x, y, z) = ");
-        polynomials_[function] = std::move(*polynomial);
+        define(function, std::move(*polynomial));
         polynomials_of_[name] = function;
     }
 
     void command(const std::string& name, std::size_t line) {
         if (name == "draw_surface") return draw(line);
         if (name == "draw_curve") saw_curve_ = true;
-        if (std::ranges::find(without_effect, name) != without_effect.end()) return;
+        if (surf_only_sets(name)) return;
         if (name.starts_with("save_") || name.starts_with("dither_") || name == "clear_pixmap")
             return;
         note(line, name, tr("not taken over"));
@@ -284,8 +272,8 @@ private:
             const auto& inner = polynomials_.at(name).uses;
             open.insert(open.end(), inner.begin(), inner.end());
         }
-        std::ranges::stable_sort(
-            needed, {}, [this](const std::string& name) { return polynomials_.at(name).line; });
+        std::ranges::sort(needed, {},
+                          [this](const std::string& name) { return polynomials_.at(name).order; });
         for (const std::string& name : needed) {
             drawn.add_definition(polynomials_.at(name).row, polynomials_.at(name).line);
             done.insert(name);
@@ -293,6 +281,7 @@ private:
     }
 
     void draw(std::size_t line) {
+        saw_draw_ = true;
         if (terms_.empty())
             return note(line, "draw_surface", tr("no surface has been named before"));
         if (imported_.documents.size() == most_imported) return;
@@ -360,6 +349,8 @@ private:
     TokenReader tokens_;
     std::size_t steps_ = 0;
     bool saw_curve_ = false;
+    bool saw_draw_ = false;
+    std::optional<ImportNote> lost_;  ///< the first value that is left out
     ImportedNames names_;
     SurfViewNames view_;
     std::map<std::string, double, std::less<>> numbers_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace zeroset {
@@ -14,7 +15,8 @@ namespace {
 constexpr int clip_ball = 0;
 constexpr int clip_cube = 4;
 
-constexpr std::array<std::pair<std::string_view, double>, 23> constants{{
+constexpr std::array<std::pair<std::string_view, double>, 24> constants{{
+    {"Pi", std::numbers::pi},
     {"parallel", 0},
     {"central", 1},
     {"translate", 0},
@@ -46,6 +48,48 @@ constexpr std::array<std::string_view, 22> names{
     "third",    "radius",   "clip",        "clip_front", "clip_back", "center_x",
     "center_y", "center_z", "perspective", "scale"};
 
+/// Words that do not change what the picture shows.
+constexpr std::array<std::string_view, 12> without_effect{"width",
+                                                          "height",
+                                                          "filename",
+                                                          "root_finder",
+                                                          "epsilon",
+                                                          "iterations",
+                                                          "clear_screen",
+                                                          "set_size",
+                                                          "antialiasing",
+                                                          "antialiasing_threshold",
+                                                          "antialiasing_radius",
+                                                          "color_file_format"};
+
+/// Numbers that change the picture, and are not taken over.
+constexpr std::array<std::string_view, 26> drawn_with{"ambient",
+                                                      "diffuse",
+                                                      "reflected",
+                                                      "transmitted",
+                                                      "smoothness",
+                                                      "thickness",
+                                                      "illumination",
+                                                      "depth_cueing",
+                                                      "depth_value",
+                                                      "depth",
+                                                      "stereo_eye",
+                                                      "stereo_z",
+                                                      "normalize",
+                                                      "normalize_factor",
+                                                      "normalize_brightness",
+                                                      "curve_red",
+                                                      "curve_green",
+                                                      "curve_blue",
+                                                      "curve_width",
+                                                      "curve_gamma",
+                                                      "dither_colors",
+                                                      "dither_steps",
+                                                      "optimize_colors",
+                                                      "gamma",
+                                                      "dither_file_format",
+                                                      "surf_nr"};
+
 glm::dvec3 vector_of(const SurfViewNames::Setting& setting, const std::string& stem, double usual) {
     return {setting(stem + "_x", usual), setting(stem + "_y", usual), setting(stem + "_z", usual)};
 }
@@ -73,6 +117,16 @@ std::optional<double> surf_constant(std::string_view name) {
         std::ranges::find(constants, name, [](const auto& c) { return c.first; });
     if (found == constants.end()) return std::nullopt;
     return found->second;
+}
+
+bool surf_only_sets(std::string_view command) {
+    return std::ranges::find(without_effect, command) != without_effect.end();
+}
+
+bool surf_draws_with(std::string_view number) {
+    while (!number.empty() && number.back() >= '0' && number.back() <= '9')
+        number.remove_suffix(1);
+    return std::ranges::find(drawn_with, number) != drawn_with.end();
 }
 
 Placement surf_turning(int axis, double angle_rad) {

@@ -14,8 +14,15 @@
 
 namespace zeroset {
 
-/// The number of a constant of surf's language: central, yes, cube.
+/// The number of a constant of surf's language: Pi, central, yes, cube.
 std::optional<double> surf_constant(std::string_view name);
+
+/// Whether a command, or a word alone, does not change what a picture shows.
+bool surf_only_sets(std::string_view command);
+
+/// Whether a number of this name changes surf's pictures, but not what is made of them here; its
+/// number at the end does not count.
+bool surf_draws_with(std::string_view number);
 
 /// The turn about an axis, as rot_x and rotate() do it: left-handed about y.
 Placement surf_turning(int axis, double angle_rad);

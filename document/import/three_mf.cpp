@@ -1,4 +1,5 @@
 #include "document/import/implicit_graph.hpp"
+#include "document/import/implicit_nodes.hpp"
 #include "document/import/placement.hpp"
 #include "document/import/readers.hpp"
 #include "engine/base/text.hpp"
@@ -93,7 +94,9 @@ public:
         }
         if (!all_)
             return import_error(
-                0, tr("it has no level set of an implicit function; its meshes are not read"));
+                0, lost_.empty()
+                       ? tr("it has no level set of an implicit function; its meshes are not read")
+                       : lost_);
         result_.document.clip = scaled(*all_, 1.02);
         result_.tells_box = true;
         Imported imported;
@@ -180,16 +183,21 @@ private:
         return box;
     }
 
+    /// Notes that a level set is left out.
+    void lose(const std::string& entry, const std::string& reason) {
+        if (lost_.empty()) lost_ = entry + ": " + reason;
+        result_.note(0, entry, reason);
+    }
+
     void add_level_set(const pugi::xml_node& set, const Placement& placement,
                        const std::string& entry, std::optional<std::uint32_t> color) {
         const auto to_field = placement_of(set.attribute("transform").value());
         const auto back = placement.inverse();
         const auto box = box_of_mesh(set.attribute("meshid").value());
         if (!to_field || !back || !box) {
-            result_.note(0, entry,
-                         tr("it has no mesh that bounds it, or a transform that is no matrix; it "
-                            "is left out"));
-            return;
+            return lose(entry,
+                        tr("it has no mesh that bounds it, or a transform that is no matrix; "
+                           "it is left out"));
         }
         if (!set.attribute("meshbboxonly").as_bool())
             result_.note(0, entry, tr("it is cut by its mesh's box, not by the mesh"));
@@ -197,10 +205,7 @@ private:
         const auto f =
             functions_.output(set.attribute("functionid").value(), set.attribute("channel").value(),
                               named_coordinates(back->then(*to_field)));
-        if (!f) {
-            result_.note(0, entry, filled(tr("{0}; it is left out"), {f.error()}));
-            return;
-        }
+        if (!f) return lose(entry, filled(tr("{0}; it is left out"), {f.error()}));
         const std::string& all = functions_.definitions();
         const std::string fresh(trimmed(std::string_view(all).substr(written_)));
         written_ = all.size();
@@ -240,6 +245,7 @@ private:
     GraphWriter functions_;
     std::size_t written_ = 0;
     std::size_t components_ = 0;
+    std::string lost_;  ///< the first level set that is left out, and why
     std::map<std::string, pugi::xml_node, std::less<>> objects_, colors_;
     std::optional<Box> all_;
 };

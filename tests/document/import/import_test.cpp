@@ -80,6 +80,35 @@ TEST(Imports, SurfScalesAxesBySubstitution) {
     EXPECT_NEAR(value(ball, 0, 0.0, 3.0, 0.0), 0.0, 1e-12);
 }
 
+TEST(Imports, SurfScriptsGoOnFromTheirSurfaces) {
+    const Imported imported =
+        read("a.pic",
+             "surface = x^2 + y^2 - z^2;\nsurface = rotate(surface, Pi/2, xAxis);\n"
+             "surface = surface*surface - 1; surface2 = surface + x; draw_surface;");
+    const ImportedDocument& cone = imported.documents[0];
+    EXPECT_TRUE(cone.notes.empty() || !has_note(cone, "surface"));
+    // Turned by a quarter about x: (x, y, z) comes from (x, z, -y).
+    const double f = 4.0 + 9.0 - 25.0;
+    EXPECT_NEAR(value(cone, 0, 2.0, 5.0, 3.0), f * f - 1.0, 1e-9);
+    EXPECT_NEAR(value(cone, 1, 2.0, 5.0, 3.0), f * f - 1.0 + 2.0, 1e-9);
+}
+
+TEST(Imports, SurfScriptsThatLoseTheirSurfaceSayWhy) {
+    const auto reason = [](const std::string& script) {
+        const auto imported = read_import("a.pic", script);
+        return imported ? std::string() : imported.error();
+    };
+    EXPECT_EQ(reason("\nsurface=x^2 y+z;\ndraw_surface;"),
+              "line 2: surface: 'y' does not continue the formula; it is left out");
+    EXPECT_EQ(reason("surface=hesse(x);\ndraw_surface;"),
+              "line 1: surface: hesse() is not known; it is left out");
+    EXPECT_EQ(reason("surface=x+who;"), "line 1: surface: who is not known; it is left out");
+    EXPECT_EQ(reason("draw_surface;"), "no surface has been named before");
+    EXPECT_EQ(reason("curve=x y; draw_curve;"), "it draws plane curves only, no surface");
+    EXPECT_EQ(reason("n = 3;"), "it has no draw_surface, as a script of surf has");
+    EXPECT_EQ(reason("surface=rotate(x*y, Pi/2, xAxis); draw_surface;"), "");
+}
+
 TEST(Imports, SurfPowersCountFromTheLeft) {
     const Imported imported = read("a.pic", "surface=x-2^2^3; draw_surface;");
     EXPECT_NEAR(value(imported.documents[0], 0, 64.0, 0.0, 0.0), 0.0, 1e-12);
@@ -122,6 +151,15 @@ TEST(Imports, K3dSurfEquations) {
     EXPECT_EQ(cut.name, "Cut ball");
     EXPECT_EQ(cut.document.clip.hi.y, 2.0);
     EXPECT_NEAR(value(cut, 0, 1.0, 1.0, 1.0, 0.5), 3.0 - 0.5 - 1.0, 1e-12);
+}
+
+TEST(Imports, K3dSurfNotesHaveItsWords) {
+    const ImportedDocument surface =
+        read("a.k3ds", "F(): x + who\n[x]: 1\n[y]: -1, 1\n[z]: -1, 1\nA[u]: 3\n;").documents[0];
+    EXPECT_TRUE(has_note(surface, "[x]"));
+    EXPECT_TRUE(has_note(surface, "F()"));
+    EXPECT_TRUE(has_note(surface, "A[u]"));
+    EXPECT_FALSE(has_note(surface, "Iso3D"));
 }
 
 TEST(Imports, Instructions) {

@@ -123,6 +123,11 @@ TEST(Imports, PovParametricSurfacesBecomeRows) {
         "1.5");
     EXPECT_EQ(tube.document.statements.back().color, 0x00FF00);
     EXPECT_NEAR(tube.document.clip.hi.z, 6.0 * 1.02, 1e-9);
+    // Its container cuts it, whatever else the scene shows.
+    ASSERT_TRUE(tube.document.statements.back().box);
+    EXPECT_EQ(tube.document.statements.back().box->lo, glm::dvec3(-2.0, -3.0, -6.0));
+    EXPECT_EQ(tube.document.statements.back().box->hi, glm::dvec3(4.0, 3.0, 6.0));
+    EXPECT_TRUE(has_note(tube, "pigment"));
     EXPECT_TRUE(has_note(
         read("b.pov", "isosurface { function { x } } parametric { function { u } <0, 0> <1, 1> }")
             .documents[0],
@@ -209,6 +214,125 @@ TEST(Imports, PovTurbulenceLooksAtNothingBehindItsFunction) {
                           "0.2*F(x,y,z).red }\nisosurface { function { H(x,y,z) } contained_by { "
                           "box { -1, 1 } } }"),
               1U);
+}
+
+const std::string in_ball = " open contained_by { sphere { 0, 99 } } }";
+
+TEST(Imports, PovContainersAreBallsAndBoxes) {
+    const auto first = [](const std::string& text) {
+        return read("a.pov", text + " isosurface { function { x + y + z } " + "contained_by { " +
+                                 (text.empty() ? "" : "B") + " } }")
+            .documents[0];
+    };
+    EXPECT_NEAR(first("#declare B = box { -3, 3 };").document.clip.hi.x, 3.06, 1e-12);
+    EXPECT_NEAR(first("#declare B = sphere { <1, 0, 0>, 2 }").document.clip.hi.x, 3.04, 1e-12);
+    const auto contained = [](const std::string& text) {
+        return read("a.pov", "isosurface { function { x + y + z } contained_by { " + text +
+                                 " } translate <1, 0, 0> }")
+            .documents[0];
+    };
+    // A radius counts without its sign.
+    const ImportedDocument ball = contained("sphere { <0, 0, 0>, -3.3 }");
+    EXPECT_NEAR(value(ball, 0, 1.0, 0.0, 0.0), 0.0, 1e-12);
+    EXPECT_NEAR(value(ball, 0, -3.0, 0.0, 0.0), 16.0 - 3.3 * 3.3, 1e-12);
+    EXPECT_TRUE(ball.notes.size() == 1) << ball.notes.size();
+    for (const std::string other : {"plane { y, 0 }", "cylinder { -y, y, 2 }", "Unknown", ""}) {
+        const ImportedDocument unit = contained(other);
+        EXPECT_TRUE(has_note(unit, "contained_by")) << other;
+        EXPECT_NEAR(unit.document.clip.hi.x, 2.02, 1e-12) << other;
+        EXPECT_NEAR(unit.document.clip.hi.z, 1.02, 1e-12) << other;
+    }
+}
+
+TEST(Imports, PovScenesSayWhyTheyShowNothing) {
+    const auto reason = [](const std::string& text) {
+        const auto imported = read_import("a.pov", text);
+        return imported ? std::string() : imported.error();
+    };
+    EXPECT_EQ(reason("\nisosurface { function { x - Points[0][0] } }"),
+              "line 2: function: '[' does not continue the formula");
+    EXPECT_EQ(reason("#declare A = array[2] { 1, 2 }\nisosurface { function { x - A[2] } }"),
+              "line 2: A[]: its value is not known; it is left out");
+    EXPECT_EQ(reason("parametric { function { u } <0, 0> <1, 1> }"),
+              "line 1: parametric: without its function it is left out");
+    EXPECT_TRUE(reason("sphere { 0, 1 }").starts_with("it shows no isosurface"));
+    EXPECT_EQ(reason("isosurface { transform { \"a\nb\" } }"), "line 1: a b: not taken over");
+}
+
+TEST(Imports, PovCamerasMayBeRightHanded) {
+    const std::string surface = "isosurface { function { x + 10*y + 100*z }" + in_ball;
+    const auto seen = [&](const std::string& camera) {
+        return read("a.pov", surface + " camera { location <0, 0, -10> look_at 0 " + camera + " }")
+            .documents[0];
+    };
+    const ImportedDocument usual = seen("right x*4/3");
+    EXPECT_NEAR(value(usual, 0, 1.0, 2.0, 3.0), 1.0 + 200.0 + 30.0, 1e-12);
+    const ImportedDocument turned = seen("right -x*4/3 angle 40");
+    EXPECT_NEAR(value(turned, 0, 1.0, 2.0, 3.0), 1.0 - 200.0 + 30.0, 1e-12);
+    EXPECT_EQ(turned.document.camera->eye, glm::dvec3(0.0, 10.0, 0.0));
+    // -x is to the right in both pictures.
+    const glm::dvec3 to_right = glm::cross(
+        turned.document.camera->look_at - turned.document.camera->eye, turned.document.camera->up);
+    EXPECT_LT(to_right.x, 0.0);
+    EXPECT_FALSE(has_note(turned, "camera"));
+    const ImportedDocument upright = seen("location -10*y right <-1.33, 0, 0> sky z");
+    EXPECT_NEAR(value(upright, 0, 1.0, 2.0, 3.0), 1.0 + 20.0 + 300.0, 1e-12);
+    EXPECT_NEAR(usual.document.camera->fov_rad, 2.0 * std::atan(0.5), 1e-12);
+    // Without an angle a picture as wide as high has half the direction's length on each side.
+    EXPECT_NEAR(seen("right x").document.camera->fov_rad, 2.0 * std::atan(0.5), 1e-12);
+    EXPECT_NEAR(seen("right x direction 2*z").document.camera->fov_rad, 2.0 * std::atan(0.25),
+                1e-12);
+}
+
+TEST(Imports, PovArraysHaveElements) {
+    EXPECT_NEAR(
+        inner_value("#declare A = array[3] { 1, 2, 30 }; #declare A[1] = A[2] + 1;"
+                    "#declare B = A[1]; isosurface { function { x + A[0] + 100*B - y*A[1] }" +
+                        in_ball,
+                    0, 2, 0),
+        1.0 + 3100.0 - 62.0, 1e-12);
+    EXPECT_NEAR(
+        inner_value("#declare P = array[2][2] { { <1, 2, 3>, <4, 5, 6> }, { <7, 8, 9>, 0 } };"
+                    "#declare S = 0; #for (I, 0, dimension_size(P, 1) - 1) "
+                    "#declare S = S + P[I][0].x; #end "
+                    "isosurface { function { x #for (I, 0, 1) - pow(10, I)*P[0][I].y #end + S }" +
+                        in_ball,
+                    0, 0, 0),
+        -2.0 - 50.0 + 8.0, 1e-12);
+    for (const std::string text : {"array[", "array[3] {", "array[2] { 1, { 2", "array[1] { , , }",
+                                   "array { }", "array[1] { A[0] }", "array[1] { A[A[A[0]]] }"}) {
+        const auto imported =
+            read_import("a.pov", "isosurface { function { x } } #declare A = " + text);
+        EXPECT_TRUE(imported) << text;
+    }
+}
+
+TEST(Imports, PovTransformsMayBeInverse) {
+    const std::string declared = "#declare T = transform { translate <1, 0, 0> scale 2 };";
+    EXPECT_NEAR(
+        inner_value(declared + "isosurface { function { x } open contained_by { sphere { 0, "
+                               "99 } } transform { T } }",
+                    4, 0, 0),
+        1.0, 1e-12);
+    EXPECT_NEAR(
+        inner_value(declared + "isosurface { function { x } open contained_by { sphere { 0, "
+                               "99 } } transform { T inverse } }",
+                    4, 0, 0),
+        10.0, 1e-12);
+}
+
+TEST(Imports, PovFilesThatOnlyDeclareAreDrawn) {
+    const std::string ball =
+        "isosurface { function { x*x + y*y + z*z - 1 } contained_by { box { -2, "
+        "2 } } }";
+    EXPECT_EQ(surfaces_in("#declare Ball = " + ball), 1U);
+    EXPECT_EQ(surfaces_in("#declare Ball = " + ball +
+                          " #declare Pair = union { object { Ball } object { Ball translate x*3 } "
+                          "} #declare R = 3;"),
+              2U);
+    EXPECT_EQ(
+        surfaces_in("#declare Ball = " + ball + " #declare Other = " + ball + " object { Ball }"),
+        1U);
 }
 
 TEST(Imports, PovMacrosEnd) {

@@ -148,6 +148,26 @@ light_source { <1, 2, 3> color rgb 1 }
 sphere { 0, 1 }
 )";
 
+/// POV-Ray: arrays, declared containers, an inverse transform and a right-handed camera.
+inline constexpr std::string_view pov_arrays =
+    R"(#declare A = array[2][2] { { 1, <2, 3, 4> }, { 5 } }
+#declare A[1][1] = A[0][1].y + dimension_size(A, 2);
+#declare Shell = sphere { <0, 0, 0>, -2 }
+#declare Turn = transform { rotate <90, 0, 0> translate x }
+camera { location <0, 0, -9> look_at 0 right -x*4/3 }
+#declare Ball = isosurface {
+  function { x*x + y*y + z*z - A[0][0] #for (I, 0, 1) + 0*A[I][1].x #end }
+  contained_by { Shell }
+  transform { Turn inverse }
+}
+)";
+
+/// surf: a surface that goes on from itself.
+inline constexpr std::string_view surf_turned = R"(surface = x^2 + y^2 - z^2;
+surface = rotate(surface, 1.2, xAxis); surface2 = surface - rotate(surface, Pi/2, yAxis);
+draw_surface;
+)";
+
 struct Sample {
     std::string_view file;
     std::string_view bytes;
@@ -156,6 +176,7 @@ inline constexpr std::array samples{
     Sample{"torus.jsurf", jsurf_torus},  Sample{"ball.pic", surf_ball},
     Sample{"models.js", mathmod_model},  Sample{"chair.k3ds", k3ds_equations},
     Sample{"ball.vm", instruction_list}, Sample{"presets.toml", impvis_presets},
-    Sample{"scene.pov", pov_scene}};
+    Sample{"scene.pov", pov_scene},      Sample{"arrays.pov", pov_arrays},
+    Sample{"turned.pic", surf_turned}};
 
 }  // namespace zeroset::test

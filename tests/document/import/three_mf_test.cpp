@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <zip.h>
 
+#include <array>
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -103,6 +105,173 @@ TEST(ThreeMf, LevelSetsMayHaveTransforms) {
     EXPECT_NEAR(value(0.0), 0.0, 1e-14);
     EXPECT_NEAR(value(-2.0), 1.0, 1e-14);
     EXPECT_NEAR(value(3.0), -1.0, 1e-14);
+}
+
+/// The sphere's model with one text in place of another.
+std::string with(const std::string& text, const std::string& other) {
+    std::string model = sphere_model;
+    model.replace(model.find(text), text.size(), other);
+    return model;
+}
+
+std::string why_refused(const std::string& model) {
+    const auto imported = read_import("a.3mf", package(model));
+    return imported ? std::string() : imported.error();
+}
+
+TEST(ThreeMf, WhatIsLostSaysWhy) {
+    EXPECT_EQ(why_refused(with("functionid=\"6\"", "functionid=\"77\"")),
+              "object 2: there is no implicit function 77 before it; it is left out");
+    std::string unknown = with("<i:length", "<i:warp");
+    unknown.replace(unknown.find("</i:length"), 10, "</i:warp");
+    EXPECT_EQ(why_refused(unknown), "object 2: nodes warp are not taken over; it is left out");
+    EXPECT_EQ(why_refused(with("ref=\"R.value\"", "ref=\"Q.value\"")),
+              "object 2: Call refers to Q.value, which has no value; it is left out");
+    EXPECT_EQ(why_refused(with("ref=\"S.result\"", "ref=\"T.result\"")),
+              "object 2: function 5 has no output shape; it is left out");
+    EXPECT_EQ(
+        why_refused(with("meshid=\"1\"", "meshid=\"9\"")),
+        "object 2: it has no mesh that bounds it, or a transform that is no matrix; it is left "
+        "out");
+}
+
+TEST(ThreeMf, WhatIsNotUsedMayBeUnknown) {
+    EXPECT_EQ(why_refused(with("<i:out><i:scalar identifier=\"shape\"/></i:out></i:functioncall>",
+                               "<i:out><i:scalar identifier=\"shape\"/><i:vector "
+                               "identifier=\"color\"/></i:out></i:functioncall>")),
+              "");
+    EXPECT_EQ(why_refused(with("<i:constant", "<i:warp identifier=\"W\"/><i:constant")), "");
+}
+
+/// The level set is that of `nodes`, which end with a node r.
+ImportedDocument level_set(const std::string& nodes) {
+    const auto imported = read_import("a.3mf", package(R"(<model><resources>
+ <implicitfunction id="6"><in><vector identifier="pos"/></in>)" +
+                                                       nodes + R"(
+  <out><scalarref identifier="shape" ref="r.result"/></out></implicitfunction>
+ <object id="1"><mesh><vertices><vertex x="-9" y="-9" z="-9"/><vertex x="9" y="9" z="9"/></vertices>
+ </mesh></object>
+ <object id="2"><levelset functionid="6" channel="shape" meshid="1" meshbboxonly="true"/></object>
+</resources><build><item objectid="2"/></build></model>)"));
+    EXPECT_TRUE(imported) << imported.error();
+    if (!imported) return {.name = {}};
+    EXPECT_EQ(imported->documents[0].refusal, "");
+    return imported->documents[0];
+}
+
+double level(const ImportedDocument& set, double x, double y, double z) {
+    const auto rows = read_rows(set.document);
+    if (!rows) return std::nan("");
+    return reference(rows->program->surfaces[0], std::array{x, y, z, 0.0}).value.nearest();
+}
+
+std::string input(const std::string& identifier, const std::string& from) {
+    return "<ref identifier=\"" + identifier + "\" ref=\"" + from + "\"/>";
+}
+
+/// "<kind identifier='name'><in>...</in></kind>" with these inputs.
+std::string node(const std::string& kind, const std::string& name, const std::string& inputs) {
+    return "<" + kind + " identifier=\"" + name + "\"><in>" + inputs + "</in></" + kind + ">";
+}
+
+/// x + 10 y + 100 z of the vector v, divided by 100.
+const std::string sum_of_v = R"(<constvec identifier="w" x="0.01" y="0.1" z="1"/>)" +
+                             node("dot", "r", input("A", "v.result") + input("B", "w.vector"));
+
+TEST(ThreeMf, MatricesAreComposed) {
+    // Rows 1 2 3 4, 0 1 4 5, 5 6 0 6: at (1, 2, 3) they give 18, 19, 23.
+    std::string elements;
+    std::string inputs;
+    const std::array<int, 16> m{1, 2, 3, 4, 0, 1, 4, 5, 5, 6, 0, 6, 0, 0, 0, 1};
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        const std::string name = std::to_string(i / 4) + std::to_string(i % 4);
+        elements +=
+            "<constant identifier=\"c" + name + "\" value=\"" + std::to_string(m[i]) + "\"/>";
+        inputs += input("m" + name, "c" + name + ".value");
+    }
+    const std::string matrix = elements + node("composematrix", "m", inputs);
+    const std::string at = input("B", "inputs.pos");
+    const auto composed = level_set(
+        matrix + node("matvecmultiplication", "v", input("A", "m.result") + at) + sum_of_v);
+    EXPECT_NEAR(level(composed, 1, 2, 3), 0.18 + 1.9 + 23.0, 1e-12);
+    // The inverse leads back.
+    const auto back = level_set(
+        matrix + node("inverse", "i", input("A", "m.result")) +
+        node("matrixvectormultiplication", "p", input("A", "m.result") + at) +
+        node("matvecmultiplication", "v", input("A", "i.result") + input("B", "p.result")) +
+        sum_of_v);
+    EXPECT_NEAR(level(back, 1, 2, 3), 0.01 + 0.2 + 3.0, 1e-12);
+    EXPECT_NEAR(level(back, -4, 7, 0.5), -0.04 + 0.7 + 0.5, 1e-12);
+}
+
+TEST(ThreeMf, MatricesAreMadeOfRowsAndColumns) {
+    const std::string vectors =
+        R"(<constvec identifier="a" x="1" y="0" z="5"/><constvec identifier="b" x="2" y="1" z="6"/>
+<constvec identifier="c" x="3" y="4" z="0"/><constvec identifier="d" x="4" y="5" z="6"/>)";
+    const std::string inputs = input("A", "a.vector") + input("B", "b.vector") +
+                               input("C", "c.vector") + input("D", "d.vector");
+    const std::string at = input("B", "inputs.pos");
+    const auto columns =
+        level_set(vectors + node("matrixfromcolumns", "m", inputs) +
+                  node("matvecmultiplication", "v", input("A", "m.result") + at) + sum_of_v);
+    EXPECT_NEAR(level(columns, 1, 2, 3), 0.18 + 1.9 + 23.0, 1e-12);
+    // A fourth row moves nothing.
+    const auto rows =
+        level_set(vectors + node("matrixfromrows", "m", inputs) +
+                  node("matvecmultiplication", "v", input("A", "m.result") + at) + sum_of_v);
+    EXPECT_NEAR(level(rows, 1, 2, 3), 0.16 + 2.2 + 11.0, 1e-12);
+    const auto turned =
+        level_set(vectors + node("matrixfromrows", "m", inputs) +
+                  node("transpose", "t", input("A", "m.result")) +
+                  node("matvecmultiplication", "v", input("A", "t.result") + at) + sum_of_v);
+    EXPECT_NEAR(level(turned, 1, 2, 3), 0.18 + 1.9 + 23.0, 1e-12);
+}
+
+TEST(ThreeMf, NodesMayStandInAnyOrder) {
+    const std::string sum = node("addition", "r", input("A", "d.x") + input("B", "d.y"));
+    const std::string parts = node("decomposevector", "d", input("A", "inputs.pos"));
+    EXPECT_NEAR(level(level_set(sum + parts), 1, 2, 3), 3.0, 1e-12);
+    // Those that lead back to themselves have no value.
+    std::string loop = with("ref=\"D.result\"", "ref=\"E.result\"");
+    loop.insert(
+        loop.find("<i:subtraction identifier=\"D\""),
+        node("abs", "E", input("A", "G.result")) + node("abs", "G", input("A", "E.result")));
+    EXPECT_EQ(why_refused(loop),
+              "object 2: G refers to E.result, which has no value; it is left out");
+    // Of a node that is not known it does not matter what it lacks.
+    std::string unknown = with("ref=\"D.result\"", "ref=\"M.result\"");
+    unknown.insert(unknown.find("<i:constant"), node("mesh", "M", input("A", "")));
+    EXPECT_EQ(why_refused(unknown), "object 2: nodes mesh are not taken over; it is left out");
+}
+
+TEST(ThreeMf, NodesNeedTheirInputs) {
+    const auto with_node = [](const std::string& kind, const std::string& inputs) {
+        std::string model = with("ref=\"D.result\"", "ref=\"N.result\"");
+        model.insert(model.find("<i:constant"), node(kind, "N", inputs));
+        return why_refused(model);
+    };
+    for (const std::string kind : {"addition", "inverse", "composematrix", "atan2", "clamp"})
+        EXPECT_EQ(
+            with_node(kind, input("A", "inputs.pos")),
+            "object 2: " + kind + " lacks an input, or has one of another type; it is left out");
+    EXPECT_EQ(with_node("log10", input("A", "inputs.pos")), "");
+}
+
+TEST(ThreeMf, ArcsHaveTwoNames) {
+    for (const std::string prefix : {"a", "arc"}) {
+        const auto set =
+            level_set(node("decomposevector", "p", input("A", "inputs.pos")) +
+                      node(prefix + "sin", "s", input("A", "p.x")) +
+                      node(prefix + "cos", "c", input("A", "p.y")) +
+                      node(prefix + "tan", "t", input("A", "p.z")) +
+                      node(prefix + "tan2", "u", input("A", "p.x") + input("B", "p.z")) +
+                      node("addition", "sc", input("A", "s.result") + input("B", "c.result")) +
+                      node("addition", "tu", input("A", "t.result") + input("B", "u.result")) +
+                      node("addition", "r", input("A", "sc.result") + input("B", "tu.result")));
+        EXPECT_NEAR(level(set, 0.5, 0.25, -2.0),
+                    std::asin(0.5) + std::acos(0.25) + std::atan(-2.0) + std::atan2(0.5, -2.0),
+                    1e-12);
+    }
 }
 
 TEST(ThreeMf, WhatIsNoLevelSetIsRefused) {
