@@ -107,6 +107,8 @@ constexpr Line elsewhere[] = {
      marked("values as programs write them; also double, let, var, #declare")},
     {"float f(float u) { float v = u*u; return v + 1.; }",
      marked("a function, of values one after the other")},
+    {"float f(float u) { if (u < 0.) return -u; else u += 1.; return u; }",
+     marked("choices in a function; what a choice leaves open follows it")},
     {"#declare F = function(u, v) { u*v }", marked("a function as POV-Ray writes it")},
     {"f[u_, v_] := u v  Sin[x]",
      marked("definitions and calls as Mathematica writes them; there E is e")},
@@ -123,7 +125,10 @@ constexpr Line elsewhere[] = {
 constexpr std::string_view grammar =
     R"grammar(text      = statement { (";" | ":" | line end) statement }
 statement = [ words ] [ left ("=" | ":=") ] choice { "," choice | "{" choice { "," choice } "}" }
-          | words name "(" names ")" "{" { [ words ] name "=" choice ";" } "return" choice ";" "}"
+          | words name "(" names ")" body
+body      = "{" step { step } "}"
+step      = [ words ] name [ "=" choice ] ";" | "return" choice ";"
+          | "if" "(" choice ")" ( step | body ) [ "else" ( step | body ) ]
 left      = name | name "(" names ")" | sum
 names     = [ words ] name { "," [ words ] name }
 words     = ("const" | "float" | "double" | "int" | "let" | "var" | "#declare" | ...) [ words ]

@@ -69,9 +69,12 @@ private:
         }
         tokens_[kept_++] = token;
     }
-    /// Whether a token is the "{" of a function whose head was on the lines before.
-    [[nodiscard]] bool opens_body(const Token& token) const {
-        return is_symbol(token, {"{"}) &&
+    /// Whether the next line that is not empty begins with the "{" of a function whose head was
+    /// before it.
+    [[nodiscard]] bool opens_body(std::size_t at) const {
+        while (is_line_end(tokens_[at]))
+            ++at;
+        return is_symbol(tokens_[at], {"{"}) &&
                is_program_head(std::span(tokens_).first(kept_).subspan(statement_));
     }
     /// Whether the statement continues after the line end at index `at`.
@@ -80,7 +83,7 @@ private:
         if (open_ > 0 || kept_ == 0) return true;
         const Token& last = tokens_[kept_ - 1];
         if (last.kind == TokenKind::Break || wants_more(last) || goes_on(next)) return true;
-        if (opens_body(next)) return true;
+        if (opens_body(at)) return true;
         const bool between_values = is_symbol(last, {":"}) || is_symbol(next, {":"});
         return between_values && choices_ > 0;
     }
