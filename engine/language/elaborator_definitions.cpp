@@ -231,8 +231,10 @@ bool DefinitionTable::is_bundle(SyntaxId root) {
                                syntax.kind == SyntaxKind::Negate;
         if (is_joined)
             pending.insert(pending.end(), syntax.operands.begin(), syntax.operands.end());
-        if (syntax.kind != SyntaxKind::Name) continue;
-        if (const auto known = values_.find(syntax.text); known != values_.end())
+        const bool calls = syntax.kind == SyntaxKind::Call && syntax.function == nullptr;
+        if (!calls && syntax.kind != SyntaxKind::Name) continue;
+        const Lists& lists = calls ? functions_ : values_;
+        if (const auto known = lists.find(syntax.text); known != lists.end())
             pending.push_back(definitions_[known->second.back()].body);
     }
     return false;
@@ -280,6 +282,23 @@ void DefinitionTable::find_places() {
             if (places_[user] != before) changed.push_back(user);
         }
     }
+}
+
+std::set<const Definition*> DefinitionTable::going_by(std::span<const std::string> names) {
+    std::set<const Definition*> found;
+    for (bool grows = true; std::exchange(grows, false);) {
+        for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
+            const Definition* const user = of_statement(i);
+            if (user == nullptr || found.contains(user)) continue;
+            const bool goes_by = std::ranges::any_of(uses(i), [&](const NameUse& use) {
+                const Definition* const used = meant(use, i);
+                if (used != nullptr) return found.contains(used);
+                return !use.calls && std::ranges::find(names, tree_[use.at].text) != names.end();
+            });
+            if (goes_by) grows = found.insert(user).second;
+        }
+    }
+    return found;
 }
 
 void DefinitionTable::note_definitions(Notes& notes) const {

@@ -44,17 +44,51 @@ std::size_t Elaborator::longest_definition() {
 }
 
 std::optional<std::string> Elaborator::value_text(Definition& definition) {
+    if (rows_.contains(&definition) && !definition.value) return text_by_row(definition);
     const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
     if (!defined_value(definition, tree_[relation.operands[0]])) return std::nullopt;
-    note_built_in(definition);
+    note_built_in(definition, *definition.value);
     return definition.name + " = " + text_of(*definition.value, parameters_);
 }
 
+/// The reading of a definition that only rows use by whose variables it goes.
+std::optional<std::string> Elaborator::text_by_row(Definition& definition) {
+    const std::vector<std::string> variables = rows_.at(&definition);
+    const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
+    const Row row(*this, variables);
+    std::vector<std::string> names = parameters_;
+    names.resize(first_argument);
+    const std::vector<Binding> bindings = variables_of_row(variables, names);
+    bind_row(&bindings.back());
+    const std::size_t offset = tree_.statements[definition.statement].offset;
+    if (!done(bindings.back().value.id, offset)) return std::nullopt;
+    const Built value = defined_value(definition, tree_[relation.operands[0]]);
+    if (!value) return std::nullopt;
+    note_built_in(definition, *value);
+    std::ranges::copy(parameters_, names.begin());
+    return definition.name + " = " + text_of(*value, names);
+}
+
+/// Variables of rows as parameters of their own, whose names are added to `names`.
+std::vector<Elaborator::Binding> Elaborator::variables_of_row(
+    const std::vector<std::string>& variables, std::vector<std::string>& names) {
+    std::vector<Binding> bindings;
+    bindings.reserve(variables.size());
+    for (const std::string& name : variables) {
+        const int number = variable_w + 1 + static_cast<int>(names.size());
+        bindings.push_back({.name = name,
+                            .value = Value{.id = builder_.variable(number)},
+                            .outer = bindings.empty() ? nullptr : &bindings.back()});
+        names.push_back(name);
+    }
+    return bindings;
+}
+
 /// Notes that a definition gives a built-in name another meaning.
-void Elaborator::note_built_in(const Definition& definition) {
+void Elaborator::note_built_in(const Definition& definition, const Value& value) {
     const std::string& name = definition.name;
-    const bool is_same = is_built_in_value(name) && definition.value->is_single() &&
-                         built_in(name)->id == definition.value->id;
+    const bool is_same =
+        is_built_in_value(name) && value.is_single() && built_in(name)->id == value.id;
     if (!is_built_in_value(name) || is_same) return;
     notes_.add(tree_.statements[definition.statement].offset,
                filled(tr("{0} is this value in all statements; for the built-in {0} type {1}"),
@@ -97,6 +131,13 @@ std::optional<std::string> Elaborator::function_text_of(Definition& definition,
         names.push_back(std::move(name));
         return Value{.id = builder_.variable(variable_w + 1 + number)};
     };
+    std::optional<Row> row;
+    std::vector<Binding> bindings;
+    if (const auto variables = rows_.find(&definition); variables != rows_.end()) {
+        row.emplace(*this, variables->second);
+        bindings = variables_of_row(variables->second, names);
+        bind_row(&bindings.back());
+    }
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const std::string& name = definition.arguments[i];
         text += (i > 0 ? ", " : "") + name;
