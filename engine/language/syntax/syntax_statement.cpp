@@ -9,6 +9,9 @@
 #include "engine/language/words/words.hpp"
 #include "engine/language/words/words_candidates.hpp"
 
+#include <ranges>
+#include <span>
+
 namespace zeroset {
 
 std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
@@ -221,6 +224,38 @@ SyntaxParser::Parsed SyntaxParser::pov_function() {
     return add(SyntaxKind::Compare, name.offset, {call, *body}, "=");
 }
 
+namespace {
+
+/// The error for a bracket that is not closed on the lines before an error, which may stand in what
+/// was meant as the next row.
+std::optional<ParseError> error_for_open_bracket(std::string_view text,
+                                                 std::span<const Token> tokens,
+                                                 const ParseError& error) {
+    std::vector<const Token*> open;
+    for (const Token& token : tokens) {
+        if (token.kind == TokenKind::Break || token.kind == TokenKind::End) {
+            if (token.offset > error.offset) break;
+            open.clear();
+        }
+        if (is_symbol(token, {"(", "[", "{"})) open.push_back(&token);
+        if (is_symbol(token, {")", "]", "}"}) && !open.empty()) open.pop_back();
+    }
+    for (const Token* const token : std::views::reverse(open)) {
+        const bool is_before =
+            token->offset < error.offset &&
+            text.substr(token->offset, error.offset - token->offset).find_first_of("\n\v") !=
+                std::string_view::npos;
+        if (!is_before) continue;
+        const std::string closer = token->text == "(" ? ")" : token->text == "[" ? "]" : "}";
+        return ParseError{.offset = token->offset,
+                          .reason = filled(tr("this {0} is not closed"), {quoted(token->text)}),
+                          .hint = filled(tr("add a {0}"), {quoted(closer)})};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::size_t counted_end) {
     if (text.size() > ProgramLimits::text) {
         const std::string most = std::to_string(ProgramLimits::text);
@@ -239,7 +274,11 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
     tokens = Words(*tokens, defined).split(*tokens, notes);
     tokens = without_float_suffixes(std::move(*tokens), defined, notes);
     tokens = with_plain_marks(std::move(*tokens), defined, notes);
-    return SyntaxParser(std::move(*tokens), defined, std::move(notes)).text();
+    const std::vector<Token> typed = *tokens;
+    auto tree = SyntaxParser(std::move(*tokens), defined, std::move(notes)).text();
+    if (tree) return tree;
+    auto error = error_for_open_bracket(text, typed, tree.error());
+    return error ? std::unexpected(std::move(*error)) : tree;
 }
 
 }  // namespace zeroset
