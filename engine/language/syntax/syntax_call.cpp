@@ -128,6 +128,7 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         tree_.notes.add(token.offset,
                         filled(tr("{0} is {1}, as in Mathematica"), {"Log[b, x]", "log(x, b)"}));
     }
+    if (function.composed == Composed::LogBase && token.text != "Log") note_base(token, *values);
     if (function.op == Op::Where && values->size() == 3) {
         tree_.notes.add(token.offset, tr("where(condition, a, b) is if(condition, a, b)"));
         return add_call(*find_function("if"), token.offset, std::move(*values));
@@ -147,6 +148,15 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     const SyntaxId result = add_call(function, token.offset, std::move(*values));
     if (!exponent) return result;
     return with_exponent(result, token, function, *exponent);
+}
+
+/// Notes that log(2, x) has its base behind, where the first of two values alone is a number.
+void SyntaxParser::note_base(const Token& token, const std::vector<SyntaxId>& values) {
+    if (values.size() != 2) return;
+    const auto is_number = [&](SyntaxId id) { return tree_[id].kind == SyntaxKind::Number; };
+    if (!is_number(values[0]) || is_number(values[1])) return;
+    tree_.notes.add(token.offset, tr("log(a, b) is the logarithm of a to the base b; for the base "
+                                     "a type log(b, a)"));
 }
 
 /// The arguments of an angle in the order of atan2: GLSL has atan(y, x), but Mathematica ArcTan[x,

@@ -135,6 +135,7 @@ private:
     Parsed radical(const Token& token);
     Parsed part();
     Parsed call(const Token& token, const Function& function);
+    void note_base(const Token& token, const std::vector<SyntaxId>& values);
     std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
     Parsed call_of_text(const Token& token);
     bool skip_to_list();
