@@ -75,6 +75,7 @@ private:
     // elaborator.cpp: statements
     bool build_statements();
     bool build_surface(std::size_t index);
+    void note_distance(std::size_t statement);
     [[nodiscard]] std::optional<ParseError> error_for_parametric();
     [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
     bool keep_without_surface(std::size_t statement);
