@@ -76,6 +76,8 @@ constexpr Line expressions[] = {
     {"x\u00b2  x^(1/3)  x^-2", marked("powers; a root of odd degree takes negative numbers, too")},
     {"sin x  sin 2x  ln xy", marked("a function without parentheses takes the product behind it")},
     {"sin^2 x  sin^-1 x", marked("(sin x)^2, but the inverse function asin x")},
+    {"T_4(x)  U_3(x)",
+     marked("Chebyshev's polynomials of the first and the second kind, for n up to 20")},
     {R"(\frac{a}{b}  \sqrt{x}  \sin)", marked("LaTeX as copied from a paper")},
     {"x < y <= z  x == y  x != y", marked("conditions, for if, { } and behind a comma")},
     {"and or not  & | !  && ||",

@@ -135,6 +135,10 @@ private:
     Parsed radical(const Token& token);
     Parsed part();
     Parsed call(const Token& token, const Function& function);
+    [[nodiscard]] static std::optional<int> chebyshev_degree(const Token& token);
+    Parsed chebyshev(const Token& token, int degree);
+    SyntaxId polynomial(std::size_t offset, const std::string& name,
+                        std::span<const long long> coefficients);
     void note_base(const Token& token, const std::vector<SyntaxId>& values);
     std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
     Parsed call_of_text(const Token& token);
