@@ -17,17 +17,6 @@ namespace {
 
 constexpr const char* no_surface = marked("a condition alone is no surface");
 
-/// Where an expression begins, in bytes of the text.
-std::size_t begin_of(const SyntaxTree& tree, SyntaxId id) {
-    const Syntax* part = &tree[id];
-    std::size_t begin = part->offset;
-    while (!part->operands.empty()) {
-        part = &tree[part->operands[0]];
-        begin = std::min(begin, part->offset);
-    }
-    return begin;
-}
-
 }  // namespace
 
 std::expected<Program, ParseError> Elaborator::program() {
@@ -146,38 +135,6 @@ bool Elaborator::note_unreadable(const Definition& definition) {
         .text = definition.name + (definition.is_function ? "(...) = ..." : " = ...")};
     error_.reset();
     return true;
-}
-
-/// Notes what r and rho are in a row that seems to go by the other of the two distances: z = r^2,
-/// rho = 2 cos phi.
-void Elaborator::note_distance(std::size_t statement) {
-    const StatementSyntax& syntax = tree_.statements[statement];
-    const Syntax& relation = tree_[syntax.relation];
-    const std::size_t end =
-        syntax.restrictions.empty() ? std::string::npos : begin_of(tree_, syntax.restrictions[0]);
-    std::map<std::string_view, SyntaxId> said;
-    const auto add = [&](const NameUse& use) {
-        const Syntax& name = tree_[use.at];
-        const bool is_free = name.kind == SyntaxKind::Name && name.offset < end &&
-                             table_.meant(use, statement) == nullptr;
-        if (is_free) said.try_emplace(name.text, use.at);
-    };
-    std::ranges::for_each(table_.uses(statement), add);
-    if (relation.kind == SyntaxKind::Compare) add({.at = relation.operands[0], .calls = false});
-    if (said.contains("x") || said.contains("y")) return;
-    const auto r = said.find("r");
-    const auto rho = said.find("rho");
-    const bool is_spherical = said.contains("phi");
-    if (r != said.end() && !is_spherical && (said.contains("z") || said.contains("theta"))) {
-        notes_.add(tree_[r->second].offset,
-                   filled(tr("{0} is {1}; for the distance from the z-axis type {2}"),
-                          {"r", "sqrt(x^2 + y^2 + z^2)", "rho"}));
-    }
-    if (rho != said.end() && is_spherical) {
-        notes_.add(tree_[rho->second].offset,
-                   filled(tr("{0} is {1}; for the distance from the origin type {2}"),
-                          {"rho", "sqrt(x^2 + y^2)", "r"}));
-    }
 }
 
 bool Elaborator::build_surface(std::size_t index) {

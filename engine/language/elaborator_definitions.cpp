@@ -285,18 +285,26 @@ void DefinitionTable::find_places() {
 }
 
 std::set<const Definition*> DefinitionTable::going_by(std::span<const std::string> names) {
-    std::set<const Definition*> found;
-    for (bool grows = true; std::exchange(grows, false);) {
-        for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
-            const Definition* const user = of_statement(i);
-            if (user == nullptr || found.contains(user)) continue;
-            const bool goes_by = std::ranges::any_of(uses(i), [&](const NameUse& use) {
-                const Definition* const used = meant(use, i);
-                if (used != nullptr) return found.contains(used);
-                return !use.calls && std::ranges::find(names, tree_[use.at].text) != names.end();
-            });
-            if (goes_by) grows = found.insert(user).second;
+    std::vector<std::vector<std::size_t>> users(
+        definitions_.size());  // statements that use each definition
+    std::vector<std::size_t> pending;
+    for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
+        if (of_statement(i) == nullptr) continue;
+        for (const NameUse& use : uses(i)) {
+            if (const Definition* const used = meant(use, i)) {
+                users[static_cast<std::size_t>(used - definitions_.data())].push_back(i);
+            } else if (!use.calls && std::ranges::find(names, tree_[use.at].text) != names.end()) {
+                pending.push_back(i);
+            }
         }
+    }
+    std::set<const Definition*> found;
+    while (!pending.empty()) {
+        const Definition* const user = of_statement(pending.back());
+        pending.pop_back();
+        if (!found.insert(user).second) continue;
+        const auto& further = users[static_cast<std::size_t>(user - definitions_.data())];
+        pending.insert(pending.end(), further.begin(), further.end());
     }
     return found;
 }

@@ -242,6 +242,7 @@ bool Elaborator::build_patch(std::size_t index) {
     std::vector<Ranged> ranges;
     if (!check_ranges(statement, ranges)) return false;
     std::vector<std::string> variables;
+    variables.reserve(ranges.size());
     for (const Ranged& range : ranges)
         variables.push_back(range.name);
     const Row row(*this, std::move(variables));

@@ -1,4 +1,4 @@
-// Writes how definitions were read.
+// Writes how definitions were read, and notes on names that mean something else elsewhere.
 
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 namespace zeroset {
@@ -33,6 +34,17 @@ std::string_view spelled_out(std::string_view name) {
         if (built_in == name) return spelling;
     }
     return {};
+}
+
+/// Where an expression begins, in bytes of the text.
+std::size_t begin_of(const SyntaxTree& tree, SyntaxId id) {
+    const Syntax* part = &tree[id];
+    std::size_t begin = part->offset;
+    while (!part->operands.empty()) {
+        part = &tree[part->operands[0]];
+        begin = std::min(begin, part->offset);
+    }
+    return begin;
 }
 
 }  // namespace
@@ -93,6 +105,38 @@ void Elaborator::note_built_in(const Definition& definition, const Value& value)
     notes_.add(tree_.statements[definition.statement].offset,
                filled(tr("{0} is this value in all statements; for the built-in {0} type {1}"),
                       {name, spelled_out(name)}));
+}
+
+/// Notes what r and rho are in a row that seems to go by the other of the two distances: z = r^2,
+/// rho = 2 cos phi.
+void Elaborator::note_distance(std::size_t statement) {
+    const StatementSyntax& syntax = tree_.statements[statement];
+    const Syntax& relation = tree_[syntax.relation];
+    const std::size_t end =
+        syntax.restrictions.empty() ? std::string::npos : begin_of(tree_, syntax.restrictions[0]);
+    std::map<std::string_view, SyntaxId> said;
+    const auto add = [&](const NameUse& use) {
+        const Syntax& name = tree_[use.at];
+        const bool is_free = name.kind == SyntaxKind::Name && name.offset < end &&
+                             table_.meant(use, statement) == nullptr;
+        if (is_free) said.try_emplace(name.text, use.at);
+    };
+    std::ranges::for_each(table_.uses(statement), add);
+    if (relation.kind == SyntaxKind::Compare) add({.at = relation.operands[0], .calls = false});
+    if (said.contains("x") || said.contains("y")) return;
+    const auto r = said.find("r");
+    const auto rho = said.find("rho");
+    const bool is_spherical = said.contains("phi");
+    if (r != said.end() && !is_spherical && (said.contains("z") || said.contains("theta"))) {
+        notes_.add(tree_[r->second].offset,
+                   filled(tr("{0} is {1}; for the distance from the z-axis type {2}"),
+                          {"r", "sqrt(x^2 + y^2 + z^2)", "rho"}));
+    }
+    if (rho != said.end() && is_spherical) {
+        notes_.add(tree_[rho->second].offset,
+                   filled(tr("{0} is {1}; for the distance from the origin type {2}"),
+                          {"rho", "sqrt(x^2 + y^2)", "r"}));
+    }
 }
 
 /// The reading of a function. Its arguments are what it is called with, else numbers, or vectors

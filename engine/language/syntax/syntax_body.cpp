@@ -202,30 +202,7 @@ ParseError SyntaxParser::no_step(const Token& at) {
 bool SyntaxParser::local_value(std::vector<BodyStep>& steps) {
     const bool is_certain = skip_type_words();
     for (;;) {
-        const Token& name = next();
-        const bool is_name = name.kind == TokenKind::Name;
-        const bool has_part = is_name && tokens_[at_ + 1].kind == TokenKind::Part;
-        const std::size_t at = at_ + (has_part ? 2 : 1);
-        const bool changes = is_name && is_symbol(tokens_[at], {"+", "-", "*", "/"}) &&
-                             is_symbol(tokens_[at + 1], {"="}) &&
-                             adjacent(tokens_[at], tokens_[at + 1]);
-        const bool is_open =
-            is_certain && is_name && !has_part &&
-            (tokens_[at].kind == TokenKind::Break || is_symbol(tokens_[at], {","}));
-        if (!is_name || (!changes && !is_open && !is_symbol(tokens_[at], {"="}))) {
-            refuse(no_step(name));
-            return false;
-        }
-        at_ = at + (changes ? 2 : is_open ? 0 : 1);
-        Parsed value = is_open ? add(SyntaxKind::Number, name.offset, {}, {}, "0") : choice();
-        if (!value) return false;
-        const auto part = has_part ? tokens_[at - 1].text : std::string_view();
-        value = new_value(name, part, changes ? tokens_[at].text : std::string_view(), *value);
-        steps.push_back({.kind = BodyStep::Kind::Value,
-                         .offset = name.offset,
-                         .value = *value,
-                         .name = full_name(name),
-                         .declares = is_certain});
+        if (!named_value(is_certain, steps)) return false;
         if (next().kind == TokenKind::Break) return true;
         if (!is_certain || !next_is(",") || tokens_[at_ + 1].kind != TokenKind::Name) break;
         take();
@@ -233,6 +210,34 @@ bool SyntaxParser::local_value(std::vector<BodyStep>& steps) {
     fail(next(), tr("';' is missing behind a value in a function's braces"),
          tr("type NAME = value;"));
     return false;
+}
+
+/// Reads a name, perhaps with a part, and its value; `declares`: a word such as float is before it.
+bool SyntaxParser::named_value(bool declares, std::vector<BodyStep>& steps) {
+    const Token& name = next();
+    const bool is_name = name.kind == TokenKind::Name;
+    const bool has_part = is_name && tokens_[at_ + 1].kind == TokenKind::Part;
+    const std::size_t at = at_ + (has_part ? 2 : 1);
+    const bool changes = is_name && is_symbol(tokens_[at], {"+", "-", "*", "/"}) &&
+                         is_symbol(tokens_[at + 1], {"="}) &&
+                         adjacent(tokens_[at], tokens_[at + 1]);
+    const bool is_open = declares && is_name && !has_part &&
+                         (tokens_[at].kind == TokenKind::Break || is_symbol(tokens_[at], {","}));
+    if (!is_name || (!changes && !is_open && !is_symbol(tokens_[at], {"="}))) {
+        refuse(no_step(name));
+        return false;
+    }
+    at_ = at + (changes ? 2 : is_open ? 0 : 1);
+    Parsed value = is_open ? add(SyntaxKind::Number, name.offset, {}, {}, "0") : choice();
+    if (!value) return false;
+    const auto part = has_part ? tokens_[at - 1].text : std::string_view();
+    value = new_value(name, part, changes ? tokens_[at].text : std::string_view(), *value);
+    steps.push_back({.kind = BodyStep::Kind::Value,
+                     .offset = name.offset,
+                     .value = *value,
+                     .name = full_name(name),
+                     .declares = declares});
+    return true;
 }
 
 }  // namespace zeroset

@@ -94,6 +94,7 @@ private:
                        SyntaxId value);
     [[nodiscard]] static ParseError no_step(const Token& at);
     bool local_value(std::vector<BodyStep>& steps);
+    bool named_value(bool declares, std::vector<BodyStep>& steps);
 
     // syntax_instructions.cpp
     Parsed instructions();
