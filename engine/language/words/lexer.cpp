@@ -265,14 +265,7 @@ Done Lexer::command() {
         }
         return {};
     }
-    if (word == "begin" || word == "end") {
-        const std::string_view name = text_.substr(at_ + length);
-        if (name.starts_with("{cases}") || name.starts_with("{dcases}"))
-            return word == "begin" ? begin_cases(length) : end_cases(length);
-        at_ += length + run_length(text_, at_ + length, [](char c) { return c != '}'; });
-        at_ = std::min(at_ + 1, text_.size());
-        return {};
-    }
+    if (word == "begin" || word == "end") return environment(word);
     const std::optional<Sign> sign = sign_of_command(word);
     if (!sign) {
         return std::unexpected(

@@ -68,6 +68,17 @@ void add_row(Tokens row, std::vector<Token>& cases) {
 
 }  // namespace
 
+/// Reads \begin{...} or \end{...}, which mean nothing but for cases.
+Done Lexer::environment(std::string_view word) {
+    const std::size_t length = 1 + word.size();
+    const std::string_view name = text_.substr(at_ + length);
+    if (name.starts_with("{cases}") || name.starts_with("{dcases}"))
+        return word == "begin" ? begin_cases(length) : end_cases(length);
+    at_ += length + run_length(text_, at_ + length, [](char c) { return c != '}'; });
+    at_ = std::min(at_ + 1, text_.size());
+    return {};
+}
+
 Done Lexer::begin_cases(std::size_t length) {
     const std::size_t end = text_.find('}', at_ + length);
     push(TokenKind::Symbol, "{", end + 1 - at_);

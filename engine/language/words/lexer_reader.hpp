@@ -39,6 +39,7 @@ private:
     Done step();
     Done other_character();
     Done command();
+    Done environment(std::string_view word);
     Done begin_cases(std::size_t length);
     Done end_cases(std::size_t length);
     Done part();
