@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +75,7 @@ private:
     // elaborator.cpp: statements
     bool build_statements();
     bool build_surface(std::size_t index);
+    void note_distance(std::size_t statement);
     [[nodiscard]] std::optional<ParseError> error_for_parametric();
     [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
     bool keep_without_surface(std::size_t statement);
@@ -93,7 +95,10 @@ private:
     [[nodiscard]] bool never_holds(NodeId condition) const;
     [[nodiscard]] ParseError no_place_error(std::size_t statement) const;
     std::optional<std::string> value_text(Definition& definition);
-    void note_built_in(const Definition& definition);
+    std::optional<std::string> text_by_row(Definition& definition);
+    std::vector<Binding> variables_of_row(const std::vector<std::string>& variables,
+                                          std::vector<std::string>& names);
+    void note_built_in(const Definition& definition, const Value& value);
     std::optional<std::string> function_text(Definition& definition);
     std::optional<std::string> function_text_of(Definition& definition,
                                                 std::span<const std::size_t> sizes);
@@ -106,7 +111,23 @@ private:
     Number boundary(NodeId condition, std::size_t offset);
     Number boundary_of(NodeId id, std::size_t offset);
 
+    /// A row by whose variables definitions go, as long as it lives; these take their values from
+    /// `variables`, which may change.
+    class Row {
+    public:
+        Row(Elaborator& of, std::vector<std::string> names);
+        ~Row();
+        Row(const Row&) = delete;
+        Row& operator=(const Row&) = delete;
+
+    private:
+        Elaborator& of_;
+    };
+
     // elaborator_patches.cpp: parametric surfaces, curves and points
+    void bind_row(const Binding* variables);
+    [[nodiscard]] bool goes_by_row(const Definition& definition) const;
+    [[nodiscard]] SyntaxId point_in(const StatementSyntax& statement) const;
     bool add_ranges(SyntaxId id, std::vector<Ranged>& ranges) const;
     [[nodiscard]] bool may_be_patch(const StatementSyntax& statement);
     bool check_ranges(const StatementSyntax& statement, std::vector<Ranged>& ranges);
@@ -296,6 +317,12 @@ private:
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 whose names are not
                                                 ///< used
     std::map<std::size_t, Reading> readings_;   ///< by statement
+    const Binding* row_ = nullptr;              ///< the variables of the row that is being built
+    std::set<const Definition*> going_by_row_;  ///< definitions that go by them
+    std::map<const Definition*, Value> row_values_;  ///< values of these
+    std::unordered_map<Call, Value, CallHash> row_calls_;
+    std::map<const Definition*, std::vector<std::string>> rows_;  ///< the variables that
+                                                                  ///< definitions have from rows
     std::optional<ParseError> error_;
     std::size_t statement_ = 0;                      ///< the statement in which names are looked up
     bool is_solid_ = false;                          ///< of the surface that is being built

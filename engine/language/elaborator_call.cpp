@@ -348,20 +348,23 @@ Elaborator::Built Elaborator::function_value(Definition& definition, const Value
     Call call{&definition, {}};
     for (const Value& argument : arguments)
         add_key(argument, call.second);
-    if (const auto known = calls_.find(call); known != calls_.end()) return known->second;
+    const bool by_row = goes_by_row(definition);
+    auto& calls = by_row ? row_calls_ : calls_;
+    if (const auto known = calls.find(call); known != calls.end()) return known->second;
+    const Binding* const outermost = by_row ? row_ : nullptr;
     std::vector<Binding> scope;
     scope.reserve(arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         scope.push_back({.name = definition.arguments[i],
                          .value = arguments[i],
-                         .outer = i == 0 ? nullptr : &scope[i - 1]});
+                         .outer = i == 0 ? outermost : &scope[i - 1]});
     }
     definition.in_progress = true;
     const std::size_t outer = std::exchange(statement_, definition.statement);
-    const Built value = build(definition.body, scope.empty() ? nullptr : &scope.back());
+    const Built value = build(definition.body, scope.empty() ? outermost : &scope.back());
     statement_ = outer;
     definition.in_progress = false;
-    if (value) calls_.emplace(std::move(call), *value);
+    if (value) calls.emplace(std::move(call), *value);
     return value;
 }
 

@@ -231,8 +231,10 @@ bool DefinitionTable::is_bundle(SyntaxId root) {
                                syntax.kind == SyntaxKind::Negate;
         if (is_joined)
             pending.insert(pending.end(), syntax.operands.begin(), syntax.operands.end());
-        if (syntax.kind != SyntaxKind::Name) continue;
-        if (const auto known = values_.find(syntax.text); known != values_.end())
+        const bool calls = syntax.kind == SyntaxKind::Call && syntax.function == nullptr;
+        if (!calls && syntax.kind != SyntaxKind::Name) continue;
+        const Lists& lists = calls ? functions_ : values_;
+        if (const auto known = lists.find(syntax.text); known != lists.end())
             pending.push_back(definitions_[known->second.back()].body);
     }
     return false;
@@ -280,6 +282,31 @@ void DefinitionTable::find_places() {
             if (places_[user] != before) changed.push_back(user);
         }
     }
+}
+
+std::set<const Definition*> DefinitionTable::going_by(std::span<const std::string> names) {
+    std::vector<std::vector<std::size_t>> users(
+        definitions_.size());  // statements that use each definition
+    std::vector<std::size_t> pending;
+    for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
+        if (of_statement(i) == nullptr) continue;
+        for (const NameUse& use : uses(i)) {
+            if (const Definition* const used = meant(use, i)) {
+                users[static_cast<std::size_t>(used - definitions_.data())].push_back(i);
+            } else if (!use.calls && std::ranges::find(names, tree_[use.at].text) != names.end()) {
+                pending.push_back(i);
+            }
+        }
+    }
+    std::set<const Definition*> found;
+    while (!pending.empty()) {
+        const Definition* const user = of_statement(pending.back());
+        pending.pop_back();
+        if (!found.insert(user).second) continue;
+        const auto& further = users[static_cast<std::size_t>(user - definitions_.data())];
+        pending.insert(pending.end(), further.begin(), further.end());
+    }
+    return found;
 }
 
 void DefinitionTable::note_definitions(Notes& notes) const {

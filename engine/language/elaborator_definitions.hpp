@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -89,6 +90,8 @@ public:
     [[nodiscard]] std::span<const NameUse> uses(std::size_t statement) const;
     /// The definition that a use refers to; nullptr: none.
     [[nodiscard]] Definition* meant(const NameUse& use, std::size_t statement);
+    /// The definitions whose values go by free names, directly or by other definitions.
+    [[nodiscard]] std::set<const Definition*> going_by(std::span<const std::string> names);
     /// Whether an expression is seen to be a vector or a list.
     [[nodiscard]] bool is_bundle(SyntaxId root);
 

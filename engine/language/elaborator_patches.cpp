@@ -29,6 +29,48 @@ bool is_descending(std::string_view marks) {
 
 }  // namespace
 
+Elaborator::Row::Row(Elaborator& of, std::vector<std::string> names) : of_(of) {
+    of.going_by_row_ = of.table_.going_by(names);
+    for (const Definition* const definition : of.going_by_row_) {
+        std::vector<std::string>& known = of.rows_[definition];
+        for (const std::string& name : names) {
+            if (std::ranges::find(known, name) == known.end()) known.push_back(name);
+        }
+    }
+}
+
+Elaborator::Row::~Row() {
+    of_.bind_row(nullptr);
+    of_.going_by_row_.clear();
+}
+
+/// Gives the variables of the row that is being built other values.
+void Elaborator::bind_row(const Binding* variables) {
+    row_ = variables;
+    row_values_.clear();
+    row_calls_.clear();
+}
+
+/// Whether a definition goes by variables of the row that is being built, and has a value of its
+/// own there: r = 2 + cos v in (r cos u, r sin u, sin v), 0 < u < 1, 0 < v < 1.
+bool Elaborator::goes_by_row(const Definition& definition) const {
+    return row_ != nullptr && going_by_row_.contains(&definition);
+}
+
+/// What a row is if it is given by a point: the right side of r(u, v) = (u, v, 0), 0 < u < 1, 0 < v
+/// < 1, else all of it.
+SyntaxId Elaborator::point_in(const StatementSyntax& statement) const {
+    const Syntax& relation = tree_[statement.relation];
+    if (statement.restrictions.empty() || relation.kind != SyntaxKind::Compare ||
+        relation.marks != "=")
+        return statement.relation;
+    const Syntax& left = tree_[relation.operands[0]];
+    const bool is_axis = left.text == "x" || left.text == "y" || left.text == "z";
+    const bool names = (left.kind == SyntaxKind::Name && !is_axis) ||
+                       (left.kind == SyntaxKind::Call && left.function == nullptr);
+    return names ? relation.operands[1] : statement.relation;
+}
+
 /// Adds the ranges a < u < b that a condition gives; false if it says something else.
 bool Elaborator::add_ranges(SyntaxId id, std::vector<Ranged>& ranges) const {
     const Syntax& syntax = tree_[id];
@@ -52,10 +94,11 @@ bool Elaborator::add_ranges(SyntaxId id, std::vector<Ranged>& ranges) const {
 /// Whether a row may be given by a point: what it relates is no condition, and it is a vector that
 /// is written out, or is restricted by ranges of its variables alone.
 bool Elaborator::may_be_patch(const StatementSyntax& statement) {
-    const SyntaxKind kind = tree_[statement.relation].kind;
-    if (kind == SyntaxKind::Vector) return true;
+    const SyntaxId point = point_in(statement);
+    const SyntaxKind kind = tree_[point].kind;
+    if (kind == SyntaxKind::Vector && point == statement.relation) return true;
     if (is_condition(kind) || statement.restrictions.empty()) return false;
-    if (!table_.is_bundle(statement.relation)) return false;
+    if (!table_.is_bundle(point)) return false;
     std::vector<Ranged> ranges;
     return std::ranges::all_of(statement.restrictions,
                                [&](SyntaxId id) { return add_ranges(id, ranges); });
@@ -68,6 +111,7 @@ std::optional<std::vector<Elaborator::Binding>> Elaborator::bind_ranges(
     bindings.reserve(ranges.size());
     for (const Ranged& range : ranges) {
         const Binding* const scope = bindings.empty() ? nullptr : &bindings.back();
+        bind_row(scope);
         const Number lo = number(range.lo, scope);
         const Number hi = lo ? number(range.hi, scope) : std::nullopt;
         if (!hi) return std::nullopt;
@@ -104,7 +148,9 @@ std::optional<std::vector<Elaborator::Binding>> Elaborator::bind_names(
 /// The point that a row is; nothing, and perhaps no error, where it is no vector of 3.
 std::optional<std::array<NodeId, 3>> Elaborator::point_over(const StatementSyntax& statement,
                                                             const std::vector<Binding>& bindings) {
-    const Built value = build(statement.relation, bindings.empty() ? nullptr : &bindings.back());
+    const Binding* const scope = bindings.empty() ? nullptr : &bindings.back();
+    bind_row(scope);
+    const Built value = build(point_in(statement), scope);
     return value ? point_of(*value) : std::nullopt;
 }
 
@@ -195,6 +241,11 @@ bool Elaborator::build_patch(std::size_t index) {
     statement_ = index;
     std::vector<Ranged> ranges;
     if (!check_ranges(statement, ranges)) return false;
+    std::vector<std::string> variables;
+    variables.reserve(ranges.size());
+    for (const Ranged& range : ranges)
+        variables.push_back(range.name);
+    const Row row(*this, std::move(variables));
     const auto names = bind_names(ranges);
     if (!names) return false;
     const auto typed = point_over(statement, *names);
@@ -217,11 +268,12 @@ bool Elaborator::build_patch(std::size_t index) {
              filled(tr("type {0}"), {example}));
         return false;
     }
+    std::string text = patch_text(*typed, ranges, *names);
     const auto shares = bind_ranges(ranges);
     const auto point = shares ? point_over(statement, *shares) : std::nullopt;
     if (!point) return false;
     constexpr std::array kinds{PatchKind::Point, PatchKind::Curve, PatchKind::Surface};
-    return add_patch(index, kinds.at(ranges.size()), *point, patch_text(*typed, ranges, *names));
+    return add_patch(index, kinds.at(ranges.size()), *point, std::move(text));
 }
 
 /// Whether a definition is no point that is drawn: those have a capital letter as their name, so

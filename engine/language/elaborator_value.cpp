@@ -212,7 +212,10 @@ void Elaborator::note_capital(const std::string& name, std::size_t offset) {
 }
 
 Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax& syntax) {
-    if (definition.value) return definition.value;
+    const bool by_row = goes_by_row(definition);
+    const auto known = row_values_.find(&definition);
+    if (by_row && known != row_values_.end()) return known->second;
+    if (!by_row && definition.value) return definition.value;
     if (definition.in_progress) {
         if (is_built_in_value(syntax.text)) return said(syntax);
         return fail(syntax.offset, filled(tr("{0} is defined by itself"), {quoted(syntax.text)}));
@@ -220,10 +223,12 @@ Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax
     definition.in_progress = true;
     if (depth_ > deep && !settle(definition)) return std::nullopt;
     const std::size_t outer = std::exchange(statement_, definition.statement);
-    definition.value = build(definition.body, nullptr);
+    const Built value = build(definition.body, by_row ? row_ : nullptr);
     statement_ = outer;
     definition.in_progress = false;
-    return definition.value;
+    if (!by_row) definition.value = value;
+    if (by_row && value) row_values_.emplace(&definition, *value);
+    return value;
 }
 
 /// Builds all values that a definition needs, the innermost first, so that a long chain of

@@ -26,6 +26,10 @@ constexpr Line statements[] = {
     {"f(x, y) = x^2 - y^2", marked("alone: the graph z = f(x, y); so of x and z, of y and z")},
     {"(u cos v, u sin v, v), 0 < u < 1, 0 < v < 2 pi",
      marked("a parametric surface: a point over two variables of any names")},
+    {"s = u^2; (u, v, s), 0 < u < 1, 0 < v < 1",
+     marked("values of other rows may go by the variables of the row")},
+    {"r(u, v) = (u, v, u v), 0 < u < 1, 0 < v < 1",
+     marked("the point with a name, which is left out")},
     {"(cos t, sin t, t/3), 0 < t < 20", marked("a curve: a point over one variable")},
     {"x^2 + y^2 + z^2 = 4 and z = x y", marked("a curve: where two surfaces meet")},
     {"P = (1, 2, a)", marked("a point; a name begins with a capital letter")},
@@ -72,6 +76,8 @@ constexpr Line expressions[] = {
     {"x\u00b2  x^(1/3)  x^-2", marked("powers; a root of odd degree takes negative numbers, too")},
     {"sin x  sin 2x  ln xy", marked("a function without parentheses takes the product behind it")},
     {"sin^2 x  sin^-1 x", marked("(sin x)^2, but the inverse function asin x")},
+    {"T_4(x)  U_3(x)",
+     marked("Chebyshev's polynomials of the first and the second kind, for n up to 20")},
     {R"(\frac{a}{b}  \sqrt{x}  \sin)", marked("LaTeX as copied from a paper")},
     {"x < y <= z  x == y  x != y", marked("conditions, for if, { } and behind a comma")},
     {"and or not  & | !  && ||",
@@ -107,6 +113,8 @@ constexpr Line elsewhere[] = {
      marked("values as programs write them; also double, let, var, #declare")},
     {"float f(float u) { float v = u*u; return v + 1.; }",
      marked("a function, of values one after the other")},
+    {"float f(float u) { if (u < 0.) return -u; else u += 1.; return u; }",
+     marked("choices in a function; what a choice leaves open follows it")},
     {"#declare F = function(u, v) { u*v }", marked("a function as POV-Ray writes it")},
     {"f[u_, v_] := u v  Sin[x]",
      marked("definitions and calls as Mathematica writes them; there E is e")},
@@ -123,7 +131,10 @@ constexpr Line elsewhere[] = {
 constexpr std::string_view grammar =
     R"grammar(text      = statement { (";" | ":" | line end) statement }
 statement = [ words ] [ left ("=" | ":=") ] choice { "," choice | "{" choice { "," choice } "}" }
-          | words name "(" names ")" "{" { [ words ] name "=" choice ";" } "return" choice ";" "}"
+          | words name "(" names ")" body
+body      = "{" step { step } "}"
+step      = [ words ] name [ "=" choice ] ";" | "return" choice ";"
+          | "if" "(" choice ")" ( step | body ) [ "else" ( step | body ) ]
 left      = name | name "(" names ")" | sum
 names     = [ words ] name { "," [ words ] name }
 words     = ("const" | "float" | "double" | "int" | "let" | "var" | "#declare" | ...) [ words ]

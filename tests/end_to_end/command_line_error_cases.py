@@ -17,6 +17,10 @@ WRONG_OPTIONS = [
     (["--color-range", "1"], ["--color-range 1", "2 numbers"]),
     (["--color-range", "2,1"], ["--color-range 2,1", "below"]),
     (["--color-range", "0,inf"], ["--color-range", "inf"]),
+    (["--color-range", "0,1"], ["--color-range 0,1", "--color-by"]),
+    (["--set", "a=1/2"], ["--set a=1/2: ", "number"]),
+    (["--set", "a=nan"], ["--set a=nan: ", "number"]),
+    (["--set", "a=1"], ["--set a: ", "none"]),
     (["--mark", "1,2"], ["--mark 1,2", "3"]),
     (["--mark", "1,2,nan"], ["--mark", "nan"]),
     (["--mark", "1,2,3; P"], ["--mark 1,2,3; P", "label TEXT"]),
@@ -213,6 +217,10 @@ class WrongInputTest(ProgramTest):
             with self.subTest(options):
                 command = ["render", "x", "-o", "picture.png", *options]
                 self.check_one_line(command, WRONG, words)
+
+    def test_a_constant_is_no_parameter(self):
+        self.check_refused(run("render", "a = 2; x = a", "--set", "a=3", "-o", "picture.png",
+                               cwd=self.folder), WRONG, ["--set a: ", "constant"])
 
     def test_colors_have_a_caret_under_the_place(self):
         for expression, column, words in [("x +", 3, ["mean-curvature"]),

@@ -116,6 +116,11 @@ std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
     }
     if (text.color_range) {
         if (auto error = read_range(*text.color_range, coloring)) return error;
+        if (coloring.range && coloring.by == ColorBy::Plain) {
+            return InputError{.reason = "--color-range " + *text.color_range +
+                                        ": no colors tell numbers; type --color-by, too, for "
+                                        "example --color-by height"};
+        }
     }
     if (text.contours) {
         if (auto error = read_contours(*text.contours, coloring.lines)) return error;

@@ -133,6 +133,14 @@ std::optional<InputError> check_parameters(const Program& program,
                                            const ParameterValues& parameters) {
     for (const auto& [name, value] : parameters) {
         if (std::ranges::find(program.parameters, name) != program.parameters.end()) continue;
+        const bool is_constant = std::ranges::any_of(program.readings, [&](const Reading& reading) {
+            return reading.kind == StatementKind::Value && reading.text.starts_with(name + " = ");
+        });
+        if (is_constant) {
+            return InputError{.reason = "--set " + name + ": " + name +
+                                        " is a constant of the formula, which has its value "
+                                        "there; leave that out to set it here"};
+        }
         std::string known = "the formula has none";
         if (!program.parameters.empty()) {
             known = "the formula's are";
@@ -289,8 +297,11 @@ OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& te
         if (equals == std::string::npos || name.empty()) {
             return wrong_input("--set " + text + ": type NAME=VALUE, for example --set a=2");
         }
-        const auto value = read_number("--set " + name + "=", text.substr(equals + 1));
-        if (!value) return std::unexpected(value.error());
+        const auto value = number_from<double>(trimmed(std::string_view(text).substr(equals + 1)));
+        if (!value || !std::isfinite(*value)) {
+            return wrong_input("--set " + text +
+                               ": type a finite number behind the =, for example " + name + "=0.5");
+        }
         if (std::abs(*value) > 1e30)
             return wrong_input("--set " + text + ": stay between -1e30 and 1e30");
         values[name] = *value;

@@ -6,6 +6,9 @@
 #include "engine/language/words/words.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <span>
+#include <utility>
 
 // Calls of functions.
 
@@ -128,6 +131,7 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         tree_.notes.add(token.offset,
                         filled(tr("{0} is {1}, as in Mathematica"), {"Log[b, x]", "log(x, b)"}));
     }
+    if (function.composed == Composed::LogBase && token.text != "Log") note_base(token, *values);
     if (function.op == Op::Where && values->size() == 3) {
         tree_.notes.add(token.offset, tr("where(condition, a, b) is if(condition, a, b)"));
         return add_call(*find_function("if"), token.offset, std::move(*values));
@@ -147,6 +151,81 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     const SyntaxId result = add_call(function, token.offset, std::move(*values));
     if (!exponent) return result;
     return with_exponent(result, token, function, *exponent);
+}
+
+/// The degree of T_n and U_n, Chebyshev's polynomials of the first and the second kind.
+std::optional<int> SyntaxParser::chebyshev_degree(const Token& token) {
+    constexpr int highest = 20;  // its coefficients are exact
+    if (token.text != "T" && token.text != "U") return std::nullopt;
+    const std::string digits = subscript_text(token);
+    const bool is_number = !digits.empty() && digits.size() <= 2 &&
+                           digits.find_first_not_of("0123456789") == std::string::npos;
+    const int degree = is_number ? std::stoi(digits) : highest + 1;
+    return degree <= highest ? std::optional(degree) : std::nullopt;
+}
+
+/// Reads T_n(a) or U_n(a) as a polynomial: p(n + 1) = 2 a p(n) - p(n - 1), from 1 and a or 2 a on.
+SyntaxParser::Parsed SyntaxParser::chebyshev(const Token& token, int degree) {
+    const std::string name = full_name(token);
+    const Token& opener = next();
+    const List values = arguments();
+    if (!values || !close(opener)) return std::nullopt;
+    if (values->size() != 1) {
+        return fail(token, filled(tr("{0} takes 1 argument, not {1}"),
+                                  {name, std::to_string(values->size())}));
+    }
+    tree_.notes.add(token.offset,
+                    filled(tr("{0} is Chebyshev's polynomial; for a product type {1}"),
+                           {name, name + "*(...)"}));
+    std::vector<long long> before{1};
+    std::vector<long long> here{0, token.text == "T" ? 1 : 2};
+    for (int n = 0; n < degree; ++n) {
+        std::vector<long long> next_one(here.size() + 1, 0);
+        for (std::size_t k = 0; k < here.size(); ++k)
+            next_one[k + 1] = 2 * here[k];
+        for (std::size_t k = 0; k < before.size(); ++k)
+            next_one[k] -= before[k];
+        before = std::exchange(here, std::move(next_one));
+    }
+    const std::string argument = name + " of";
+    const SyntaxId sum = polynomial(token.offset, argument, before);
+    return add(SyntaxKind::Let, token.offset, {values->front(), sum}, {}, argument);
+}
+
+/// The sum of coefficients[k]*name^k, the highest power first.
+SyntaxId SyntaxParser::polynomial(std::size_t offset, const std::string& name,
+                                  std::span<const long long> coefficients) {
+    const auto number = [&](long long value) {
+        return add(SyntaxKind::Number, offset, {}, {}, std::to_string(std::abs(value)));
+    };
+    std::vector<SyntaxId> terms;
+    std::string marks;
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+        const long long factor = coefficients[k];
+        if (factor == 0) continue;
+        SyntaxId term = k == 0 ? number(factor) : add(SyntaxKind::Name, offset, {}, {}, name);
+        if (k > 1) {
+            const SyntaxId exponent = number(static_cast<long long>(k));
+            term = add(SyntaxKind::Power, offset, {term, exponent});
+        }
+        if (k > 0 && std::abs(factor) != 1) {
+            const SyntaxId times = number(factor);
+            term = add(SyntaxKind::Product, offset, {times, term}, "*");
+        }
+        if (!terms.empty()) marks += factor < 0 ? '-' : '+';
+        terms.push_back(term);
+    }
+    return terms.size() == 1 ? terms.front()
+                             : add(SyntaxKind::Sum, offset, std::move(terms), marks);
+}
+
+/// Notes that log(2, x) has its base behind, where the first of two values alone is a number.
+void SyntaxParser::note_base(const Token& token, const std::vector<SyntaxId>& values) {
+    if (values.size() != 2) return;
+    const auto is_number = [&](SyntaxId id) { return tree_[id].kind == SyntaxKind::Number; };
+    if (!is_number(values[0]) || is_number(values[1])) return;
+    tree_.notes.add(token.offset, tr("log(a, b) is the logarithm of a to the base b; for the base "
+                                     "a type log(b, a)"));
 }
 
 /// The arguments of an angle in the order of atan2: GLSL has atan(y, x), but Mathematica ArcTan[x,

@@ -3,8 +3,10 @@
 #include "engine/language/syntax/syntax.hpp"
 #include "engine/language/words/words_defined.hpp"
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,11 +34,22 @@ private:
     using Rule = Parsed (SyntaxParser::*)();
     using List = std::optional<std::vector<SyntaxId>>;
 
-    /// A local name in a function's body as programs write it.
-    struct LocalValue {
-        std::string name;
+    /// A step of a function's body as programs write it.
+    struct BodyStep {
+        enum class Kind : std::uint8_t { Value, Choice, Return };
+
+        Kind kind;
         std::size_t offset;
-        SyntaxId value;
+        SyntaxId value = 0;               ///< the value, the result, or the condition of a choice
+        std::string name = {};            ///< what has the value
+        bool declares = false;            ///< the name is new
+        std::vector<BodyStep> then = {};  ///< where the condition holds
+        std::vector<BodyStep> otherwise = {};  ///< where it does not
+    };
+    /// Steps that follow others, and what follows these.
+    struct FollowingSteps {
+        std::span<const BodyStep> steps;
+        const FollowingSteps* next;
     };
 
     /// Counts one more level of nesting while it lives. Every recursion passes power() or part().
@@ -63,10 +76,25 @@ private:
     Parsed program_function();
     [[nodiscard]] bool starts_pov_function() const;
     Parsed pov_function();
+
+    // syntax_body.cpp
     Parsed block();
+    bool steps_in_braces(const Token& opener, std::vector<BodyStep>& steps);
+    bool step(std::vector<BodyStep>& steps);
+    bool choice_step(std::vector<BodyStep>& steps);
+    bool branch(std::vector<BodyStep>& steps);
+    void skip_breaks();
+    Parsed result_of(std::span<const BodyStep> steps, const FollowingSteps* behind,
+                     std::size_t closer);
+    Parsed result_behind_values(const BodyStep& step, std::span<const BodyStep> rest,
+                                const FollowingSteps* behind, std::size_t closer);
+    [[nodiscard]] static bool returns_within(const BodyStep& step);
+    static void add_changed(std::span<const BodyStep> steps, std::vector<std::string>& names);
     SyntaxId new_value(const Token& name, std::string_view part, std::string_view sign,
                        SyntaxId value);
-    bool local_value(std::vector<LocalValue>& locals);
+    [[nodiscard]] static ParseError no_step(const Token& at);
+    bool local_value(std::vector<BodyStep>& steps);
+    bool named_value(bool declares, std::vector<BodyStep>& steps);
 
     // syntax_instructions.cpp
     Parsed instructions();
@@ -108,6 +136,11 @@ private:
     Parsed radical(const Token& token);
     Parsed part();
     Parsed call(const Token& token, const Function& function);
+    [[nodiscard]] static std::optional<int> chebyshev_degree(const Token& token);
+    Parsed chebyshev(const Token& token, int degree);
+    SyntaxId polynomial(std::size_t offset, const std::string& name,
+                        std::span<const long long> coefficients);
+    void note_base(const Token& token, const std::vector<SyntaxId>& values);
     std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
     Parsed call_of_text(const Token& token);
     bool skip_to_list();
@@ -161,6 +194,7 @@ private:
     int depth_ = 0;                    ///< nesting of operands
     int brackets_ = 0;                 ///< open brackets
     int bars_ = 0;                     ///< open "|" since the last open bracket
+    int steps_read_ = 0;               ///< steps of a body, each as often as it was read
 };
 
 }  // namespace zeroset

@@ -10,6 +10,7 @@
 #include "engine/language/words/words_candidates.hpp"
 
 #include <ranges>
+#include <span>
 
 namespace zeroset {
 
@@ -223,79 +224,37 @@ SyntaxParser::Parsed SyntaxParser::pov_function() {
     return add(SyntaxKind::Compare, name.offset, {call, *body}, "=");
 }
 
-/// Reads a function's braces: local values, then "return" and the result.
-SyntaxParser::Parsed SyntaxParser::block() {
-    const Token& opener = take();
-    std::vector<LocalValue> locals;
-    for (;;) {
-        while (next().kind == TokenKind::Break)
-            take();
-        if (next_is_word("return")) break;
-        if (!local_value(locals)) return std::nullopt;
-    }
-    take();
-    Parsed result = choice();
-    if (!result) return result;
-    while (next().kind == TokenKind::Break)
-        take();
-    if (!next_is("}")) {
-        const bool unfinished = next().kind == TokenKind::End;
-        return refuse({.offset = opener.offset,
-                       .reason = tr("this '{' is not closed behind 'return'"),
-                       .hint = tr("add a '}'"),
-                       .unfinished = unfinished});
-    }
-    take();
-    if (!may_nest(static_cast<int>(locals.size()))) return std::nullopt;
-    for (const LocalValue& local : std::views::reverse(locals)) {
-        result = add(SyntaxKind::Let, local.offset, {local.value, *result}, {}, local.name);
-    }
-    return result;
-}
+namespace {
 
-/// The value that a local name has behind `p.xy *= value`; without a part or a sign they are empty.
-SyntaxId SyntaxParser::new_value(const Token& name, std::string_view part, std::string_view sign,
-                                 SyntaxId value) {
-    const auto old = [&] { return add(SyntaxKind::Name, name.offset, {}, {}, full_name(name)); };
-    if (!sign.empty()) {
-        const bool adds = sign == "+" || sign == "-";
-        SyntaxId before = old();
-        if (!part.empty()) before = add(SyntaxKind::Part, name.end(), {before}, {}, part);
-        value =
-            add(adds ? SyntaxKind::Sum : SyntaxKind::Product, name.offset, {before, value}, sign);
-    }
-    if (part.empty()) return value;
-    return add(SyntaxKind::Replace, name.end(), {old(), value}, {}, part);
-}
-
-/// Reads `float a = 1, b = 2;`, and what changes a value: `p.xy *= 2;`.
-bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
-    const bool is_certain = skip_type_words();
-    do {
-        const Token& name = next();
-        const bool is_name = name.kind == TokenKind::Name;
-        const bool has_part = is_name && tokens_[at_ + 1].kind == TokenKind::Part;
-        const std::size_t at = at_ + (has_part ? 2 : 1);
-        const bool changes = is_name && is_symbol(tokens_[at], {"+", "-", "*", "/"}) &&
-                             is_symbol(tokens_[at + 1], {"="}) &&
-                             adjacent(tokens_[at], tokens_[at + 1]);
-        if (!is_name || (!changes && !is_symbol(tokens_[at], {"="}))) {
-            fail(name, tr("only values and 'return' are read in a function's braces"),
-                 tr("type NAME = value; and return value;"));
-            return false;
+/// The error for a bracket that is not closed on the lines before an error, which may stand in what
+/// was meant as the next row.
+std::optional<ParseError> error_for_open_bracket(std::string_view text,
+                                                 std::span<const Token> tokens,
+                                                 const ParseError& error) {
+    std::vector<const Token*> open;
+    for (const Token& token : tokens) {
+        if (token.kind == TokenKind::Break || token.kind == TokenKind::End) {
+            if (token.offset > error.offset) break;
+            open.clear();
         }
-        at_ = at + (changes ? 2 : 1);
-        Parsed value = choice();
-        if (!value) return false;
-        const auto part = has_part ? tokens_[at - 1].text : std::string_view();
-        value = new_value(name, part, changes ? tokens_[at].text : std::string_view(), *value);
-        locals.push_back({.name = full_name(name), .offset = name.offset, .value = *value});
-        if (next().kind == TokenKind::Break) return true;
-    } while (is_certain && declares_more() && take().kind == TokenKind::Symbol);
-    fail(next(), tr("';' is missing behind a value in a function's braces"),
-         tr("type NAME = value;"));
-    return false;
+        if (is_symbol(token, {"(", "[", "{"})) open.push_back(&token);
+        if (is_symbol(token, {")", "]", "}"}) && !open.empty()) open.pop_back();
+    }
+    for (const Token* const token : std::views::reverse(open)) {
+        const bool is_before =
+            token->offset < error.offset &&
+            text.substr(token->offset, error.offset - token->offset).find_first_of("\n\v") !=
+                std::string_view::npos;
+        if (!is_before) continue;
+        const std::string closer = token->text == "(" ? ")" : token->text == "[" ? "]" : "}";
+        return ParseError{.offset = token->offset,
+                          .reason = filled(tr("this {0} is not closed"), {quoted(token->text)}),
+                          .hint = filled(tr("add a {0}"), {quoted(closer)})};
+    }
+    return std::nullopt;
 }
+
+}  // namespace
 
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::size_t counted_end) {
     if (text.size() > ProgramLimits::text) {
@@ -315,7 +274,11 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
     tokens = Words(*tokens, defined).split(*tokens, notes);
     tokens = without_float_suffixes(std::move(*tokens), defined, notes);
     tokens = with_plain_marks(std::move(*tokens), defined, notes);
-    return SyntaxParser(std::move(*tokens), defined, std::move(notes)).text();
+    const std::vector<Token> typed = *tokens;
+    auto tree = SyntaxParser(std::move(*tokens), defined, std::move(notes)).text();
+    if (tree) return tree;
+    auto error = error_for_open_bracket(text, typed, tree.error());
+    return error ? std::unexpected(std::move(*error)) : tree;
 }
 
 }  // namespace zeroset

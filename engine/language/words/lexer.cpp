@@ -265,11 +265,7 @@ Done Lexer::command() {
         }
         return {};
     }
-    if (word == "begin" || word == "end") {
-        at_ += length + run_length(text_, at_ + length, [](char c) { return c != '}'; });
-        at_ = std::min(at_ + 1, text_.size());
-        return {};
-    }
+    if (word == "begin" || word == "end") return environment(word);
     const std::optional<Sign> sign = sign_of_command(word);
     if (!sign) {
         return std::unexpected(

@@ -3,7 +3,9 @@
 #include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/words/lexer.hpp"
+#include "engine/language/words/words_defined.hpp"
 
+#include <span>
 #include <utility>
 
 namespace zeroset {
@@ -22,6 +24,19 @@ bool wants_more(const Token& token) {
     return is_connective(token) ||
            is_symbol(token, {"+", "-", "*", "/", "%", "^", ",", "=", "==", ":=", "<", ">",
                              "<=", ">=", "!=", "!", "&", "?"});
+}
+
+/// Whether the tokens are the head of a function as programs write it: `float f(vec2 u, float v)`.
+bool is_program_head(std::span<const Token> tokens) {
+    std::size_t at = 0;
+    while (at + 1 < tokens.size() && declares(tokens[at], tokens[at + 1]))
+        ++at;
+    if (at == 0 || at + 1 >= tokens.size() || !is_symbol(tokens[at + 1], {"("})) return false;
+    at += 2;
+    while (at < tokens.size() &&
+           (tokens[at].kind == TokenKind::Name || is_symbol(tokens[at], {","})))
+        ++at;
+    return at + 1 == tokens.size() && is_symbol(tokens[at], {")"});
 }
 
 class LineJoiner {
@@ -50,8 +65,17 @@ private:
             open_ = 0;
             choices_ = 0;
             has_equals_ = false;
+            statement_ = kept_ + 1;
         }
         tokens_[kept_++] = token;
+    }
+    /// Whether the next line that is not empty begins with the "{" of a function whose head was
+    /// before it.
+    [[nodiscard]] bool opens_body(std::size_t at) const {
+        while (is_line_end(tokens_[at]))
+            ++at;
+        return is_symbol(tokens_[at], {"{"}) &&
+               is_program_head(std::span(tokens_).first(kept_).subspan(statement_));
     }
     /// Whether the statement continues after the line end at index `at`.
     [[nodiscard]] bool joins(std::size_t at) const {
@@ -59,6 +83,7 @@ private:
         if (open_ > 0 || kept_ == 0) return true;
         const Token& last = tokens_[kept_ - 1];
         if (last.kind == TokenKind::Break || wants_more(last) || goes_on(next)) return true;
+        if (opens_body(at)) return true;
         const bool between_values = is_symbol(last, {":"}) || is_symbol(next, {":"});
         return between_values && choices_ > 0;
     }
@@ -85,10 +110,11 @@ private:
 
     std::vector<Token> tokens_;
     Notes& notes_;
-    std::size_t kept_ = 0;     ///< number of tokens kept so far, at the front of tokens_
-    int open_ = 0;             ///< open brackets
-    int choices_ = 0;          ///< "?" in the statement so far
-    bool has_equals_ = false;  ///< the statement so far has an "="
+    std::size_t kept_ = 0;       ///< number of tokens kept so far, at the front of tokens_
+    std::size_t statement_ = 0;  ///< index of the statement's first token
+    int open_ = 0;               ///< open brackets
+    int choices_ = 0;            ///< "?" in the statement so far
+    bool has_equals_ = false;    ///< the statement so far has an "="
 };
 
 }  // namespace

@@ -39,6 +39,9 @@ private:
     Done step();
     Done other_character();
     Done command();
+    Done environment(std::string_view word);
+    Done begin_cases(std::size_t length);
+    Done end_cases(std::size_t length);
     Done part();
     [[nodiscard]] bool starts_volume() const;
     Done volume();
@@ -79,6 +82,7 @@ private:
     std::size_t run_end_ = 0;                         ///< end of the last run of letters and digits
     bool line_start_ = true;  ///< only spaces and remarks since the last line end
     std::vector<Token> tokens_;
+    std::vector<std::size_t> cases_;  ///< indices of the first tokens of open cases of LaTeX
 };
 
 }  // namespace zeroset

@@ -21,11 +21,15 @@ bool is_single(const Token& token) {
     return token.kind == TokenKind::Name && (token.text.size() == 1 || !is_letter(token.text[0]));
 }
 
-/// Whether a word and the number directly after it are a function's name, as log and 10.
-bool makes_name_with(const Token& word, const Token& number) {
-    if (number.kind != TokenKind::Number || !adjacent(word, number)) return false;
+/// The function whose name a word and the number directly after it are, as log and 10, or Log and
+/// 10; nullptr: there is none.
+const Function* function_of(const Token& word, const Token& number) {
+    const bool joins = word.kind == TokenKind::Name && number.kind == TokenKind::Number &&
+                       adjacent(word, number) && word.subscript.empty();
+    if (!joins) return nullptr;
     const std::string joined = std::string(word.text) + std::string(number.text);
-    return word.subscript.empty() && find_function(joined) != nullptr;
+    const Function* const function = find_function(joined);
+    return function != nullptr ? function : find_fixed_function(in_small_letters(joined));
 }
 
 /// The known name that this one equals but for capital letters: sin for Sin, pi for PI, and for
@@ -61,7 +65,9 @@ bool is_program_word(std::span<const Token> tokens, std::size_t at) {
     const bool starts = at == 0 || tokens[at - 1].kind == TokenKind::Break || behind({"{"});
     if (word.text == "function")
         return behind({"=", ":="}) || (starts && is_symbol(tokens[at + 1], {"{"}));
-    if (word.text == "return") return starts || behind({"}"});
+    if (word.text == "else") return starts || behind({"}"});
+    const bool behind_else = at > 0 && tokens[at - 1].text == "else";
+    if (word.text == "return") return starts || behind_else || behind({"}", ")"});
     const bool behind_word = at > 0 && declares(tokens[at - 1], word);
     return declares(word, tokens[at + 1]) && (starts || behind_word || behind({"(", ","}));
 }
@@ -199,9 +205,9 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
     std::vector<Token> out;
     out.reserve(tokens.size());
     for (const Token& token : tokens) {
-        if (!out.empty() && makes_name_with(out.back(), token)) {
+        if (const Function* const named = out.empty() ? nullptr : function_of(out.back(), token)) {
             Token& word = out.back();
-            word.text = find_function(std::string(word.text) + std::string(token.text))->name;
+            word.text = named->name;
             word.length += token.length;
             continue;
         }

@@ -14,9 +14,9 @@
 namespace zeroset {
 namespace {
 
-constexpr std::array<std::string_view, 19> type_words{
-    "float", "double", "int",     "real", "const", "let",     "var",  "val",  "def", "auto",
-    "local", "static", "declare", "lowp", "highp", "mediump", "vec2", "vec3", "vec4"};
+constexpr std::array<std::string_view, 20> type_words{
+    "float", "double", "int",     "real", "const", "let",     "var",  "val",  "def",  "auto",
+    "local", "static", "declare", "lowp", "highp", "mediump", "vec2", "vec3", "vec4", "bool"};
 
 /// Whether a name is one letter, ASCII or not; such names are never split.
 bool is_letter_name(std::string_view name) {
@@ -46,6 +46,20 @@ bool mentions_argument(const Candidate& candidate) {
                    return name.contains(argument);
                });
     });
+}
+
+/// Whether a function's value has a coordinate in it, but none of its arguments, which are
+/// coordinates: erf(x) = z.
+bool relates_coordinates(const Candidate& candidate) {
+    constexpr std::string_view axes = "xyz";
+    const bool of_axes = std::ranges::all_of(candidate.arguments, [&](const std::string& argument) {
+        return argument.size() == 1 && axes.contains(argument);
+    });
+    return of_axes && !mentions_argument(candidate) &&
+           std::ranges::any_of(candidate.value, [&](const Token& token) {
+               return token.kind == TokenKind::Name &&
+                      token.text.find_first_not_of(axes) == std::string_view::npos;
+           });
 }
 
 }  // namespace
@@ -216,6 +230,7 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
         return uses.calls > 0 && candidates_.depends_on_arguments_only(candidate);
     }
     if (candidate.arguments.size() > 1 || uses.calls > 0) return true;
+    if (relates_coordinates(candidate)) return false;
     const std::vector<std::string> factors = candidates_.factors(name);
     if (factors.size() < 2) return true;
     const bool is_formula = std::ranges::all_of(factors, is_coordinate) ||

@@ -88,6 +88,62 @@ TEST(Patches, CallsFunctionsWithItsVariables) {
                 {2.25, 1.5, 0.5});
 }
 
+TEST(Patches, GivesItsVariablesToDefinitions) {
+    const Program program =
+        program_of("r = 2 + cos v; (r cos u, r sin u, sin v), 0 < u < 2 pi, 0 < v < 2 pi");
+    ASSERT_EQ(program.surfaces.size(), 1U);
+    EXPECT_TRUE(program.parameters.empty());
+    EXPECT_EQ(program.readings.front().text, "r = 2 + cos(v)");
+    expect_near(at(program, 0.25, 0.5), {0.0, 1.0, 0.0});
+    expect_near(at(program, 0.5, 0.0), {-3.0, 0.0, 0.0});
+}
+
+TEST(Patches, GivesItsVariablesToDefinitionsOfDefinitions) {
+    const Program torus = program_of(
+        "X = s cos u; s = 2 + c; c = cos v; Y = s sin u; Z = a sin v; (X, Y, Z), 0 < u < 2 pi, "
+        "0 < v < 2 pi");
+    ASSERT_EQ(torus.surfaces.size(), 1U);
+    EXPECT_EQ(torus.parameters, std::vector<std::string>{"a"});
+    expect_near(at(torus, 0.25, 0.5), {0.0, 1.0, 0.0});
+    const Program point = program_of("P = (cos t, sin t, t); P + (0, 0, 1), 0 < t < 2 pi");
+    ASSERT_EQ(point.surfaces.size(), 1U);
+    expect_near(at(point, 0.5, 0.0), {-1.0, 0.0, pi + 1.0});
+    const Program function =
+        program_of("f(s) = s v; h = v^2; (f(u), f(1), h), 0 < u < 1, 0 < v < 2; (0, 0, h), 0<v<1");
+    EXPECT_TRUE(function.parameters.empty());
+    EXPECT_EQ(function.readings.front().text, "f(s) = s*v");
+    expect_near(at(function, 0.5, 0.5), {0.5, 1.0, 1.0});
+}
+
+TEST(Patches, LeavesDefinitionsOfOtherRowsTheirSliders) {
+    const Program program = program_of("h = v^2; (u, v, h), 0 < u < 1, 0 < v < 2; z = h x");
+    EXPECT_EQ(program.parameters, std::vector<std::string>{"v"});
+    expect_near(at(program, 0.5, 0.5), {0.5, 1.0, 1.0});
+}
+
+TEST(Patches, GivesRangesTheVariablesBeforeThem) {
+    const Program program = program_of("h = u^2; (u, v, 0), 0 < u < 2, 0 < v < h");
+    expect_near(at(program, 0.5, 0.5), {1.0, 0.5, 0.0});
+    EXPECT_EQ(program.readings.back().text, "(u, v, 0), 0 < u < 2, 0 < v < u^2");
+    EXPECT_NE(error_of("h = v^2; (u, v, 0), 0 < u < h, 0 < v < 1").find("the range of u goes by v"),
+              std::string::npos);
+}
+
+TEST(Patches, ReadsANamedPoint) {
+    const Program program = program_of("r(u,v) = (u cos v, u sin v, v), 0<=u<=1, 0<=v<=2pi");
+    ASSERT_EQ(program.surfaces.size(), 1U);
+    EXPECT_TRUE(program.parameters.empty());
+    EXPECT_EQ(patch_of(program.surfaces.front())->kind, PatchKind::Surface);
+    expect_near(at(program, 0.5, 0.25), {0.0, 0.5, 0.5 * pi});
+    const Program curves = program_of(
+        "r(t) = (cos t, sin t, t), 0 < t < 6; C = (0, 0, t), 0 < t < 1; g(t) = (1, t, 0); "
+        "g(t), 0 < t < 3");
+    ASSERT_EQ(curves.surfaces.size(), 3U);
+    EXPECT_EQ(patch_of(curves.surfaces.front())->kind, PatchKind::Curve);
+    expect_near(at(curves, 0.5, 0.0), {std::cos(3.0), std::sin(3.0), 3.0});
+    EXPECT_NE(error_of("f(u, v) = (u, v, 0), 0 < u < 1").find("v has no range"), std::string::npos);
+}
+
 TEST(Patches, LeavesEquationsAlone) {
     const Program program = program_of("x^2 + y^2 - 1, 0 < r < 2; (1, 2, 3)");
     ASSERT_EQ(program.surfaces.size(), 2U);
