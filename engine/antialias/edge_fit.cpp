@@ -187,7 +187,7 @@ bool is_touched(const EdgeSamples& samples, SquareStretches stretches) {
     if (!samples.known || !(least <= most * (greatest - least))) return false;
     // Exponentials, too, are small beside what they are at other rays. But by their slopes they
     // come to 0 equally far from all rays; a thread is nearer to some.
-    constexpr double equal = 1.5;
+    constexpr double equal = 1.2;
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = 0.0;
     for (std::size_t i = 0; i < square_ray_count; ++i) {
@@ -217,11 +217,13 @@ bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches
                                [&](double height) { return std::abs(height) <= most * size; });
 }
 
-bool is_flush(SquareStretches stretches) {
+bool is_flush(SquareStretches stretches, CornerStretches corners) {
     constexpr double most = 1e-12;  // of f at the other end
+    if (std::ranges::any_of(corners, &RayStretch::is_empty)) return false;
     const auto are_zero = [&](double RayStretch::* end, double RayStretch::* other) {
         return std::ranges::all_of(stretches, [&](const RayStretch& ray) {
-            return !ray.is_empty() && std::abs(ray.*end) <= most * std::abs(ray.*other);
+            return !ray.is_empty() && std::isfinite(ray.*other) &&
+                   std::abs(ray.*end) <= most * std::abs(ray.*other);
         });
     };
     return are_zero(&RayStretch::near, &RayStretch::far) ||

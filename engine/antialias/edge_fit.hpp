@@ -40,7 +40,8 @@ bool are_ends_even(SquareStretches stretches, CornerStretches corners);
 /// as a wall has cut the root away.
 EdgeSamples entry_samples(SquareStretches stretches);
 
-/// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
+/// Whether the heights, all above 0, come so near to it that a thread may pass between the rays, to
+/// some of which it is nearer, by the slopes at them.
 bool is_touched(const EdgeSamples& samples, SquareStretches stretches);
 
 /// Whether f changes from ray to ray in nearly the same way at all rays: where it may have kinks
@@ -50,9 +51,9 @@ bool is_one_slope(SquareStretches stretches);
 /// Whether f comes to 0 on all rays, and on none goes through it.
 bool is_touched_everywhere(const EdgeSamples& samples, SquareStretches stretches);
 
-/// Whether f is 0, but for rounding, at the same end of all stretches: where these end at a wall of
-/// the clip region, the surface lies in it.
-bool is_flush(SquareStretches stretches);
+/// Whether f is 0, but for rounding, at the same end of all stretches, and the rays at the corners
+/// are within the clip region, too: where stretches end at a wall of it, the surface lies in that.
+bool is_flush(SquareStretches stretches, CornerStretches corners);
 
 /// Whether all of the square has a root, as far as the heights tell.
 bool is_all_below(const EdgeSamples& samples);

@@ -24,6 +24,15 @@ HWY_INLINE M<double> either(M<double> which, M<double> a, M<double> b) {
     return hn::Or(hn::And(which, a), hn::AndNot(which, b));
 }
 
+/// sqrt(x^2 + y^2), also where the squares are beyond the range of double.
+HWY_INLINE V<double> length_of(V<double> x, V<double> y) {
+    const V<double> zero = hn::Zero(d<double>);
+    const V<double> most = hn::Max(hn::Abs(x), hn::Abs(y));
+    const V<double> part = hn::Div(hn::Min(hn::Abs(x), hn::Abs(y)), most);
+    const V<double> length = hn::Mul(most, hn::Sqrt(hn::MulAdd(part, part, number(1.0))));
+    return hn::IfThenElse(hn::Gt(most, zero), length, zero);
+}
+
 /// The search for the lines of some squares. Ray k of square i has the index k count + i.
 class LineSearch {
 public:
@@ -229,7 +238,7 @@ HWY_INLINE void LineSearch::decide(std::size_t i, const Edges& edges) {
         .by_y = hn::Mul(half, hn::Sub(hn::Add(h[3], h[4]), hn::Add(h[1], h[2])))};
     const V<double> bend = hn::Add(hn::Abs(off_mean), edges.doubt);
     const V<double> off = hn::MulAdd(half, hn::Abs(twist), hn::Mul(number(2.0), bend));
-    const V<double> slope = hn::Sqrt(hn::MulAdd(fit.by_x, fit.by_x, hn::Mul(fit.by_y, fit.by_y)));
+    const V<double> slope = length_of(fit.by_x, fit.by_y);
     M<double> clear = hn::Le(off, hn::Mul(number(squares_.rules.error), slope));
     if (squares_.rules.flat_too) {
         const V<double> least =

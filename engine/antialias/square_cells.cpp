@@ -39,7 +39,8 @@ public:
     void advance(std::span<const std::size_t> squares, bool to_end, Counters& counters);
 
 private:
-    void evaluate(std::size_t size, const FrustumOf<Real>& frustum, const FrontRules<Real>& rules,
+    /// Takes the first `count` fronts on by a cell each.
+    void evaluate(std::size_t count, const FrustumOf<Real>& frustum, const FrontRules<Real>& rules,
                   Counters& counters);
     [[nodiscard]] FrustumOf<Real> frustum_of(const CoverSquare& square) const;
     [[nodiscard]] FrontRules<Real> rules_of(const CoverSquare& square) const;
@@ -204,8 +205,9 @@ void SquareCells<Real>::take_cells(const FrontRules<Real>& rules, std::size_t si
 }
 
 template <class Real>
-void SquareCells<Real>::evaluate(std::size_t size, const FrustumOf<Real>& frustum,
+void SquareCells<Real>::evaluate(std::size_t count, const FrustumOf<Real>& frustum,
                                  const FrontRules<Real>& rules, Counters& counters) {
+    const std::size_t size = pad(count);
     place_cells(size);
     auto batch = cells_.batch(size, frustum, frame_.scene.uniforms.template boxes<Real>());
     batch.branches = branches_.data();
@@ -216,7 +218,7 @@ void SquareCells<Real>::evaluate(std::size_t size, const FrustumOf<Real>& frustu
         frame_.kernel.form(batch);
     }
     counters.range += ask_unknown_signs(frame_.kernel.template in<Real>().range, frustum, in_rays,
-                                        batch.uniforms, size, cells_);
+                                        batch.uniforms, count, cells_);
     take_cells(rules, size);
 }
 
@@ -234,7 +236,7 @@ void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_en
             squares = squares.subspan(1);
         }
         counters.form += count;
-        evaluate(pad(count), frustum, rules, counters);
+        evaluate(count, frustum, rules, counters);
         if (to_end) {
             count = replace_ended(count, squares);
             continue;

@@ -131,7 +131,12 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
         field_.leave_plain(square);
         return false;
     }
-    if (!is_inside && at.whole != nullptr && is_flush(stretches)) {
+    // In a long stretch f may come to 0 between its ends and go away again.
+    const auto is_long = [&](const CoverSquare& of, const Front& its) {
+        return of.level < first_one_slope_level &&
+               its.to - its.at > 4.0 * field_.fair_length(of, its.at);
+    };
+    if (!is_inside && at.whole != nullptr && is_flush(stretches, corners)) {
         field_.leave_plain(square);
         return false;
     }
@@ -139,7 +144,11 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
         const Signs signs = signs_at_walls(stretches, corners, at, front);
-        if (signs == Signs::Kept) return pass(square);
+        if (signs == Signs::Kept) {
+            if (!is_long(at, front)) return pass(square);
+            field_.divide(square);
+            return false;
+        }
         if (signs == Signs::Changed && !fit && all) fit = all_of_square;
         switch (walls_.add(square, stretches, corners, fit)) {
             case SquareWalls::Choice::None: break;

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
 namespace zeroset {
 namespace {
 
-/// Where the sheet is that all rays of a square meet, as f at the ends of their stretches tells: a
-/// depth at its middle, and how it changes over the square.
+/// Where the sheet is at the latest that all rays of a square meet, as f at the ends of their
+/// stretches tells: a depth at its middle, and how it changes over the square.
 std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
     std::array<double, square_ray_count> depth{};
     for (std::size_t i = 0; i < square_ray_count; ++i) {
@@ -21,7 +22,11 @@ std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
         if (ray.is_empty() || !(part >= 0.0 && part <= 1.0)) return std::nullopt;
         depth[i] = ray.from + part * (ray.to - ray.from);
     }
-    return LinearOnSquare{.value = depth[0],
+    // Corners are twice as far from the middle as the other rays: a sheet bends four times as much.
+    const double mean = 0.25 * (depth[1] + depth[2] + depth[3] + depth[4]);
+    const double twist = 0.25 * (depth[1] + depth[4] - depth[2] - depth[3]);
+    const double bend = std::abs(mean - depth[0]) + std::abs(twist);
+    return LinearOnSquare{.value = depth[0] + 4.0 * bend,
                           .by_x = 0.5 * (depth[2] + depth[4] - depth[1] - depth[3]),
                           .by_y = 0.5 * (depth[3] + depth[4] - depth[1] - depth[2])};
 }

@@ -54,10 +54,10 @@ std::size_t ask_unknown_signs(const KernelFunction<RangeBatchOf<Real>>& range,
                               std::size_t count, FormCells<Real, room>& cells) {
     constexpr Real unknown = std::numeric_limits<Real>::infinity();
     // Seldom: all cells are looked at in one go first.
-    Real worst = 0;
+    bool all_known = true;
     for (std::size_t i = 0; i < count; ++i)
-        worst = std::max(worst, cells.e[i]);
-    if (worst < unknown) return 0;
+        all_known = all_known & (cells.e[i] < unknown);
+    if (all_known) return 0;
     std::array<std::size_t, room> asked{};
     RangeBoxes<Real, room> boxes;
     std::size_t size = 0;
