@@ -130,6 +130,7 @@ bool RayMarcher<Real, Cell>::closes(const RangeList<Real>& ranges, std::size_t f
     // From there on it is twice as near to 0 half as far away.
     constexpr Real nearer = static_cast<Real>(0.75);
     const std::size_t count = margins_around(finest).count;
+    bool any = false;
     for (std::size_t k = 0; k + 1 < count; ++k) {
         const std::size_t near = first + 3 * k;
         const std::size_t far = near + 3;
@@ -137,9 +138,10 @@ bool RayMarcher<Real, Cell>::closes(const RangeList<Real>& ranges, std::size_t f
         const auto falls = [&](std::size_t side) {
             return ranges.least_size(near + side) <= nearer * ranges.least_size(far + side);
         };
-        if (falls(1) && falls(2)) return true;
+        if (!falls(1) || !falls(2)) return false;
+        any = true;
     }
-    return false;
+    return any;
 }
 
 template <class Real, class Cell>

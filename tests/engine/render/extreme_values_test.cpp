@@ -73,7 +73,7 @@ TEST(ExtremeValues, OfAnySizeShowTheSame) {
 TEST(ExtremeValues, BeyondFloatsAndDoublesCastNoShadowsAndLeaveNoDebris) {
     // 12^50 is beyond floats; exp(2700) is beyond doubles.
     expect_same_pictures("(x^2 + y^2 + z^2)^50 = 1", ball, 2.0, 10);
-    expect_same_pictures("exp(x^2 + y^2 + z^2) = exp(400)", "x^2 + y^2 + z^2 = 400", 30.0, 30);
+    expect_same_pictures("exp(x^2 + y^2 + z^2) = exp(400)", "x^2 + y^2 + z^2 = 400", 30.0, 40);
     expect_same_pictures("cosh(50 (x^2 + y^2 + z^2)) = cosh(50)", ball, 2.0, 10);
     expect_same_pictures("exp(150 (x^2 + y^2 + z^2)) = exp(150)", ball, 1.5, 10);
     expect_same_pictures("x^200 + y^200 + z^200 = 1", "max(abs(x), abs(y), abs(z)) = 1", 2.0, 300);
@@ -112,7 +112,9 @@ TEST(ExtremeValues, LeaveNoHolesAtWalls) {
         for (int row = 1; row + 1 < smooth.height; ++row) {
             for (int col = 1; col + 1 < smooth.width; ++col) {
                 const std::uint32_t alpha = smooth.color[smooth.index(col, row)] >> 24U;
-                if (is_hit_around(col, row)) EXPECT_GT(alpha, 100U) << col << ", " << row;
+                if (is_hit_around(col, row)) {
+                    EXPECT_GT(alpha, 100U) << col << ", " << row;
+                }
             }
         }
     }
@@ -131,11 +133,15 @@ TEST(ExtremeValues, EndWhereFEnds) {
 TEST(ExtremeValues, CloseWhereASignTimesARootIsZero) {
     expect_same_pictures(
         "sign(x^2 + y^2 + z^2 - 1) sqrt(min((sqrt(x^2 + y^2 + z^2) - 1)^2, 4)) = 0", ball, 1.5, 8);
-    // A jump that stays as high as it is shows nothing.
-    const Scene jump = scene_of("sign(x) (1 + y^2) = 0", Box::cube(1.5));
-    Framebuffer frame(48, 48);
-    render_frame(jump, default_camera(jump.clip), {}, frame);
-    EXPECT_TRUE(std::ranges::all_of(frame.surface, [](auto of) { return of == no_surface; }));
+    // A jump that keeps a height shows nothing.
+    for (const std::string text : {"sign(x) (1 + y^2) = 0", "sign(x) (abs(x)^0.5 + 0.01) = 0",
+                                   "sign(x) (0.001 + abs(x)) = 0"}) {
+        const Scene jump = scene_of(text, Box::cube(1.5));
+        Framebuffer frame(48, 48);
+        render_frame(jump, default_camera(jump.clip), {}, frame);
+        EXPECT_TRUE(std::ranges::all_of(frame.surface, [](auto of) { return of == no_surface; }))
+            << text;
+    }
 }
 
 }  // namespace
