@@ -76,6 +76,14 @@ Signs signs_at_walls(SquareStretches stretches, CornerStretches corners, const C
     return is_passed_by(stretches, corners, square) ? Signs::Kept : signs_of(stretches);
 }
 
+/// Whether f may come to 0 between the ends of a square's stretches and go away again, as these are
+/// long.
+bool is_long(const SquareField& field, const CoverSquare& square, const Front& front) {
+    constexpr double most = 4.0;  // fair lengths
+    return square.level < first_one_slope_level &&
+           front.to - front.at > most * field.fair_length(square, front.at);
+}
+
 /// Calls do_some for `squares`, at most so many at once.
 template <class DoSome>
 void for_each_part(std::span<const std::size_t> squares, std::size_t most, const DoSome& do_some) {
@@ -120,6 +128,26 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
     return false;
 }
 
+std::optional<bool> SquareEdges::take_at_walls(std::size_t square, SquareStretches stretches,
+                                               CornerStretches corners, bool all,
+                                               std::optional<LinearOnSquare>& fit) {
+    const CoverSquare& at = field_.square(square);
+    const Front& front = field_.fronts(square)[surface_];
+    const Signs signs = signs_at_walls(stretches, corners, at, front);
+    if (signs == Signs::Kept) {
+        if (!is_long(field_, at, front)) return pass(square);
+        field_.divide(square);
+        return false;
+    }
+    if (signs == Signs::Changed && !fit && all) fit = all_of_square;
+    switch (walls_.add(square, stretches, corners, fit)) {
+        case SquareWalls::Choice::None: break;
+        case SquareWalls::Choice::Sought: return false;
+        case SquareWalls::Choice::Outside: return pass(square);
+    }
+    return std::nullopt;
+}
+
 bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStretches corners) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
@@ -131,11 +159,6 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
         field_.leave_plain(square);
         return false;
     }
-    // In a long stretch f may come to 0 between its ends and go away again.
-    const auto is_long = [&](const CoverSquare& of, const Front& its) {
-        return of.level < first_one_slope_level &&
-               its.to - its.at > 4.0 * field_.fair_length(of, its.at);
-    };
     if (!is_inside && at.whole != nullptr && is_flush(stretches, corners)) {
         field_.leave_plain(square);
         return false;
@@ -143,18 +166,8 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
-        const Signs signs = signs_at_walls(stretches, corners, at, front);
-        if (signs == Signs::Kept) {
-            if (!is_long(at, front)) return pass(square);
-            field_.divide(square);
-            return false;
-        }
-        if (signs == Signs::Changed && !fit && all) fit = all_of_square;
-        switch (walls_.add(square, stretches, corners, fit)) {
-            case SquareWalls::Choice::None: break;
-            case SquareWalls::Choice::Sought: return false;
-            case SquareWalls::Choice::Outside: return pass(square);
-        }
+        if (const auto goes_on = take_at_walls(square, stretches, corners, all, fit))
+            return *goes_on;
     }
     if (!fit && is_inside) {
         const auto thread = fit_thread(stretches, 0.5 * at.side, 2.0 * thinnest_thread / at.side);
