@@ -142,8 +142,10 @@ private:
     void set_box(RangeBoxes<double, parts>& boxes, std::size_t i, double from, double to) const;
     void evaluate_boxes(RangeBoxes<double, parts>& boxes);
     int sign_by_boxes(double from, double to);
-    /// Whether f changes its sign in a stretch and comes to 0 there from both sides, as far as f
-    /// around it tells.
+    /// Whether f surely is defined in a stretch.
+    [[nodiscard]] bool is_defined(double from, double to) const;
+    /// Whether f changes its sign in a stretch, is defined in it, and comes to 0 there from both
+    /// sides, as far as f around it tells.
     bool closes(double from, double to);
     bool take_undecided(const Cell<Real>& f, double from, double to);
 
@@ -264,6 +266,19 @@ void Search<Real>::evaluate_boxes(RangeBoxes<double, parts>& boxes) {
 }
 
 template <class Real>
+bool Search<Real>::is_defined(double from, double to) const {
+    if (surface_.kernel.defined_everywhere) return true;
+    if (!surface_.kernel.domain) return false;
+    RangeBoxes<double, parts> boxes;
+    set_box(boxes, 0, from, to);
+    boxes.pad(1);
+    counters_.range += 1;
+    surface_.kernel.domain(
+        boxes.batch(padded(1), surface_.scene.uniforms.template boxes<double>()));
+    return boxes.continuous[0] != 0;
+}
+
+template <class Real>
 bool Search<Real>::closes(double from, double to) {
     constexpr double nearer = 0.75;  // half as far away f is half as far from 0, or a little more
     const double width = to - from;
@@ -278,7 +293,8 @@ bool Search<Real>::closes(double from, double to) {
     };
     const bool turns = (boxes.f_neg_lo[0] < 0.0 && boxes.f_hi[3] < 0.0) ||
                        (boxes.f_hi[0] < 0.0 && boxes.f_neg_lo[3] < 0.0);
-    return turns && distance(1) <= nearer * distance(0) && distance(2) <= nearer * distance(3);
+    return turns && distance(1) <= nearer * distance(0) && distance(2) <= nearer * distance(3) &&
+           is_defined(from - width, to + width);
 }
 
 /// The sign of f on a stretch, by boxes about parts of it, in double; 0: not known. Beside a pole

@@ -178,8 +178,12 @@ std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t lefto
             nearest_.add_pending(segment.pixel, middle, Certificate::Jump, *jumps);
             return std::nullopt;
         }
-        goes_on = undecided(segment.part(what.from, what.to, what.to - what.from), segment.to,
-                            continuous || closes(ranges_, box, settings.finest));
+        // At a hole, where f is not defined, there is no root.
+        const bool is_drawn =
+            continuous || (closes(ranges_, box, settings.finest) &&
+                           (frame_.kernel.defined_everywhere || is_defined(what, settings.finest)));
+        goes_on =
+            undecided(segment.part(what.from, what.to, what.to - what.from), segment.to, is_drawn);
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;
