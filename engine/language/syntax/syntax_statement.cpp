@@ -9,8 +9,9 @@
 #include "engine/language/words/words.hpp"
 #include "engine/language/words/words_candidates.hpp"
 
-#include <ranges>
+#include <array>
 #include <span>
+#include <vector>
 
 namespace zeroset {
 
@@ -226,32 +227,43 @@ SyntaxParser::Parsed SyntaxParser::pov_function() {
 
 namespace {
 
+/// The brackets of the statement around an offset, and of all behind it, that no token closes.
+/// Within braces a Break ends no statement: they may hold a function's lines.
+std::vector<const Token*> unclosed_brackets(std::span<const Token> tokens, std::size_t offset) {
+    constexpr std::array<std::string_view, 3> openers{"(", "[", "{"};
+    constexpr std::array<std::string_view, 3> closers{")", "]", "}"};
+    std::array<std::vector<const Token*>, 3> open;  // of each kind
+    for (const Token& token : tokens) {
+        const bool ends = token.kind == TokenKind::Break && open[2].empty();
+        for (std::size_t kind = 0; kind < open.size(); ++kind) {
+            if (ends && token.offset <= offset) open[kind].clear();
+            if (is_symbol(token, {openers[kind]})) open[kind].push_back(&token);
+            if (is_symbol(token, {closers[kind]}) && !open[kind].empty()) open[kind].pop_back();
+        }
+    }
+    std::vector<const Token*> unclosed;
+    for (const auto& of_kind : open)
+        unclosed.insert(unclosed.end(), of_kind.begin(), of_kind.end());
+    return unclosed;
+}
+
 /// The error for a bracket that is not closed on the lines before an error, which may stand in what
 /// was meant as the next row.
 std::optional<ParseError> error_for_open_bracket(std::string_view text,
                                                  std::span<const Token> tokens,
                                                  const ParseError& error) {
-    std::vector<const Token*> open;
-    for (const Token& token : tokens) {
-        if (token.kind == TokenKind::Break || token.kind == TokenKind::End) {
-            if (token.offset > error.offset) break;
-            open.clear();
-        }
-        if (is_symbol(token, {"(", "[", "{"})) open.push_back(&token);
-        if (is_symbol(token, {")", "]", "}"}) && !open.empty()) open.pop_back();
+    const std::size_t before = text.substr(0, error.offset).find_last_of("\n\v");
+    if (before == std::string_view::npos) return std::nullopt;
+    const Token* last = nullptr;
+    for (const Token* const token : unclosed_brackets(tokens, error.offset)) {
+        const bool is_later = last == nullptr || token->offset > last->offset;
+        if (token->offset < before && is_later) last = token;
     }
-    for (const Token* const token : std::views::reverse(open)) {
-        const bool is_before =
-            token->offset < error.offset &&
-            text.substr(token->offset, error.offset - token->offset).find_first_of("\n\v") !=
-                std::string_view::npos;
-        if (!is_before) continue;
-        const std::string closer = token->text == "(" ? ")" : token->text == "[" ? "]" : "}";
-        return ParseError{.offset = token->offset,
-                          .reason = filled(tr("this {0} is not closed"), {quoted(token->text)}),
-                          .hint = filled(tr("add a {0}"), {quoted(closer)})};
-    }
-    return std::nullopt;
+    if (last == nullptr) return std::nullopt;
+    const std::string closer = last->text == "(" ? ")" : last->text == "[" ? "]" : "}";
+    return ParseError{.offset = last->offset,
+                      .reason = filled(tr("this {0} is not closed"), {quoted(last->text)}),
+                      .hint = filled(tr("add a {0}"), {quoted(closer)})};
 }
 
 }  // namespace

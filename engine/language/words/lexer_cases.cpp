@@ -1,20 +1,26 @@
 // Cases as LaTeX writes them, rewritten in braces.
 //
 // \begin{cases} a & x < 0 \\ b & \text{otherwise} \end{cases} is {x < 0: a, b}. The last of several
-// conditions stays one: where none holds there is no value.
+// conditions stays one: where none holds there is no value. Rows without conditions are equations,
+// each a statement of its own.
 
+#include "engine/base/translation.hpp"
 #include "engine/language/words/lexer_reader.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <iterator>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace zeroset {
 namespace {
 
 using Tokens = std::span<const Token>;
+
+constexpr std::size_t max_open_cases = 100;  ///< each level is read anew for those around it
 
 /// Whether the token ends a row: \\, which is 2 bytes long, and no line end.
 bool ends_row(const Token& token) { return token.kind == TokenKind::Break && token.length == 2; }
@@ -44,10 +50,20 @@ Tokens trimmed(Tokens tokens) {
     return tokens.subspan(if_length(tokens));
 }
 
+/// Whether the token stands between a value and its condition: &, and no \land.
+bool parts_row(const Token& token) { return is_symbol(token, {"&"}) && token.length == 1; }
+
+/// Whether a row has a condition. In x &= 1 the mark only says what stands in one column.
+bool has_condition(Tokens rows) {
+    const auto mark = std::ranges::adjacent_find(rows, [](const Token& token, const Token& next) {
+        return parts_row(token) && !is_symbol(next, {"=", "<", ">", "<=", ">="});
+    });
+    return mark != rows.end() || (!rows.empty() && parts_row(rows.back()));
+}
+
 /// Adds a row's condition and value.
 void add_row(Tokens row, std::vector<Token>& cases) {
-    const auto mark = std::ranges::find_if(
-        row, [](const Token& token) { return is_symbol(token, {"&"}) && token.length == 1; });
+    const auto mark = std::ranges::find_if(row, parts_row);
     const auto length = static_cast<std::size_t>(mark - row.begin());
     const Tokens value = trimmed(row.first(length));
     const Tokens condition = trimmed(row.subspan(std::min(length + 1, row.size())));
@@ -80,6 +96,13 @@ Done Lexer::environment(std::string_view word) {
 }
 
 Done Lexer::begin_cases(std::size_t length) {
+    if (cases_.size() == max_open_cases) {
+        const std::string most = std::to_string(max_open_cases);
+        return std::unexpected(
+            ParseError{.offset = at_,
+                       .reason = filled(tr("the formula is nested more than {0} deep"), {most}),
+                       .hint = {}});
+    }
     const std::size_t end = text_.find('}', at_ + length);
     push(TokenKind::Symbol, "{", end + 1 - at_);
     cases_.push_back(tokens_.size());
@@ -94,8 +117,13 @@ Done Lexer::end_cases(std::size_t length) {
     }
     const std::size_t begin = cases_.back();
     cases_.pop_back();
-    std::vector<Token> cases;
     Tokens rest = Tokens(tokens_).subspan(begin);
+    if (!has_condition(rest)) {
+        tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(begin) - 1);
+        at_ = end + 1;
+        return {};
+    }
+    std::vector<Token> cases;
     while (!rest.empty()) {
         const auto length_of_row =
             static_cast<std::size_t>(std::ranges::find_if(rest, ends_row) - rest.begin());

@@ -48,6 +48,19 @@ bool mentions_argument(const Candidate& candidate) {
     });
 }
 
+/// Whether a name is known as a function's, though the language lacks it or reads it later: erf,
+/// and T_2, Chebyshev's polynomial.
+bool is_known_by_name(std::string_view name) {
+    constexpr std::array<std::string_view, 14> names{"erf",     "erfc", "erfi", "gamma", "Gamma",
+                                                     "lgamma",  "zeta", "beta", "Beta",  "Ai",
+                                                     "digamma", "Bi",   "Si",   "Ci"};
+    if (std::ranges::find(names, name) != names.end()) return true;
+    if (!name.starts_with("T_") && !name.starts_with("U_")) return false;
+    const std::string_view degree = name.substr(2);
+    const bool is_low = degree.size() == 1 || degree == "20" || degree.starts_with('1');
+    return is_low && degree.size() <= 2 && std::ranges::all_of(degree, is_digit);
+}
+
 /// Whether a function's value has a coordinate in it, but none of its arguments, which are
 /// coordinates: erf(x) = z.
 bool relates_coordinates(const Candidate& candidate) {
@@ -230,7 +243,7 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
         return uses.calls > 0 && candidates_.depends_on_arguments_only(candidate);
     }
     if (candidate.arguments.size() > 1 || uses.calls > 0) return true;
-    if (relates_coordinates(candidate)) return false;
+    if (is_known_by_name(name) && relates_coordinates(candidate)) return false;
     const std::vector<std::string> factors = candidates_.factors(name);
     if (factors.size() < 2) return true;
     const bool is_formula = std::ranges::all_of(factors, is_coordinate) ||

@@ -79,6 +79,16 @@ TEST(Limits, Nesting) {
     expect_read(repeated("if(x < 0, ", 990) + "x" + repeated(", y)", 990));
 }
 
+TEST(Limits, CasesInCases) {
+    const auto nested = [](int times) {
+        return "z = " + repeated("\\begin{cases} 1 & x < 0 \\\\ ", times) + "y" +
+               repeated("\\end{cases}", times);
+    };
+    expect_read(nested(100));
+    expect_refused(nested(101), "nested more than 100 deep");
+    expect_refused(nested(30'000), "nested more than 100 deep");
+}
+
 TEST(Limits, Text) {
     expect_refused(repeated("x", 2'000'001), "2000000");
     expect_read(repeated("x", 900'000));
