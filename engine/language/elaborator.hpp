@@ -317,6 +317,7 @@ private:
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 whose names are not
                                                 ///< used
     std::map<std::size_t, Reading> readings_;   ///< by statement
+    std::size_t binding_ = 1;                   ///< number of times row_ was given, from 1
     const Binding* row_ = nullptr;              ///< the variables of the row that is being built
     std::set<const Definition*> going_by_row_;  ///< definitions that go by them
     std::map<const Definition*, Value> row_values_;  ///< values of these

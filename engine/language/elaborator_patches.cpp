@@ -47,6 +47,7 @@ Elaborator::Row::~Row() {
 /// Gives the variables of the row that is being built other values.
 void Elaborator::bind_row(const Binding* variables) {
     row_ = variables;
+    ++binding_;
     row_values_.clear();
     row_calls_.clear();
 }
