@@ -317,9 +317,14 @@ private:
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 whose names are not
                                                 ///< used
     std::map<std::size_t, Reading> readings_;   ///< by statement
+    std::size_t binding_ = 1;                   ///< number of times row_ was given, from 1
     const Binding* row_ = nullptr;              ///< the variables of the row that is being built
-    std::set<const Definition*> going_by_row_;  ///< definitions that go by them
-    std::map<const Definition*, Value> row_values_;  ///< values of these
+    /// The definitions that go by the variables of a row, by the names of these.
+    std::map<std::vector<std::string>, std::set<const Definition*>> going_by_;
+    /// Their values where the variables are parameters of their own, as readings have them.
+    std::map<std::vector<std::string>, std::map<const Definition*, Value>> values_in_readings_;
+    const std::set<const Definition*>* going_by_row_ = nullptr;  ///< those of the row, if any
+    std::map<const Definition*, Value> row_values_;              ///< values of these
     std::unordered_map<Call, Value, CallHash> row_calls_;
     std::map<const Definition*, std::vector<std::string>> rows_;  ///< the variables that
                                                                   ///< definitions have from rows

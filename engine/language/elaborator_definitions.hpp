@@ -53,7 +53,7 @@ struct Definition {
     bool is_function = false;
     bool is_certain = false;
     bool in_progress = false;
-    bool settled = false;
+    std::size_t settled_in = 0;  ///< the binding of a row's variables in which it was settled last
     bool is_called = false;
     std::vector<std::size_t> called_with;  ///< of the first call: how many parts each argument has,
                                            ///< 1 for a number

@@ -30,8 +30,11 @@ bool is_descending(std::string_view marks) {
 }  // namespace
 
 Elaborator::Row::Row(Elaborator& of, std::vector<std::string> names) : of_(of) {
-    of.going_by_row_ = of.table_.going_by(names);
-    for (const Definition* const definition : of.going_by_row_) {
+    const auto [known_row, is_new] = of.going_by_.try_emplace(names);
+    of.going_by_row_ = &known_row->second;
+    if (!is_new) return;
+    known_row->second = of.table_.going_by(names);
+    for (const Definition* const definition : known_row->second) {
         std::vector<std::string>& known = of.rows_[definition];
         for (const std::string& name : names) {
             if (std::ranges::find(known, name) == known.end()) known.push_back(name);
@@ -41,12 +44,13 @@ Elaborator::Row::Row(Elaborator& of, std::vector<std::string> names) : of_(of) {
 
 Elaborator::Row::~Row() {
     of_.bind_row(nullptr);
-    of_.going_by_row_.clear();
+    of_.going_by_row_ = nullptr;
 }
 
 /// Gives the variables of the row that is being built other values.
 void Elaborator::bind_row(const Binding* variables) {
     row_ = variables;
+    ++binding_;
     row_values_.clear();
     row_calls_.clear();
 }
@@ -54,7 +58,7 @@ void Elaborator::bind_row(const Binding* variables) {
 /// Whether a definition goes by variables of the row that is being built, and has a value of its
 /// own there: r = 2 + cos v in (r cos u, r sin u, sin v), 0 < u < 1, 0 < v < 1.
 bool Elaborator::goes_by_row(const Definition& definition) const {
-    return row_ != nullptr && going_by_row_.contains(&definition);
+    return row_ != nullptr && going_by_row_ != nullptr && going_by_row_->contains(&definition);
 }
 
 /// What a row is if it is given by a point: the right side of r(u, v) = (u, v, 0), 0 < u < 1, 0 < v

@@ -74,7 +74,9 @@ std::optional<std::string> Elaborator::text_by_row(Definition& definition) {
     bind_row(&bindings.back());
     const std::size_t offset = tree_.statements[definition.statement].offset;
     if (!done(bindings.back().value.id, offset)) return std::nullopt;
+    row_values_.swap(values_in_readings_[variables]);
     const Built value = defined_value(definition, tree_[relation.operands[0]]);
+    row_values_.swap(values_in_readings_[variables]);
     if (!value) return std::nullopt;
     note_built_in(definition, *value);
     std::ranges::copy(parameters_, names.begin());

@@ -239,14 +239,14 @@ bool Elaborator::settle(Definition& definition) {
         std::size_t next;
     };
     std::vector<Visit> stack{{.of = &definition, .next = 0}};
-    definition.settled = true;
+    definition.settled_in = binding_;
     while (!stack.empty()) {
         const auto uses = table_.uses(stack.back().of->statement);
         if (stack.back().next < uses.size()) {
             const NameUse& use = uses[stack.back().next++];
             Definition* const needed = table_.meant(use, stack.back().of->statement);
-            if (needed == nullptr || needed->settled) continue;
-            needed->settled = true;
+            if (needed == nullptr || needed->settled_in == binding_) continue;
+            needed->settled_in = binding_;
             stack.push_back({.of = needed, .next = 0});
             continue;
         }

@@ -128,14 +128,21 @@ std::optional<InputError> take_view(const ViewText& view, Document& document) {
     return read_section_looks(view, document.region, document.section_values);
 }
 
+/// Whether a reading is `name = NUMBER`; it may be written with signs, as 1/2.
+bool says_number(const Reading& reading, const std::string& name) {
+    const std::string start = name + " = ";
+    if (reading.kind != StatementKind::Value || !reading.text.starts_with(start)) return false;
+    return reading.text.find_first_not_of("0123456789.e+-*/^() ", start.size()) ==
+           std::string::npos;
+}
+
 /// Returns an error for the first value whose parameter the program does not have.
 std::optional<InputError> check_parameters(const Program& program,
                                            const ParameterValues& parameters) {
     for (const auto& [name, value] : parameters) {
         if (std::ranges::find(program.parameters, name) != program.parameters.end()) continue;
-        const bool is_constant = std::ranges::any_of(program.readings, [&](const Reading& reading) {
-            return reading.kind == StatementKind::Value && reading.text.starts_with(name + " = ");
-        });
+        const bool is_constant = std::ranges::any_of(
+            program.readings, [&](const Reading& reading) { return says_number(reading, name); });
         if (is_constant) {
             return InputError{.reason = "--set " + name + ": " + name +
                                         " is a constant of the formula, which has its value "

@@ -81,12 +81,26 @@ bool SyntaxParser::choice_step(std::vector<BodyStep>& steps) {
     return true;
 }
 
-/// Reads one step, or several in braces.
+/// Reads one step, or several in braces. The names that they declare end there.
 bool SyntaxParser::branch(std::vector<BodyStep>& steps) {
     while (next().kind == TokenKind::Break && next().text != ";")
         take();
-    if (!next_is("{")) return step(steps);
-    return steps_in_braces(take(), steps);
+    ++branch_;
+    if (!(next_is("{") ? steps_in_braces(take(), steps) : step(steps))) return false;
+    for (const BodyStep& ended : steps) {
+        if (ended.declares)
+            names_in_branches_[ended.name.substr(0, ended.name.find(' '))].pop_back();
+    }
+    --branch_;
+    return true;
+}
+
+/// What a name of the text is called in the tree: one that a branch declares has a space behind it
+/// for each branch around it, so that it is no name of an outer one.
+std::string SyntaxParser::name_in_branch(std::string name) const {
+    const auto declared = names_in_branches_.find(name);
+    if (declared == names_in_branches_.end() || declared->second.empty()) return name;
+    return name.append(declared->second.back(), ' ');
 }
 
 void SyntaxParser::skip_breaks() {
@@ -177,7 +191,9 @@ SyntaxParser::Parsed SyntaxParser::result_behind_values(const BodyStep& step,
 /// The value that a local name has behind `p.xy *= value`; without a part or a sign they are empty.
 SyntaxId SyntaxParser::new_value(const Token& name, std::string_view part, std::string_view sign,
                                  SyntaxId value) {
-    const auto old = [&] { return add(SyntaxKind::Name, name.offset, {}, {}, full_name(name)); };
+    const auto old = [&] {
+        return add(SyntaxKind::Name, name.offset, {}, {}, name_in_branch(full_name(name)));
+    };
     if (!sign.empty()) {
         const bool adds = sign == "+" || sign == "-";
         SyntaxId before = old();
@@ -197,12 +213,13 @@ ParseError SyntaxParser::no_step(const Token& at) {
             .unfinished = at.kind == TokenKind::End};
 }
 
-/// Reads `float a = 1, b = 2;`, what changes a value, as `p.xy *= 2;`, and `vec3 q;`, which is 0
-/// until it is given a value.
+/// Reads `float a = 1, b = 2;`, what changes a value, as `p.xy *= 2;`, and `vec3 q;`, whose parts
+/// are 0 until they are given values.
 bool SyntaxParser::local_value(std::vector<BodyStep>& steps) {
     const bool is_certain = skip_type_words();
+    const std::string_view type = is_certain ? tokens_[at_ - 1].text : std::string_view();
     for (;;) {
-        if (!named_value(is_certain, steps)) return false;
+        if (!named_value(type, steps)) return false;
         if (next().kind == TokenKind::Break) return true;
         if (!is_certain || !next_is(",") || tokens_[at_ + 1].kind != TokenKind::Name) break;
         take();
@@ -212,8 +229,20 @@ bool SyntaxParser::local_value(std::vector<BodyStep>& steps) {
     return false;
 }
 
-/// Reads a name, perhaps with a part, and its value; `declares`: a word such as float is before it.
-bool SyntaxParser::named_value(bool declares, std::vector<BodyStep>& steps) {
+/// The value of a name that is declared without one.
+SyntaxId SyntaxParser::zero_of(std::string_view type, std::size_t offset) {
+    const auto zero = [&] { return add(SyntaxKind::Number, offset, {}, {}, "0"); };
+    if (type != "vec2" && type != "vec3" && type != "vec4") return zero();
+    std::vector<SyntaxId> parts;
+    for (char i = '0'; i < type.back(); ++i)
+        parts.push_back(zero());
+    return add(SyntaxKind::Vector, offset, std::move(parts));
+}
+
+/// Reads a name, perhaps with a part, and its value; `type`: the word before it, such as float;
+/// empty: the name is not new.
+bool SyntaxParser::named_value(std::string_view type, std::vector<BodyStep>& steps) {
+    const bool declares = !type.empty();
     const Token& name = next();
     const bool is_name = name.kind == TokenKind::Name;
     const bool has_part = is_name && tokens_[at_ + 1].kind == TokenKind::Part;
@@ -228,14 +257,15 @@ bool SyntaxParser::named_value(bool declares, std::vector<BodyStep>& steps) {
         return false;
     }
     at_ = at + (changes ? 2 : is_open ? 0 : 1);
-    Parsed value = is_open ? add(SyntaxKind::Number, name.offset, {}, {}, "0") : choice();
+    Parsed value = is_open ? zero_of(type, name.offset) : choice();
     if (!value) return false;
     const auto part = has_part ? tokens_[at - 1].text : std::string_view();
     value = new_value(name, part, changes ? tokens_[at].text : std::string_view(), *value);
+    if (declares && branch_ > 0) names_in_branches_[full_name(name)].push_back(branch_);
     steps.push_back({.kind = BodyStep::Kind::Value,
                      .offset = name.offset,
                      .value = *value,
-                     .name = full_name(name),
+                     .name = name_in_branch(full_name(name)),
                      .declares = declares});
     return true;
 }

@@ -156,12 +156,29 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
 /// The degree of T_n and U_n, Chebyshev's polynomials of the first and the second kind.
 std::optional<int> SyntaxParser::chebyshev_degree(const Token& token) {
     constexpr int highest = 20;  // its coefficients are exact
-    if (token.text != "T" && token.text != "U") return std::nullopt;
+    if (token.kind != TokenKind::Name || (token.text != "T" && token.text != "U"))
+        return std::nullopt;
     const std::string digits = subscript_text(token);
     const bool is_number = !digits.empty() && digits.size() <= 2 &&
                            digits.find_first_not_of("0123456789") == std::string::npos;
     const int degree = is_number ? std::stoi(digits) : highest + 1;
     return degree <= highest ? std::optional(degree) : std::nullopt;
+}
+
+/// Whether T_n or U_n is called: the bracket stands directly behind it, and it is no name of the
+/// text. T_0, U_0, T_1 and U_1 are parameters unless one of a higher degree is called in the text.
+bool SyntaxParser::is_chebyshev(const Token& token, int degree) {
+    const Token& opener = *(&token + 1);
+    if (!is_symbol(opener, {"(", "["}) || !adjacent(token, opener)) return false;
+    if (defined_.find(full_name(token), token.offset)) return false;
+    if (degree >= 2) return true;
+    if (!calls_chebyshev_) {
+        calls_chebyshev_ = std::ranges::any_of(tokens_, [&](const Token& other) {
+            const auto higher = chebyshev_degree(other);
+            return higher && *higher >= 2 && is_chebyshev(other, *higher);
+        });
+    }
+    return *calls_chebyshev_;
 }
 
 /// Reads T_n(a) or U_n(a) as a polynomial: p(n + 1) = 2 a p(n) - p(n - 1), from 1 and a or 2 a on.

@@ -120,11 +120,11 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
-    if (const auto degree = chebyshev_degree(token); degree && called && !defined)
+    if (const auto degree = chebyshev_degree(token); degree && is_chebyshev(token, *degree))
         return chebyshev(token, *degree);
     if (called && !defined && !is_letter_name) return refuse_call(token, full);
     note_product(token, full);
-    return add(SyntaxKind::Name, token.offset, {}, {}, full);
+    return add(SyntaxKind::Name, token.offset, {}, {}, name_in_branch(full));
 }
 
 /// Reads an operand in brackets; "{" may also start cases.

@@ -83,6 +83,7 @@ private:
     bool step(std::vector<BodyStep>& steps);
     bool choice_step(std::vector<BodyStep>& steps);
     bool branch(std::vector<BodyStep>& steps);
+    [[nodiscard]] std::string name_in_branch(std::string name) const;
     void skip_breaks();
     Parsed result_of(std::span<const BodyStep> steps, const FollowingSteps* behind,
                      std::size_t closer);
@@ -94,7 +95,8 @@ private:
                        SyntaxId value);
     [[nodiscard]] static ParseError no_step(const Token& at);
     bool local_value(std::vector<BodyStep>& steps);
-    bool named_value(bool declares, std::vector<BodyStep>& steps);
+    SyntaxId zero_of(std::string_view type, std::size_t offset);
+    bool named_value(std::string_view type, std::vector<BodyStep>& steps);
 
     // syntax_instructions.cpp
     Parsed instructions();
@@ -137,6 +139,7 @@ private:
     Parsed part();
     Parsed call(const Token& token, const Function& function);
     [[nodiscard]] static std::optional<int> chebyshev_degree(const Token& token);
+    [[nodiscard]] bool is_chebyshev(const Token& token, int degree);
     Parsed chebyshev(const Token& token, int degree);
     SyntaxId polynomial(std::size_t offset, const std::string& name,
                         std::span<const long long> coefficients);
@@ -194,7 +197,11 @@ private:
     int depth_ = 0;                    ///< nesting of operands
     int brackets_ = 0;                 ///< open brackets
     int bars_ = 0;                     ///< open "|" since the last open bracket
-    int steps_read_ = 0;               ///< steps of a body, each as often as it was read
+    std::size_t branch_ = 0;           ///< branches of a body that are being read
+    /// The branches that declare a name, the innermost last, each by the branches around it.
+    NameMap<std::vector<std::size_t>> names_in_branches_;
+    std::optional<bool> calls_chebyshev_;  ///< whether T_n or U_n with n >= 2 is called
+    int steps_read_ = 0;                   ///< steps of a body, each as often as it was read
 };
 
 }  // namespace zeroset

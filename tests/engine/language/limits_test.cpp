@@ -143,6 +143,8 @@ TEST(Limits, Chains) {
     expect_read("a_49999\n" + chain(50'000, next) + "a_0 = x");
     const auto redefined = [](const auto& i) { return "a = a + " + i; };
     expect_read("a = x\n" + lines(50'000, redefined) + "a");
+    const auto by_row = [](const auto& i, const auto& j) { return "s_" + i + " = u + s_" + j; };
+    expect_read("s_0 = v\n" + chain(2'000, by_row) + "(u, s_1999, v), 0 < u < 1, 0 < v < 1");
     const auto instruction = [](const auto& i, const auto& j) {
         return "b" + i + " max b" + j + " b0";
     };

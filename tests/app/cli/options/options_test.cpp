@@ -124,6 +124,15 @@ TEST(ReadInteger, KeepsToItsRange) {
     }
 }
 
+TEST(ReadDocument, SaysWhatIsNoParameter) {
+    ViewText text;
+    text.set = {"s=2"};
+    expect_refused(read_document("s = 3; z = s*x", text), "s is a constant of the formula");
+    expect_refused(read_document("s = 1/2; z = s*x", text), "s is a constant of the formula");
+    for (const char* other : {"s = u; (u, v, s), 0 < u < 1, 0 < v < 1", "s = x*y; z = s"})
+        expect_refused(read_document(other, text), "there is no such parameter");
+}
+
 TEST(ReadTraceSettings, HasDefaults) {
     const auto settings = read_trace_settings({});
     ASSERT_TRUE(settings);
