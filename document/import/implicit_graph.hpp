@@ -36,7 +36,7 @@ public:
 
 private:
     using Inputs = GraphInputs;
-    /// What is known within a function.
+    /// The values of a function's outputs so far, and why some have none.
     struct Scope {
         std::map<std::string, GraphValue, std::less<>> values = {};     ///< by "node.output"
         std::map<std::string, std::string, std::less<>> failures = {};  ///< by node or output

@@ -83,12 +83,8 @@ bool PovScript::read_elements(const std::string& name, bool local, int depth) {
             else if (read)
                 values_.insert_or_assign(element(name, i), std::move(*read));
             known = known && read;
-            while (!at_sign(",") && !at_sign("}") && !tokens_.at_end()) {
-                if (at_sign("{"))
-                    skip_block();
-                else
-                    next();
-            }
+            while (!at_sign(",") && !at_sign("}") && !tokens_.at_end())
+                skip_item();
         }
         take_sign(",");
     }

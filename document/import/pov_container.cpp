@@ -33,13 +33,7 @@ PovContainer PovContainers::read() {
         result_.note(
             word.line, "contained_by " + std::string(word.text.substr(0, 60)),
             tr("a container is a sphere or a box; a box from -1 to 1 stands in its place"));
-    // What else is in the braces is passed over.
-    while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-        if (script_.at_sign("{"))
-            script_.skip_block();
-        else
-            script_.next();
-    }
+    script_.skip_rest_of_block();
     return container.value_or(PovContainer{});
 }
 
@@ -61,12 +55,7 @@ std::optional<PovContainer> PovContainers::shape() {
         const auto second = modifiers_.vector(word);
         if (first && second) result = box_between(*first, *second);
     }
-    while (!script_.take_sign("}") && script_.peek().kind != ScriptKind::End) {
-        if (script_.at_sign("{"))
-            script_.skip_block();
-        else
-            script_.next();
-    }
+    script_.skip_rest_of_block();
     return result;
 }
 

@@ -14,7 +14,7 @@
 
 namespace zeroset {
 
-/// What an isosurface is in, in its own coordinates: a ball or a box.
+/// The container of an isosurface, in its own coordinates: a ball or a box.
 struct PovContainer {
     bool ball = false;
     glm::dvec3 lo{-1.0}, hi{1.0};  ///< of a box

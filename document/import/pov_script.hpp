@@ -39,6 +39,13 @@ public:
     bool take_name(std::string_view name) { return peek(), tokens_.take_name(name); }
     /// Passes over "{ ... }" without carrying out what is in it.
     void skip_block() { peek(), tokens_.skip_block("{", "}"); }
+    /// Passes over the next token, or over all of a block if that is next.
+    void skip_item() { at_sign("{") ? skip_block() : static_cast<void>(next()); }
+    /// Passes over what is left of a block, and its "}".
+    void skip_rest_of_block() {
+        while (!take_sign("}") && peek().kind != ScriptKind::End)
+            skip_item();
+    }
     [[nodiscard]] std::size_t line() { return peek().line; }
     /// Leaves out the rest.
     void stop();

@@ -32,10 +32,8 @@ constexpr double most_turn_of(bool kinked) { return kinked ? most_turn_at_kinks 
 inline constexpr double most_cell_error = 0.25;
 /// As most_cell_error, where the pixels around look like the square's own: it holds no thread.
 inline constexpr double most_calm_cell_error = 1.0;
-/// How far an edge may be off from a line: in pixels, within the clip region and at its walls, and
-/// in parts of the square's side.
+/// How far an edge may be off from a line: in pixels, and in parts of the square's side.
 inline constexpr double most_error_of_line = 1.0 / 68;
-inline constexpr double most_error_at_walls = 1.0 / 68;
 inline constexpr double most_error_of_edge = 1.0 / 8;
 /// As wide, in pixels, threads are drawn of which no ray is known to have a root; and half the
 /// width from which on it would be known.

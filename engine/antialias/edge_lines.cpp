@@ -44,7 +44,7 @@ public:
 
 private:
     using Five = std::array<V<double>, square_ray_count>;
-    /// What is known of a vector of squares.
+    /// The heights at the rays of a vector of squares, and how far they can be trusted.
     struct Edges {
         Five height;      ///< at most 0: the ray has a root
         Five place;       ///< where f is least
@@ -90,7 +90,8 @@ static_assert(EdgeLines::room % batch_multiple == 0);
 void LineSearch::load_rays(std::size_t rays) {
     const std::size_t count = squares_.count;
     for (std::size_t k = 0; k < rays; ++k) {
-        // What a last vector holds too much is written over by the next ray's, or comes last.
+        // The last vector of a ray may reach beyond its squares: the next ray's first one
+        // overwrites that.
         for (std::size_t i = 0; i < count; i += lanes<double>)
             least_.load_ray(ray(k, i), u_of(k, i), v_of(k, i), load(squares_.from.data() + i),
                             load(squares_.to.data() + i));

@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// What is a line for the edges of squares of some size.
+/// When the edges in squares of some size count as lines.
 struct LineRules {
     double error;   ///< how far heights may be off from it, in parts of its slope
     bool flat_too;  ///< where they are far from 0 all over the square, too

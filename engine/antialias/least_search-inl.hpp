@@ -107,7 +107,7 @@ public:
             hi_s_[k] = hi_s_[i];
         }
     }
-    /// What was found of stretches from i on.
+    /// Results of the search, of the stretches from i on.
     [[nodiscard]] HWY_INLINE V<double> near_at(std::size_t i) const { return load(near_ + i); }
     [[nodiscard]] HWY_INLINE V<double> least_at(std::size_t i) const { return load(f_ + i); }
     [[nodiscard]] HWY_INLINE V<double> place_at(std::size_t i) const { return load(s_ + i); }

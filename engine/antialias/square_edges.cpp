@@ -19,9 +19,8 @@ constexpr LinearOnSquare all_of_square{.value = -1.0, .by_x = 0.0, .by_y = 0.0};
 int last_level_of(bool is_inside) { return is_inside ? last_edge_level : last_wall_level; }
 
 LineRules rules_of(const CoverSquare& square, bool is_inside) {
-    const double in_pixels = is_inside ? most_error_of_line : most_error_at_walls;
     return {.error = square.level < last_level_of(is_inside)
-                         ? std::min(in_pixels / square.side, most_error_of_edge)
+                         ? std::min(most_error_of_line / square.side, most_error_of_edge)
                          : 2.0 * most_error_of_edge,
             .flat_too = square.level >= first_flat_level,
             .may_hide = square.level < first_one_slope_level};
@@ -199,7 +198,6 @@ bool SquareEdges::take_found_line(std::size_t square, std::size_t i) {
     if (!(part.share > 0.0)) return pass(square);
     drafts_.add(at, {.x = part.x, .y = part.y}, part.share, front.at, lines_.end[i],
                 Certificate::Certified);
-    if (!(1.0 - part.share > least_share)) return false;
     SquareRayFlags misses{};
     for (std::size_t k = 0; k < square_ray_count; ++k)
         misses[k] = (hits >> k & 1U) == 0;
@@ -251,8 +249,8 @@ bool SquareEdges::take_thread(std::size_t square, SquareStretches stretches,
 }
 
 bool SquareEdges::is_touched_nearby(SquareStretches stretches) {
-    constexpr double reach =
-        0.25;  // in pixels: exponentials are small beside what they are far away
+    // Exponentials are small everywhere beside what they are farther away.
+    constexpr double reach = 0.25;  // in pixels
     std::array<RayStretch, square_ray_count> near{};
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         const RayStretch& ray = stretches[i];

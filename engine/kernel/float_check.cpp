@@ -55,7 +55,7 @@ std::array<double, boxes> distances_from_zero(const KernelFunction<RangeBatchOf<
     range(cells.batch(boxes, uniforms.boxes<Real>()));
     std::array<double, boxes> result{};
     for (std::size_t i = 0; i < boxes; ++i) {
-        const Real least = std::max(-cells.f_neg_lo[i], -cells.f_hi[i]);
+        const Real least = cells.least_size(i);
         if (least > Real{0}) result[i] = static_cast<double>(least);
     }
     return result;

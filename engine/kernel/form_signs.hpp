@@ -18,7 +18,7 @@ template <class Real, std::size_t cell_room, std::size_t box_room>
 void put_box_of_cell(const FormCells<Real, cell_room>& cells, std::size_t i,
                      const FrustumOf<Real>& frustum, bool in_rays,
                      RangeBoxes<Real, box_room>& boxes, std::size_t at) {
-    // What coordinates of a RaysOf or in a form may be off by, in parts of their terms.
+    // Coordinates of a RaysOf or in a form are off by less, in parts of their terms.
     constexpr double unit = 8.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
     const auto number = [](Real of) { return static_cast<double>(of); };
     const double u = number(cells.u[i]);

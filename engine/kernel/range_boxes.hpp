@@ -10,6 +10,12 @@
 
 namespace zeroset {
 
+/// +1 or -1 where all of a range surely has that sign, else 0; of none, 0.
+template <class Real>
+int sign_of_range(Real neg_lo, Real hi) {
+    return static_cast<int>(neg_lo < 0) - static_cast<int>(hi < 0);
+}
+
 /// Some boxes and enclosures of f over them: RangeBatchOf's arrays, of a fixed room. Plain
 /// data, nothing of it set at first.
 template <class Real, std::size_t room>
@@ -39,6 +45,10 @@ struct RangeBoxes {
     }
     /// Whether f is surely nowhere 0 in the box.
     [[nodiscard]] bool excludes_zero(std::size_t i) const { return f_neg_lo[i] < 0 || f_hi[i] < 0; }
+    /// +1 or -1 where f surely has that sign, else 0.
+    [[nodiscard]] int sign(std::size_t i) const { return sign_of_range(f_neg_lo[i], f_hi[i]); }
+    /// A lower bound of |f| in the box, where f surely has a sign; else at most 0.
+    [[nodiscard]] Real least_size(std::size_t i) const { return std::max(-f_neg_lo[i], -f_hi[i]); }
 };
 
 /// Boxes as in RangeBoxes, as many as there are.
@@ -79,6 +89,9 @@ struct RangeBoxList {
     }
     /// Whether f is surely nowhere 0 in the box.
     [[nodiscard]] bool excludes_zero(std::size_t i) const { return f_neg_lo[i] < 0 || f_hi[i] < 0; }
+    /// As those of RangeBoxes.
+    [[nodiscard]] int sign(std::size_t i) const { return sign_of_range(f_neg_lo[i], f_hi[i]); }
+    [[nodiscard]] Real least_size(std::size_t i) const { return std::max(-f_neg_lo[i], -f_hi[i]); }
     [[nodiscard]] BranchBits branches_of(std::size_t i) const {
         return {static_cast<std::uint32_t>(branches[i])};
     }

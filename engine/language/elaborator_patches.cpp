@@ -61,8 +61,8 @@ bool Elaborator::goes_by_row(const Definition& definition) const {
     return row_ != nullptr && going_by_row_ != nullptr && going_by_row_->contains(&definition);
 }
 
-/// What a row is if it is given by a point: the right side of r(u, v) = (u, v, 0), 0 < u < 1, 0 < v
-/// < 1, else all of it.
+/// The point that a row shows, if it shows one: the right side of r(u, v) = (u, v, 0), 0 < u < 1,
+/// 0 < v < 1; where the row has no name, all of it.
 SyntaxId Elaborator::point_in(const StatementSyntax& statement) const {
     const Syntax& relation = tree_[statement.relation];
     if (statement.restrictions.empty() || relation.kind != SyntaxKind::Compare ||

@@ -4,6 +4,7 @@
 #include "engine/kernel/form_signs.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/trace/closed_jump.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,13 +141,15 @@ private:
     bool take_approach();
     /// Makes box i one about a stretch.
     void set_box(RangeBoxes<double, parts>& boxes, std::size_t i, double from, double to) const;
-    void evaluate_boxes(RangeBoxes<double, parts>& boxes);
+    /// Asks for ranges of a function in the first `count` boxes.
+    void evaluate_boxes(const KernelFunction<RangeBatchOf<double>>& range, std::size_t count,
+                        RangeBoxes<double, parts>& boxes) const;
     int sign_by_boxes(double from, double to);
     /// Whether f surely is defined in a stretch.
     [[nodiscard]] bool is_defined(double from, double to) const;
     /// Whether f changes its sign in a stretch, is defined in it, and comes to 0 there from both
     /// sides, as far as f around it tells.
-    bool closes(double from, double to);
+    [[nodiscard]] bool closes(double from, double to) const;
     bool take_undecided(const Cell<Real>& f, double from, double to);
 
     const TraceFrame& surface_;
@@ -260,40 +263,34 @@ void Search<Real>::set_box(RangeBoxes<double, parts>& boxes, std::size_t i, doub
 }
 
 template <class Real>
-void Search<Real>::evaluate_boxes(RangeBoxes<double, parts>& boxes) {
-    counters_.range += parts;
-    surface_.kernel.range(boxes.batch(parts, surface_.scene.uniforms.template boxes<double>()));
+void Search<Real>::evaluate_boxes(const KernelFunction<RangeBatchOf<double>>& range,
+                                  std::size_t count, RangeBoxes<double, parts>& boxes) const {
+    counters_.range += count;
+    boxes.pad(count);
+    range(boxes.batch(padded(count), surface_.scene.uniforms.template boxes<double>()));
 }
 
 template <class Real>
 bool Search<Real>::is_defined(double from, double to) const {
-    if (surface_.kernel.defined_everywhere) return true;
-    if (!surface_.kernel.domain) return false;
+    const Kernel& kernel = surface_.kernel;
+    if (kernel.defined_everywhere || !kernel.domain) return kernel.defined_everywhere;
     RangeBoxes<double, parts> boxes;
     set_box(boxes, 0, from, to);
-    boxes.pad(1);
-    counters_.range += 1;
-    surface_.kernel.domain(
-        boxes.batch(padded(1), surface_.scene.uniforms.template boxes<double>()));
+    evaluate_boxes(kernel.domain, 1, boxes);
     return boxes.continuous[0] != 0;
 }
 
 template <class Real>
-bool Search<Real>::closes(double from, double to) {
-    constexpr double nearer = 0.75;  // half as far away f is half as far from 0, or a little more
+bool Search<Real>::closes(double from, double to) const {
     const double width = to - from;
+    const std::array places{from - width, from, to, to + width};
     RangeBoxes<double, parts> boxes;
-    for (std::size_t i = 0; i < parts; ++i) {
-        const std::array places{from - width, from, to, to + width};
-        set_box(boxes, i, places[i % places.size()], places[i % places.size()]);
-    }
-    evaluate_boxes(boxes);
-    const auto distance = [&](std::size_t i) {
-        return std::max({-boxes.f_neg_lo[i], -boxes.f_hi[i], 0.0});
-    };
-    const bool turns = (boxes.f_neg_lo[0] < 0.0 && boxes.f_hi[3] < 0.0) ||
-                       (boxes.f_hi[0] < 0.0 && boxes.f_neg_lo[3] < 0.0);
-    return turns && distance(1) <= nearer * distance(0) && distance(2) <= nearer * distance(3) &&
+    for (std::size_t i = 0; i < places.size(); ++i)
+        set_box(boxes, i, places[i], places[i]);
+    evaluate_boxes(surface_.kernel.in_double.range, places.size(), boxes);
+    return boxes.sign(0) * boxes.sign(3) < 0 &&
+           falls_to_zero(boxes.least_size(1), boxes.least_size(0)) &&
+           falls_to_zero(boxes.least_size(2), boxes.least_size(3)) &&
            is_defined(from - width, to + width);
 }
 
@@ -307,7 +304,7 @@ int Search<Real>::sign_by_boxes(double from, double to) {
         const double near = from + static_cast<double>(i) * width;
         set_box(boxes, i, near, near + width);
     }
-    evaluate_boxes(boxes);
+    evaluate_boxes(surface_.kernel.in_double.range, parts, boxes);
     bool above = true;
     bool below = true;
     for (std::size_t i = 0; i < parts; ++i) {

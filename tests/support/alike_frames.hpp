@@ -4,11 +4,30 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
 namespace zeroset::test {
+
+/// The most by which channels of two colours of a frame differ, of 255.
+inline int color_change(std::uint32_t a, std::uint32_t b) {
+    int change = 0;
+    for (unsigned shift = 0; shift < 24; shift += 8)
+        change = std::max(change, std::abs(static_cast<int>(a >> shift & 255U) -
+                                           static_cast<int>(b >> shift & 255U)));
+    return change;
+}
+
+/// How many pixels of two frames differ by more than this in a channel, of 255.
+inline std::size_t different_pixels(const Framebuffer& a, const Framebuffer& b, int most) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < a.color.size(); ++at)
+        count += color_change(a.color[at], b.color[at]) > most ? 1U : 0U;
+    return count;
+}
 
 /// Pixels of a frame, compared with those of another way to draw it.
 struct Comparison {

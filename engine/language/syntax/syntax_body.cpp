@@ -95,8 +95,8 @@ bool SyntaxParser::branch(std::vector<BodyStep>& steps) {
     return true;
 }
 
-/// What a name of the text is called in the tree: one that a branch declares has a space behind it
-/// for each branch around it, so that it is no name of an outer one.
+/// The name in the tree for a name of the text: one that a branch declares has a space behind it
+/// for each branch around it, so that it differs from names declared outside.
 std::string SyntaxParser::name_in_branch(std::string name) const {
     const auto declared = names_in_branches_.find(name);
     if (declared == names_in_branches_.end() || declared->second.empty()) return name;

@@ -153,30 +153,22 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     return with_exponent(result, token, function, *exponent);
 }
 
-/// The degree of T_n and U_n, Chebyshev's polynomials of the first and the second kind.
-std::optional<int> SyntaxParser::chebyshev_degree(const Token& token) {
-    constexpr int highest = 20;  // its coefficients are exact
-    if (token.kind != TokenKind::Name || (token.text != "T" && token.text != "U"))
-        return std::nullopt;
-    const std::string digits = subscript_text(token);
-    const bool is_number = !digits.empty() && digits.size() <= 2 &&
-                           digits.find_first_not_of("0123456789") == std::string::npos;
-    const int degree = is_number ? std::stoi(digits) : highest + 1;
-    return degree <= highest ? std::optional(degree) : std::nullopt;
-}
-
-/// Whether T_n or U_n is called: the bracket stands directly behind it, and it is no name of the
-/// text. T_0, U_0, T_1 and U_1 are parameters unless one of a higher degree is called in the text.
-bool SyntaxParser::is_chebyshev(const Token& token, int degree) {
-    const Token& opener = *(&token + 1);
+/// Whether the name at this index is T_n or U_n and called: the bracket stands directly behind it,
+/// and it is no name of the text. T_0, U_0, T_1 and U_1 are parameters unless one of a higher
+/// degree is called in the text.
+bool SyntaxParser::is_chebyshev(std::size_t at, int degree) {
+    const Token& token = tokens_[at];
+    const Token& opener = tokens_[at + 1];
     if (!is_symbol(opener, {"(", "["}) || !adjacent(token, opener)) return false;
     if (defined_.find(full_name(token), token.offset)) return false;
     if (degree >= 2) return true;
     if (!calls_chebyshev_) {
-        calls_chebyshev_ = std::ranges::any_of(tokens_, [&](const Token& other) {
-            const auto higher = chebyshev_degree(other);
-            return higher && *higher >= 2 && is_chebyshev(other, *higher);
-        });
+        calls_chebyshev_ = false;
+        for (std::size_t i = 0; !*calls_chebyshev_ && i < tokens_.size(); ++i) {
+            if (tokens_[i].kind != TokenKind::Name) continue;
+            const auto higher = chebyshev_degree(full_name(tokens_[i]));
+            calls_chebyshev_ = higher && *higher >= 2 && is_chebyshev(i, *higher);
+        }
     }
     return *calls_chebyshev_;
 }

@@ -29,6 +29,7 @@ public:
     }
 
     std::expected<SyntaxTree, ParseError> text();
+    [[nodiscard]] std::span<const Token> tokens() const { return tokens_; }
 
 private:
     using Rule = Parsed (SyntaxParser::*)();
@@ -138,8 +139,7 @@ private:
     Parsed radical(const Token& token);
     Parsed part();
     Parsed call(const Token& token, const Function& function);
-    [[nodiscard]] static std::optional<int> chebyshev_degree(const Token& token);
-    [[nodiscard]] bool is_chebyshev(const Token& token, int degree);
+    [[nodiscard]] bool is_chebyshev(std::size_t at, int degree);
     Parsed chebyshev(const Token& token, int degree);
     SyntaxId polynomial(std::size_t offset, const std::string& name,
                         std::span<const long long> coefficients);

@@ -286,10 +286,10 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
     tokens = Words(*tokens, defined).split(*tokens, notes);
     tokens = without_float_suffixes(std::move(*tokens), defined, notes);
     tokens = with_plain_marks(std::move(*tokens), defined, notes);
-    const std::vector<Token> typed = *tokens;
-    auto tree = SyntaxParser(std::move(*tokens), defined, std::move(notes)).text();
+    SyntaxParser parser(std::move(*tokens), defined, std::move(notes));
+    auto tree = parser.text();
     if (tree) return tree;
-    auto error = error_for_open_bracket(text, typed, tree.error());
+    auto error = error_for_open_bracket(text, parser.tokens(), tree.error());
     return error ? std::unexpected(std::move(*error)) : tree;
 }
 

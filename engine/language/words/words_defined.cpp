@@ -54,11 +54,7 @@ bool is_known_by_name(std::string_view name) {
     constexpr std::array<std::string_view, 14> names{"erf",     "erfc", "erfi", "gamma", "Gamma",
                                                      "lgamma",  "zeta", "beta", "Beta",  "Ai",
                                                      "digamma", "Bi",   "Si",   "Ci"};
-    if (std::ranges::find(names, name) != names.end()) return true;
-    if (!name.starts_with("T_") && !name.starts_with("U_")) return false;
-    const std::string_view degree = name.substr(2);
-    const bool is_low = degree.size() == 1 || degree == "20" || degree.starts_with('1');
-    return is_low && degree.size() <= 2 && std::ranges::all_of(degree, is_digit);
+    return std::ranges::find(names, name) != names.end() || chebyshev_degree(name);
 }
 
 /// Whether a function's value has a coordinate in it, but none of its arguments, which are
@@ -76,6 +72,16 @@ bool relates_coordinates(const Candidate& candidate) {
 }
 
 }  // namespace
+
+std::optional<int> chebyshev_degree(std::string_view plain_name) {
+    constexpr int highest = 20;  // its coefficients are exact
+    if (!plain_name.starts_with("T_") && !plain_name.starts_with("U_")) return std::nullopt;
+    const std::string digits(plain_name.substr(2));
+    const bool is_number =
+        !digits.empty() && digits.size() <= 2 && std::ranges::all_of(digits, is_digit);
+    const int degree = is_number ? std::stoi(digits) : highest + 1;
+    return degree <= highest ? std::optional(degree) : std::nullopt;
+}
 
 bool is_type_word(std::string_view word) {
     return std::ranges::find(type_words, word) != type_words.end();

@@ -60,6 +60,36 @@ private:
     static constexpr D d{};
     static constexpr int lanes = hn::MaxLanes(d);
 
+    /// Where a leaf's linear part vanishes on rays, widened by its error.
+    struct Sheet {
+        V radius;    ///< how far roots may be from there
+        V from, to;  ///< of the leaf
+        V by_col;
+        Real s, c, kv, scale;
+
+        /// `aside`: how far rays may be from the pixels' centres, in pixels.
+        HWY_INLINE Sheet(const Leaf<Real>& leaf, Real aside)
+            : from(hn::Set(d, leaf.from)),
+              to(hn::Set(d, leaf.to)),
+              s(leaf.s),
+              c(leaf.c),
+              kv(leaf.kv) {
+            constexpr Real lost = 0x1p-10 * tile_size;  // by rounding, in pixels
+            const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
+            scale = leaf.s_radius / std::copysign(steepness, leaf.kt);
+            const Real error = leaf.e + (aside + lost) * (std::abs(leaf.ku) + std::abs(leaf.kv));
+            const Real rounding =
+                8 * std::numeric_limits<Real>::epsilon() * (std::abs(leaf.s) + leaf.s_radius);
+            radius = hn::Set(d, error * std::abs(scale) + rounding);
+            by_col = hn::Set(d, leaf.ku * scale);
+        }
+        /// On the rays of a row's pixels from `col` on.
+        [[nodiscard]] HWY_INLINE V middle(int col, int row) const {
+            const Real first = s - (c - kv * static_cast<Real>(row)) * scale;
+            return hn::NegMulAdd(hn::Iota(d, static_cast<Real>(col)), by_col, hn::Set(d, first));
+        }
+    };
+
     /// Conclusions of the interval Newton operator on a vector of rays.
     struct Judged {
         M proved;  ///< there is a root, and its bracket is narrow
@@ -83,7 +113,7 @@ private:
     [[nodiscard]] Places places(int first_col, int rows) const;
     /// Marks what is known of the whole pixels.
     void mark_cover();
-    /// What was marked: something, and pixels that no sheet is known to cover.
+    /// Whether any pixel was marked, and any that no sheet is known to cover.
     struct Marked {
         bool any = false, open = false;
     };
@@ -171,25 +201,13 @@ private:
 template <class Real, int pixels>
 template <bool first_of_run>
 void LeafSolver<Real, pixels>::set_brackets(const Leaf<Real>& leaf) {
-    const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
-    const Real scale = leaf.s_radius / std::copysign(steepness, leaf.kt);
-    const Real error =
-        leaf.e + static_cast<Real>(0x1p-10 * tile_size) * (std::abs(leaf.ku) + std::abs(leaf.kv));
-    const Real rounding =
-        8 * std::numeric_limits<Real>::epsilon() * (std::abs(leaf.s) + leaf.s_radius);
-    const V radius = hn::Set(d, error * std::abs(scale) + rounding);
-    const V from = hn::Set(d, leaf.from);
-    const V to = hn::Set(d, leaf.to);
-    const V by_col = hn::Set(d, leaf.ku * scale);
+    const Sheet sheet(leaf, Real{0});
     for (int row = 0; row < pixels; ++row) {
-        const Real first = leaf.s - (leaf.c - leaf.kv * static_cast<Real>(row)) * scale;
         for (int col = 0; col < pixels; col += lanes) {
             const int i = row * pixels + col;
-            const V x = hn::Iota(d, static_cast<Real>(col));
-            // Where the linear part vanishes, widened by its error.
-            const V middle = hn::NegMulAdd(x, by_col, hn::Set(d, first));
-            const V ray_from = hn::Max(hn::Sub(middle, radius), from);  // `from` where NaN
-            const V ray_to = hn::Min(hn::Add(middle, radius), to);
+            const V middle = sheet.middle(col, row);
+            const V ray_from = hn::Max(hn::Sub(middle, sheet.radius), sheet.from);  // `from` if NaN
+            const V ray_to = hn::Min(hn::Add(middle, sheet.radius), sheet.to);
             const V guess = hn::Min(hn::Max(middle, ray_from), ray_to);
             if constexpr (first_of_run) {
                 hn::Store(ray_from, d, newton_.from + i);
@@ -202,7 +220,7 @@ void LeafSolver<Real, pixels>::set_brackets(const Leaf<Real>& leaf) {
             const V before_from = hn::Load(d, newton_.from + i);
             const V before_to = hn::Load(d, newton_.to + i);
             const M only = hn::AndNot(hn::Le(before_from, before_to), some);
-            const M better = hn::Or(only, hn::And(some, hn::Ge(middle, from)));
+            const M better = hn::Or(only, hn::And(some, hn::Ge(middle, sheet.from)));
             const auto join = [&](V before, V both, V alone) {
                 return hn::IfThenElse(only, alone, hn::IfThenElse(some, both, before));
             };

@@ -1,4 +1,4 @@
-// What leaves tell of whole pixels: where one smooth sheet covers them.
+// Marks whole pixels by leaves, and those that one smooth sheet covers.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BEAM_LEAF_COVER_INL) == defined(HWY_TARGET_TOGGLE)
@@ -21,30 +21,18 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real, int pixels>
 template <bool first_of_run>
 void LeafSolver<Real, pixels>::add_cover(const Leaf<Real>& leaf) {
-    const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
-    const Real scale = leaf.s_radius / std::copysign(steepness, leaf.kt);
-    // Rays are half a pixel from the centres at most; a little more for roundings.
-    const Real error = leaf.e + static_cast<Real>(0.5 + 0x1p-10 * tile_size) *
-                                    (std::abs(leaf.ku) + std::abs(leaf.kv));
-    const Real rounding =
-        8 * std::numeric_limits<Real>::epsilon() * (std::abs(leaf.s) + leaf.s_radius);
-    const V radius = hn::Set(d, error * std::abs(scale) + rounding);
-    const V from = hn::Set(d, leaf.from);
-    const V to = hn::Set(d, leaf.to);
-    const V by_col = hn::Set(d, leaf.ku * scale);
+    const Sheet sheet(leaf, static_cast<Real>(0.5));  // rays are half a pixel aside at most
     for (int row = 0; row < pixels; ++row) {
-        const Real first = leaf.s - (leaf.c - leaf.kv * static_cast<Real>(row)) * scale;
         for (int col = 0; col < pixels; col += lanes) {
             const int i = row * pixels + col;
-            const V middle =
-                hn::NegMulAdd(hn::Iota(d, static_cast<Real>(col)), by_col, hn::Set(d, first));
-            const V lo = hn::Max(hn::Sub(middle, radius), from);
-            const V hi = hn::Min(hn::Add(middle, radius), to);
+            const V middle = sheet.middle(col, row);
+            const V lo = hn::Max(hn::Sub(middle, sheet.radius), sheet.from);
+            const V hi = hn::Min(hn::Add(middle, sheet.radius), sheet.to);
             // The brackets of a run's leaves touch where a sheet goes from one to the next. A leaf
             // behind all roots adds its begin, one before them its end: so the joined bracket
             // keeps clear of the run's ends only where f's signs there are known.
-            const M not_behind = hn::Le(lo, to);
-            const M not_before = hn::Ge(hi, from);
+            const M not_behind = hn::Le(lo, sheet.to);
+            const M not_before = hn::Ge(hi, sheet.from);
             const V nowhere = hn::Inf(d);
             const V before_from = first_of_run ? nowhere : hn::Load(d, cover_from_ + i);
             const V before_to = first_of_run ? hn::Neg(nowhere) : hn::Load(d, cover_to_ + i);

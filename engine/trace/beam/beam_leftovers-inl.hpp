@@ -10,6 +10,7 @@
 #endif
 
 #include "engine/trace/beam/beam_rays-inl.hpp"
+#include "engine/trace/closed_jump.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -127,8 +128,6 @@ std::optional<Trend> RayMarcher<Real, Cell>::jump(const RangeList<Real>& ranges,
 template <class Real, class Cell>
 bool RayMarcher<Real, Cell>::closes(const RangeList<Real>& ranges, std::size_t first,
                                     Real finest) const {
-    // From there on it is twice as near to 0 half as far away.
-    constexpr Real nearer = static_cast<Real>(0.75);
     const std::size_t count = margins_around(finest).count;
     bool any = false;
     for (std::size_t k = 0; k + 1 < count; ++k) {
@@ -136,7 +135,7 @@ bool RayMarcher<Real, Cell>::closes(const RangeList<Real>& ranges, std::size_t f
         const std::size_t far = near + 3;
         if (ranges.sign(far + 1) * ranges.sign(far + 2) >= 0) continue;
         const auto falls = [&](std::size_t side) {
-            return ranges.least_size(near + side) <= nearer * ranges.least_size(far + side);
+            return falls_to_zero(ranges.least_size(near + side), ranges.least_size(far + side));
         };
         if (!falls(1) || !falls(2)) return false;
         any = true;

@@ -64,13 +64,9 @@ public:
         return boxes_.excludes_zero(i) && !(frame_.scene.jumps && in_two_parts(i));
     }
     /// A lower bound of |f| in the box, where f surely has a sign.
-    [[nodiscard]] Real least_size(std::size_t i) const {
-        return std::max(-boxes_.f_neg_lo[i], -boxes_.f_hi[i]);
-    }
+    [[nodiscard]] Real least_size(std::size_t i) const { return boxes_.least_size(i); }
     /// +1 or -1 where f surely has that sign, else 0.
-    [[nodiscard]] int sign(std::size_t i) const {
-        return static_cast<int>(boxes_.f_neg_lo[i] < 0) - static_cast<int>(boxes_.f_hi[i] < 0);
-    }
+    [[nodiscard]] int sign(std::size_t i) const { return boxes_.sign(i); }
     [[nodiscard]] bool continuous(std::size_t i) const { return boxes_.continuous[i] != 0; }
     /// Whether f is surely 0 in all of the box.
     [[nodiscard]] bool vanishes(std::size_t i) const {

@@ -1,4 +1,5 @@
 #include "engine/render/render.hpp"
+#include "tests/support/alike_frames.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -39,12 +40,7 @@ TEST(Antialias, ChangesColoursAtEdgesOnly) {
                 edge = edge || plain.surface[beside] != plain.surface[at];
             }
             // Without an edge the four rays around see nearly the same.
-            int change = 0;
-            for (unsigned shift = 0; shift < 24; shift += 8) {
-                change =
-                    std::max(change, std::abs(static_cast<int>(plain.color[at] >> shift & 255U) -
-                                              static_cast<int>(smooth.color[at] >> shift & 255U)));
-            }
+            const int change = color_change(plain.color[at], smooth.color[at]);
             if (edge) {
                 mixed += change > 10 ? 1U : 0U;
             } else {
@@ -57,15 +53,7 @@ TEST(Antialias, ChangesColoursAtEdgesOnly) {
 
 /// Pixels that differ by more than 16 of 255 in a channel.
 std::size_t far_pixels(const Framebuffer& a, const Framebuffer& b) {
-    std::size_t count = 0;
-    for (std::size_t at = 0; at < a.color.size(); ++at) {
-        int change = 0;
-        for (unsigned shift = 0; shift < 24; shift += 8)
-            change = std::max(change, std::abs(static_cast<int>(a.color[at] >> shift & 255U) -
-                                               static_cast<int>(b.color[at] >> shift & 255U)));
-        count += change > 16 ? 1U : 0U;
-    }
-    return count;
+    return different_pixels(a, b, 16);
 }
 
 /// A picture of a scene from its usual side.

@@ -1,4 +1,5 @@
 #include "engine/render/render.hpp"
+#include "tests/support/alike_frames.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -38,19 +39,6 @@ Framebuffer picture_of(const std::string& text, double half, const Lights& light
     settings.shadows = lights.shadows;
     render_frame(scene, default_camera(scene.clip), settings, frame);
     return frame;
-}
-
-/// How many pixels of two pictures differ by more than this in a channel, of 255.
-std::size_t different_pixels(const Framebuffer& a, const Framebuffer& b, int most) {
-    std::size_t count = 0;
-    for (std::size_t at = 0; at < a.color.size(); ++at) {
-        int change = 0;
-        for (unsigned shift = 0; shift < 24; shift += 8)
-            change = std::max(change, std::abs(static_cast<int>(a.color[at] >> shift & 255U) -
-                                               static_cast<int>(b.color[at] >> shift & 255U)));
-        count += change > most ? 1U : 0U;
-    }
-    return count;
 }
 
 /// Expects the picture of one text to be that of another but for so many pixels.
