@@ -2,7 +2,6 @@
 
 #include "document/row_program.hpp"
 #include "engine/base/digits.hpp"
-#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
@@ -101,7 +100,9 @@ void ImportedDocument::add_definition(std::string text, std::size_t line) {
 
 std::unexpected<std::string> import_error(std::size_t line, const std::string& reason) {
     // A reason may have names of the file in it.
-    const std::string one_line = printable(reason);
+    std::string one_line = reason;
+    for (char& letter : one_line)
+        letter = static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
     if (line == 0) return std::unexpected(one_line);
     return std::unexpected(filled(tr("line {0}: {1}"), {std::to_string(line), one_line}));
 }
