@@ -20,7 +20,8 @@ inline constexpr int first_one_slope_level = 1;
 /// From this level on rays that agree stand for a square.
 inline constexpr int first_flat_level = 2;
 /// From this level on an edge at walls that passes all five rays by may be where f at one end of
-/// their stretches tells. In larger squares walls meet too often between rays and corners.
+/// their stretches tells, whatever walls they end in. In larger squares walls meet too often
+/// between rays and corners.
 inline constexpr int first_one_end_level = 3;
 /// The width of the enclosure of normal . view from which on a square is looked at closely for its
 /// colours; and where f may have kinks.

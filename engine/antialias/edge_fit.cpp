@@ -33,13 +33,26 @@ int sign_over_square(const std::array<double, square_ray_count>& numbers) {
     return numbers[0] > 0.0 ? 1 : -1;
 }
 
-/// Whether one end of stretches is as deep over the square as a plane is.
-bool is_even(SquareStretches stretches, CornerStretches corners, double RayStretch::* end) {
-    constexpr double most = 1.0 / 32;  // in parts of how its depth changes
+/// The sign that heights keep all over the square; 0: not known.
+int sign_of_line(const HeightLine& line) {
+    const LinearOnSquare& fit = line.fit;
+    const double least = std::abs(fit.value) - std::abs(fit.by_x) - std::abs(fit.by_y);
+    if (!(least > 2.0 * line.off)) return 0;
+    return fit.value > 0.0 ? 1 : -1;
+}
+
+/// The plane through one end of stretches: the depths over the square.
+HeightLine plane_through(SquareStretches stretches, double RayStretch::* end) {
     std::array<double, square_ray_count> depth{};
     for (std::size_t i = 0; i < square_ray_count; ++i)
         depth[i] = stretches[i].*end;
-    const HeightLine plane = line_through(depth);
+    return line_through(depth);
+}
+
+/// Whether one end of stretches is as deep over the square as a plane is.
+bool is_even(SquareStretches stretches, CornerStretches corners, double RayStretch::* end) {
+    constexpr double most = 1.0 / 32;  // in parts of how its depth changes
+    const HeightLine plane = plane_through(stretches, end);
     const double change = most * (std::abs(plane.fit.by_x) + std::abs(plane.fit.by_y));
     if (!(plane.off <= change)) return false;
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
@@ -149,10 +162,33 @@ std::optional<EdgeSamples> one_end_samples(SquareStretches stretches) {
 }
 
 bool are_ends_even(SquareStretches stretches, CornerStretches corners) {
-    const auto is_empty = [](const RayStretch& ray) { return ray.is_empty(); };
-    return std::ranges::none_of(stretches, is_empty) && std::ranges::none_of(corners, is_empty) &&
-           is_even(stretches, corners, &RayStretch::from) &&
+    return is_even(stretches, corners, &RayStretch::from) &&
            is_even(stretches, corners, &RayStretch::to);
+}
+
+std::optional<EdgeSamples> wall_samples(SquareStretches stretches, const WallEnd& wall) {
+    std::array<double, square_ray_count> others{};
+    for (std::size_t i = 0; i < square_ray_count; ++i)
+        others[i] = stretches[i].*wall.other;
+    const int sign = sign_of_line(line_through(others));
+    if (sign == 0) return std::nullopt;
+    EdgeSamples samples;
+    samples.known = true;
+    samples.before_end.fill(true);
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        const double height = sign * (ray.*wall.f);
+        const bool is_rooted_beyond = ray.is_empty() && height <= 0.0;
+        if (ray.inner || is_rooted_beyond || !std::isfinite(height)) return std::nullopt;
+        samples.height[i] = height;
+    }
+    return samples;
+}
+
+RayStretch stretch_at(SquareStretches stretches, const SquareRay& place, const WallEnd& wall) {
+    RayStretch stretch = stretches.front();
+    stretch.*wall.depth = plane_through(stretches, wall.depth).fit.at(place);
+    return stretch;
 }
 
 EdgeSamples entry_samples(SquareStretches stretches) {
@@ -170,15 +206,14 @@ EdgeSamples entry_samples(SquareStretches stretches) {
 std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too) {
     if (!samples.known) return std::nullopt;
     const auto [fit, off] = line_through(samples.height);
-    if (off <= error * std::hypot(fit.by_x, fit.by_y)) return fit;  // squares may overflow
+    if (off <= error * fit.slope()) return fit;
     const double least = std::abs(fit.value) - std::abs(fit.by_x) - std::abs(fit.by_y);
     return flat_too && least > 4.0 * off ? std::optional(fit) : std::nullopt;
 }
 
 bool is_all_below(const EdgeSamples& samples) {
     if (!samples.known) return false;
-    const auto [fit, off] = line_through(samples.height);
-    return fit.value + std::abs(fit.by_x) + std::abs(fit.by_y) + 2.0 * off < 0.0;
+    return sign_of_line(line_through(samples.height)) < 0;
 }
 
 bool is_touched(const EdgeSamples& samples, SquareStretches stretches) {

@@ -33,9 +33,25 @@ EdgeSamples edge_samples(SquareStretches stretches);
 /// surely keeps its sign at the other end all over the square, roots are where it does not at this
 /// one. Nothing unless that is so of one end.
 std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
-/// Whether the rays' stretches end in a plane on either side: in one wall of the clip region, or at
-/// one depth.
+/// Whether the rays' stretches begin in a plane, and end in one: in one wall of the clip region, or
+/// at one depth. They may be empty, where a wall is beyond the other end.
 bool are_ends_even(SquareStretches stretches, CornerStretches corners);
+/// The end of stretches at which a wall is: its depth, f there, and f at the other end.
+struct WallEnd {
+    double RayStretch::* depth;
+    double RayStretch::* f;
+    double RayStretch::* other;
+};
+inline constexpr WallEnd entry_wall{
+    .depth = &RayStretch::from, .f = &RayStretch::near, .other = &RayStretch::far};
+inline constexpr WallEnd exit_wall{
+    .depth = &RayStretch::to, .f = &RayStretch::far, .other = &RayStretch::near};
+/// Samples of f in a wall, where f surely keeps its sign at the other ends all over the square:
+/// roots are where f has the other sign in the wall. Nothing where rays may have more of them.
+std::optional<EdgeSamples> wall_samples(SquareStretches stretches, const WallEnd& wall);
+/// The stretch of a ray beside the square's own, by how deep that wall is there.
+RayStretch stretch_at(SquareStretches stretches, const SquareRay& place, const WallEnd& wall);
+
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.
 EdgeSamples entry_samples(SquareStretches stretches);

@@ -2,6 +2,9 @@
 
 #include "engine/antialias/square_rays.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace zeroset {
 
 /// A linear function on the square [-1, 1]^2: value + by_x x + by_y y.
@@ -10,6 +13,13 @@ struct LinearOnSquare {
 
     [[nodiscard]] double at(const SquareRay& place) const {
         return value + by_x * place.x + by_y * place.y;
+    }
+    /// How steep it is.
+    [[nodiscard]] double slope() const {
+        // As std::hypot, but fast: squares may overflow.
+        const double most = std::max(std::abs(by_x), std::abs(by_y));
+        const double part = std::min(std::abs(by_x), std::abs(by_y)) / most;
+        return most > 0.0 ? most * std::sqrt(1.0 + part * part) : 0.0;
     }
     LinearOnSquare operator-() const { return {.value = -value, .by_x = -by_x, .by_y = -by_y}; }
     friend LinearOnSquare operator-(const LinearOnSquare& a, const LinearOnSquare& b) {

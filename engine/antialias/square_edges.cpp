@@ -60,27 +60,10 @@ EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, con
     return edge_samples(stretches);
 }
 
-/// Whether the edge in a wall that all rays enter or leave by passes by the square.
-bool is_passed_by(SquareStretches stretches, CornerStretches corners, const CoverSquare& square) {
-    const auto samples = one_end_samples(stretches);
-    if (!samples || !are_ends_even(stretches, corners)) return false;
-    const auto fit = line_of(*samples, square, false);
-    return fit && !(part_below_zero(*fit).share > 0.0);
-}
-
-/// signs_of a square at walls; where the edge in one of them passes by, f keeps its sign.
-Signs signs_at_walls(SquareStretches stretches, CornerStretches corners, const CoverSquare& square,
-                     const Front& front) {
-    if (front.kinked) return Signs::Unknown;
-    return is_passed_by(stretches, corners, square) ? Signs::Kept : signs_of(stretches);
-}
-
-/// Whether f may come to 0 between the ends of a square's stretches and go away again, as these are
-/// long.
+/// Whether a square's stretches are long beside its width: f may come to 0 in them several times.
 bool is_long(const SquareField& field, const CoverSquare& square, const Front& front) {
     constexpr double most = 4.0;  // fair lengths
-    return square.level < first_one_slope_level &&
-           front.to - front.at > most * field.fair_length(square, front.at);
+    return front.to - front.at > most * field.fair_length(square, front.at);
 }
 
 /// Calls do_some for `squares`, at most so many at once.
@@ -128,20 +111,30 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
 }
 
 std::optional<bool> SquareEdges::take_at_walls(std::size_t square, SquareStretches stretches,
-                                               CornerStretches corners, bool all,
+                                               CornerStretches corners, const EdgeSamples& samples,
                                                std::optional<LinearOnSquare>& fit) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    const Signs signs = signs_at_walls(stretches, corners, at, front);
+    const bool may_hide = at.level < first_one_slope_level && is_long(field_, at, front);
+    switch (walls_.take_line(square, stretches, corners, rules_of(at, false), may_hide)) {
+        case SquareWalls::Choice::None: break;
+        case SquareWalls::Choice::Taken: return false;
+        case SquareWalls::Choice::Outside: return pass(square);
+    }
+    const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
     if (signs == Signs::Kept) {
-        if (!is_long(field_, at, front)) return pass(square);
+        if (!may_hide) return pass(square);
         field_.divide(square);
         return false;
     }
-    if (signs == Signs::Changed && !fit && all) fit = all_of_square;
+    if (!fit && samples.roots() == square_ray_count) {
+        const bool is_covered = signs == Signs::Changed ||
+                                (is_all_below(samples) && is_all_below(entry_samples(stretches)));
+        if (is_covered) fit = all_of_square;
+    }
     switch (walls_.add(square, stretches, corners, fit)) {
         case SquareWalls::Choice::None: break;
-        case SquareWalls::Choice::Sought: return false;
+        case SquareWalls::Choice::Taken: return false;
         case SquareWalls::Choice::Outside: return pass(square);
     }
     return std::nullopt;
@@ -165,7 +158,7 @@ bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStre
     const bool one_entry = is_inside || samples.before_end.front();
     auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
-        if (const auto goes_on = take_at_walls(square, stretches, corners, all, fit))
+        if (const auto goes_on = take_at_walls(square, stretches, corners, samples, fit))
             return *goes_on;
     }
     if (!fit && is_inside) {
@@ -196,6 +189,11 @@ bool SquareEdges::take_found_line(std::size_t square, std::size_t i) {
     }
     const SquarePart part{.share = lines_.share[i], .x = lines_.x[i], .y = lines_.y[i]};
     if (!(part.share > 0.0)) return pass(square);
+    if (!(part.share < 1.0) && at.level < last_color_level && is_long(field_, at, front)) {
+        // Another sheet may begin before the one that all rays meet.
+        add_uneven(square);
+        return false;
+    }
     drafts_.add(at, {.x = part.x, .y = part.y}, part.share, front.at, lines_.end[i],
                 Certificate::Certified);
     SquareRayFlags misses{};

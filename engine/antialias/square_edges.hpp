@@ -61,7 +61,7 @@ private:
     /// Decides a square at walls of the clip region, all of whose rays have roots or not, where
     /// that can be told; else its edge is `fit`, if it is a line.
     std::optional<bool> take_at_walls(std::size_t square, SquareStretches stretches,
-                                      CornerStretches corners, bool all,
+                                      CornerStretches corners, const EdgeSamples& samples,
                                       std::optional<LinearOnSquare>& fit);
     bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
                    const LinearOnSquare& fit);

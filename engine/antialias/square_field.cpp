@@ -134,6 +134,10 @@ void SquareField::keep_rest(std::size_t square, std::size_t surface, const Squar
     in_.reopened.push_back(square);
 }
 
+void SquareField::divide_whole_rest(std::size_t square, const SquareRest& rest) {
+    if (rest.share > least_share) divide_rest(square, rest);
+}
+
 void SquareField::reopen(std::vector<std::size_t>& open) {
     open.insert(open.end(), in_.reopened.begin(), in_.reopened.end());
     in_.reopened.clear();
@@ -142,8 +146,9 @@ void SquareField::reopen(std::vector<std::size_t>& open) {
 void SquareField::divide_rest(std::size_t square, const SquareRest& rest) {
     const CoverSquare& at = in_.squares[square];
     const auto count = static_cast<double>(std::ranges::count(rest.misses, true));
-    // In a large square, and where the rest is not known, several rays stand for it.
-    const bool several = count > 0.0 && (at.level == 0 || !(rest.part.share > 0.0));
+    // Where the rest is large, or not known, several rays stand for it.
+    const bool is_large = at.level == 0 || (at.level == 1 && rest.share > 0.5);
+    const bool several = count > 0.0 && (is_large || !(rest.part.share > 0.0));
     if (!several) return add_part(square, at.ray(rest.middle(), rest.share));
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         if (rest.misses[i]) add_part(square, at.ray(square_rays[i], rest.share / count));

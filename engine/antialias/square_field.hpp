@@ -95,6 +95,9 @@ public:
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with what is left of the square beside it.
     void keep_rest(std::size_t square, std::size_t surface, const SquareRest& rest);
+    /// Goes on with rays for it instead of the square, from where the stretch with the edge begins:
+    /// more of the surface may be in that.
+    void divide_whole_rest(std::size_t square, const SquareRest& rest);
     /// Adds the squares of which a rest was kept to `open`.
     void reopen(std::vector<std::size_t>& open);
     /// Goes on with the rays of a square instead of it.

@@ -31,6 +31,14 @@ std::optional<LinearOnSquare> sheet_of(SquareStretches stretches) {
                           .by_y = 0.5 * (depth[3] + depth[4] - depth[1] - depth[2])};
 }
 
+/// Whether a line takes corners for parts with a root whose stretches are empty.
+bool is_cut(const LinearOnSquare& line, CornerStretches corners) {
+    for (std::size_t i = 0; i < square_corners.size(); ++i) {
+        if (corners[i].is_empty() && line.at(square_corners[i]) <= 0.0) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void SquareWalls::Task::take(SquareStretches stretches) {
@@ -42,6 +50,47 @@ void SquareWalls::Task::take(SquareStretches stretches) {
     shown = square_rays[hit];
     from = stretches[hit].from;
     to = stretches[hit].at;
+}
+
+auto SquareWalls::take_line(std::size_t square, SquareStretches stretches, CornerStretches corners,
+                            const LineRules& rules, bool may_hide) -> Choice {
+    const Front& front = field_.fronts(square)[surface_];
+    const bool all_enter = front.inside_from <= front.inside_to;
+    if (front.kinked || !all_enter || !are_ends_even(stretches, corners)) return Choice::None;
+    for (const WallEnd& wall : {entry_wall, exit_wall}) {
+        const auto samples = wall_samples(stretches, wall);
+        if (!samples) continue;
+        const auto line = fit_edge(*samples, rules.error, rules.flat_too);
+        if (line && !is_cut(*line, corners))
+            return take_part(square, stretches, *samples, *line, wall, may_hide);
+    }
+    return Choice::None;
+}
+
+auto SquareWalls::take_part(std::size_t square, SquareStretches stretches,
+                            const EdgeSamples& samples, const LinearOnSquare& line,
+                            const WallEnd& wall, bool may_hide) -> Choice {
+    const SquarePart part = part_below_zero(line);
+    if (!(part.share > 0.0)) return may_hide ? Choice::None : Choice::Outside;
+    const CoverSquare& at = field_.square(square);
+    const SquareRay middle{.x = part.x, .y = part.y};
+    if (samples.roots() == 0) {
+        const RayStretch stretch = stretch_at(stretches, middle, wall);
+        drafts_.add(at, middle, part.share, stretch.from, stretch.to, Certificate::Certified);
+    } else {
+        const std::size_t nearest = samples.nearest_hit(middle);
+        const RayRoot root = samples.bracket(stretches, nearest);
+        drafts_.add(at, square_rays[nearest], part.share, root.from, root.to,
+                    Certificate::Certified);
+    }
+    const SquareRest rest{
+        .share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()};
+    if (may_hide) {
+        field_.divide_whole_rest(square, rest);
+    } else {
+        field_.keep_rest(square, surface_, rest);
+    }
+    return Choice::Taken;
 }
 
 auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStretches corners,
@@ -88,7 +137,7 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStret
         const WallPlace& to = ways->miss[i];
         task.ways[i] = WallWay(from.at, ray_of(from), to.at, ray_of(to));
     }
-    return Choice::Sought;
+    return Choice::Taken;
 }
 
 void SquareWalls::narrow() {

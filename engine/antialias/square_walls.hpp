@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/antialias/edge_fit.hpp"
+#include "engine/antialias/edge_lines.hpp"
 #include "engine/antialias/sample_drafts.hpp"
 #include "engine/antialias/square_field.hpp"
 #include "engine/antialias/wall_line.hpp"
@@ -14,16 +15,21 @@
 
 namespace zeroset {
 
-/// Squares that a wall of the clip region may cut: where rays run along the wall, its line in the
-/// square is sought.
+/// Squares that a wall of the clip region may cut: the edge of a surface in it, where all rays
+/// cross it; where rays run along the wall, its line in the square is sought.
 class SquareWalls {
 public:
     SquareWalls(const TraceFrame& frame, std::size_t surface, SquareField& field,
                 SampleDrafts& drafts, Counters& counters)
         : frame_(frame), surface_(surface), field_(field), drafts_(drafts), counters_(counters) {}
 
-    /// Whether a wall is sought in a square, or the square is outside of the clip region.
-    enum class Choice : std::uint8_t { None, Sought, Outside };
+    /// What becomes of a square: it is left to others, decided here, or nothing is seen in it.
+    enum class Choice : std::uint8_t { None, Taken, Outside };
+    /// Decides a square that all rays enter, or leave, by one wall, where the edge in that is a
+    /// line. `may_hide`: f may come to 0 and go away again between the ends of its stretches.
+    Choice take_line(std::size_t square, SquareStretches stretches, CornerStretches corners,
+                     const LineRules& rules, bool may_hide);
+    /// Adds a square in which a wall may be sought.
     /// `corners`: the stretches of these rays within the clip region; `fit`: the edge without the
     /// wall, where it is known.
     Choice add(std::size_t square, SquareStretches stretches, CornerStretches corners,
@@ -56,6 +62,8 @@ private:
         const Task* task;
         WallWay* way;
     };
+    Choice take_part(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
+                     const LinearOnSquare& line, const WallEnd& wall, bool may_hide);
     /// Searches the ways of all tasks.
     void narrow();
     void show(const Task& task, const LinearOnSquare& line);

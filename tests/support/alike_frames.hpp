@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,32 @@ inline std::size_t different_pixels(const Framebuffer& a, const Framebuffer& b, 
     for (std::size_t at = 0; at < a.color.size(); ++at)
         count += color_change(a.color[at], b.color[at]) > most ? 1U : 0U;
     return count;
+}
+
+/// The colours of a picture whose pixels are each the mean, in linear light, of the factor x factor
+/// pixels of another one that lie there: far more rays a pixel than one picture has.
+inline Framebuffer averaged(const Framebuffer& large, int factor) {
+    Framebuffer frame(large.width / factor, large.height / factor);
+    const int count = factor * factor;
+    for (int row = 0; row < frame.height; ++row) {
+        for (int col = 0; col < frame.width; ++col) {
+            std::array<double, 3> light{};
+            for (int part = 0; part < count; ++part) {
+                const std::uint32_t color = large.color[large.index(factor * col + part % factor,
+                                                                    factor * row + part / factor)];
+                for (unsigned channel = 0; channel < 3; ++channel) {
+                    const double shown = (color >> 8 * channel & 255U) / 255.0;
+                    light[channel] += shown * shown / count;  // by gamma 2
+                }
+            }
+            std::uint32_t color = 0xFF000000U;
+            for (unsigned channel = 0; channel < 3; ++channel)
+                color |= static_cast<std::uint32_t>(std::lround(255.0 * std::sqrt(light[channel])))
+                         << 8 * channel;
+            frame.color[frame.index(col, row)] = color;
+        }
+    }
+    return frame;
 }
 
 /// Pixels of a frame, compared with those of another way to draw it.

@@ -67,31 +67,103 @@ TEST(EdgeFit, NothingIsSaidOfRaysBesideTheClipRegion) {
     EXPECT_FALSE(one_end_samples(five));
 }
 
-TEST(EdgeFit, EndsAreEvenWhereTheyAreInOneWall) {
-    constexpr LinearOnSquare wall{.value = 2.0, .by_x = 0.5, .by_y = -0.25};
-    Five five = stretches_of(far_from_zero, far_from_zero);
-    std::array<RayStretch, square_corners.size()> corners{};
+constexpr LinearOnSquare entry{.value = 2.0, .by_x = 0.5, .by_y = -0.25};
+
+/// Stretches from a wall to one depth.
+Five stretches_from_wall(double to) {
+    Five five = stretches_of(cut_corner, far_from_zero);
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        five[i].from = wall.at(square_rays[i]);
-        five[i].to = 9.0;
+        five[i].from = entry.at(square_rays[i]);
+        five[i].to = to;
     }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i].from = wall.at(square_corners[i]);
-        corners[i].to = 9.0;
+    return five;
+}
+
+TEST(EdgeFit, EndsAreEvenWhereTheyAreInOneWall) {
+    // Rays may enter beyond the far end, too.
+    for (const double to : {9.0, 2.1}) {
+        Five five = stretches_from_wall(to);
+        std::array<RayStretch, square_corners.size()> corners{};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            corners[i].from = entry.at(square_corners[i]);
+            corners[i].to = to;
+        }
+        EXPECT_TRUE(are_ends_even(five, corners));
+        // Another wall cuts a corner; a ray; the far end.
+        for (RayStretch* ray : {&corners[2], &five[3]}) {
+            ray->from += 0.1;
+            EXPECT_FALSE(are_ends_even(five, corners));
+            ray->from -= 0.1;
+            ray->to -= 0.1;
+            EXPECT_FALSE(are_ends_even(five, corners));
+            ray->to = to;
+        }
+        EXPECT_TRUE(are_ends_even(five, corners));
     }
-    EXPECT_TRUE(are_ends_even(five, corners));
-    // Another wall cuts a corner; a ray; the far end; a corner is outside.
-    for (RayStretch* ray : {&corners[2], &five[3]}) {
-        ray->from += 0.1;
-        EXPECT_FALSE(are_ends_even(five, corners));
-        ray->from -= 0.1;
-        ray->to -= 0.1;
-        EXPECT_FALSE(are_ends_even(five, corners));
-        ray->to = 0.0;
-        EXPECT_FALSE(are_ends_even(five, corners));
-        ray->to = 9.0;
+}
+
+TEST(EdgeFit, AWallCutsWhereFHasTheOtherSignInIt) {
+    for (const double sign : {1.0, -1.0}) {
+        for (const WallEnd& wall : {entry_wall, exit_wall}) {
+            // A half of the square, and a corner that no ray is in.
+            for (const LinearOnSquare& in_wall :
+                 {LinearOnSquare{.value = 0.0, .by_x = 1.0, .by_y = 0.5}, cut_corner}) {
+                Five five = stretches_of(far_from_zero, far_from_zero);
+                for (std::size_t i = 0; i < square_ray_count; ++i) {
+                    five[i].*wall.f = sign * in_wall.at(square_rays[i]);
+                    five[i].*wall.other *= sign;
+                }
+                const auto samples = wall_samples(five, wall);
+                ASSERT_TRUE(samples);
+                const auto fit = fit_edge(*samples, 1e-6, false);
+                ASSERT_TRUE(fit);
+                const SquarePart part = part_below_zero(*fit);
+                const SquarePart wanted = part_below_zero(in_wall);
+                EXPECT_NEAR(part.share, wanted.share, 1e-12);
+                EXPECT_NEAR(part.x, wanted.x, 1e-12);
+                // Between the ends of a ray in the part f goes through 0.
+                for (std::size_t i = 0; i < square_ray_count; ++i) {
+                    if (samples->height[i] > 0.0) continue;
+                    EXPECT_EQ(samples->bracket(five, i).to, five[i].to);
+                    EXPECT_LE(five[i].near * five[i].far, 0.0);
+                }
+            }
+        }
     }
-    EXPECT_TRUE(are_ends_even(five, corners));
+}
+
+TEST(EdgeFit, AWallTellsNothingWhereFIsNotSureBesideIt) {
+    // The other end is above 0 at all rays, but not at a corner.
+    EXPECT_FALSE(wall_samples(stretches_of(cut_corner, cut_corner), entry_wall));
+    Five five = stretches_from_wall(9.0);
+    EXPECT_TRUE(wall_samples(five, entry_wall));
+    five[2].inner = true;
+    EXPECT_FALSE(wall_samples(five, entry_wall));
+    five = stretches_from_wall(9.0);
+    five[1].near = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(wall_samples(five, entry_wall));
+    // A ray enters beyond the far end. Where it may have a root then is not known.
+    five = stretches_from_wall(9.0);
+    five[4].to = 0.0;
+    EXPECT_TRUE(wall_samples(five, entry_wall));
+    five[4].near = -five[4].near;
+    EXPECT_FALSE(wall_samples(five, entry_wall));
+}
+
+TEST(EdgeFit, ARayBesideTheOthersEndsInTheSameWall) {
+    const Five five = stretches_from_wall(9.0);
+    const SquareRay place{.x = 0.75, .y = -0.5};
+    const RayStretch stretch = stretch_at(five, place, entry_wall);
+    EXPECT_NEAR(stretch.from, entry.at(place), 1e-12);
+    EXPECT_EQ(stretch.to, 9.0);
+}
+
+TEST(EdgeFit, LinesAreSteepByAnyNumbers) {
+    for (const double scale : {1.0, 1e-200, 1e200}) {
+        const LinearOnSquare line{.value = 0.0, .by_x = 3 * scale, .by_y = -4 * scale};
+        EXPECT_NEAR(line.slope() / scale, 5.0, 1e-12);
+    }
+    EXPECT_EQ((LinearOnSquare{.value = 1.0, .by_x = 0.0, .by_y = 0.0}).slope(), 0.0);
 }
 
 TEST(EdgeFit, ASlopeIsOneWhereItIsNearlyTheSameAtAllRays) {

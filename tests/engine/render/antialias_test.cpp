@@ -129,10 +129,19 @@ Framebuffer suite_picture_of(const char* text, double half_edge, int width, int 
 
 /// Rays enter the clip box behind the surface at a corner of pixels on the box's edges only.
 TEST(Antialias, IsNearToManyRaysWhereCornersOfPixelsEnterBehindASheet) {
-    const auto picture = [](Antialias antialias) {
-        return suite_picture_of("abs(x) + abs(y) - z", 2.0, 320, 180, antialias);
+    // Beside the dark background a hundredth of a pixel is seen: 64 rays miss as much.
+    const auto many_rays = [](const char* text, double half_edge) {
+        return averaged(suite_picture_of(text, half_edge, 4 * 320, 4 * 180, Antialias::Rays64), 4);
     };
-    EXPECT_LE(far_pixels(picture(Antialias::Beams), picture(Antialias::Rays64)), 3U);
+    const char* const cone = "abs(x) + abs(y) - z";
+    EXPECT_LE(
+        far_pixels(suite_picture_of(cone, 2.0, 320, 180, Antialias::Beams), many_rays(cone, 2.0)),
+        1U);
+    // In long stretches behind a wall there may be more sheets beside the edge in that.
+    const char* const inverse = "1/(x - y^2) - z";
+    EXPECT_EQ(far_pixels(suite_picture_of(inverse, 2.0, 320, 180, Antialias::Beams),
+                         many_rays(inverse, 2.0)),
+              0U);
 }
 
 /// In the middle of this asterisk a sheet and its back lie close behind each other, in a long
