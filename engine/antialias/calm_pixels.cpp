@@ -1,40 +1,47 @@
 #include "engine/antialias/calm_pixels.hpp"
 
-#include "engine/trace/flag_bits.hpp"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/antialias/calm_pixels.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include "engine/trace/simd/vectors-inl.hpp"
+
+#include <hwy/highway.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
-namespace zeroset {
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
 
 /// How much channels of pixels that look the same may differ; 1 is the brightest that is shown.
-constexpr float most_difference = 4.0F / 255.0F;
+inline constexpr float most_difference = 4.0F / 255.0F;
 
 /// Columns that are compared at once.
-constexpr std::size_t block = 8;
+inline constexpr std::size_t block = 8;
+constexpr hn::CappedTag<float, block> in_block{};
 
-/// Which of `count` pixels from a and b on look the same, pixel by pixel.
-template <std::size_t count>
-std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b) {
-    std::array<std::uint8_t, block> same{};
-    std::fill_n(same.begin(), count, std::uint8_t{1});
-    for (int channel = 0; channel < 3; ++channel) {
-        const float* const p =
-            layer.light_row(static_cast<int>(a / tile_size), channel) + a % tile_size;
-        const float* const q =
-            layer.light_row(static_cast<int>(b / tile_size), channel) + b % tile_size;
-        for (std::size_t i = 0; i < count; ++i) {
+/// Which of a block's width of pixels from a and b on look the same, pixel by pixel.
+HWY_INLINE std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t b) {
+    const auto most = hn::Set(in_block, 2.0F * most_difference * most_difference);
+    std::uint64_t same = 0;
+    for (std::size_t i = 0; i < block; i += hn::MaxLanes(in_block)) {
+        const auto light = [&](std::size_t at, int channel) {
+            const float* const row = layer.light_row(static_cast<int>(at / tile_size), channel);
+            return hn::LoadU(in_block, row + at % tile_size + i);
+        };
+        auto near = hn::FirstN(in_block, block);
+        for (int channel = 0; channel < 3; ++channel) {
+            const auto p = light(a, channel);
+            const auto q = light(b, channel);
             // By gamma 2, as pixels are shown: (p - q) / (sqrt p + sqrt q) is the difference.
-            const float change = p[i] - q[i];
-            const bool near =
-                change * change <= 2.0F * most_difference * most_difference * (p[i] + q[i]);
-            same[i] = static_cast<std::uint8_t>(same[i] & static_cast<std::uint8_t>(near));
+            const auto change = hn::Sub(p, q);
+            near = hn::And(near, hn::Le(hn::Mul(change, change), hn::Mul(most, hn::Add(p, q))));
         }
+        same |= std::uint64_t{bits_of(in_block, near)} << i;
     }
-    return bits_of_flags(same);
+    return same;
 }
 
 /// Which of the wanted pixels of a row look like those to the right; of others it tells nothing.
@@ -42,10 +49,10 @@ std::uint64_t like_right(const LitLayer& layer, std::size_t row, std::uint64_t w
     std::uint64_t same = 0;
     for (std::size_t col = 0; col < tile_size; col += block) {
         if ((wanted >> col & 0xFFU) == 0) continue;
-        const std::size_t at = row * tile_size + col;
-        same |= (col + block < tile_size ? alike<block>(layer, at, at + 1)
-                                         : alike<block - 1>(layer, at, at + 1))
-                << col;
+        // The row's last pixel has none to the right.
+        const std::size_t first = std::min(col, tile_size - block - 1);
+        const std::size_t at = row * tile_size + first;
+        same |= alike(layer, at, at + 1) << first;
     }
     return same;
 }
@@ -62,7 +69,7 @@ std::uint64_t like_below(const LitLayer& layer, std::size_t row, std::uint64_t w
     for (std::size_t col = 0; col < tile_size; col += block) {
         if ((wanted >> col & 0xFFU) == 0) continue;
         const std::size_t at = row * tile_size + col;
-        same |= alike<block>(layer, at, at + tile_size) << col;
+        same |= alike(layer, at, at + tile_size) << col;
     }
     return same;
 }
@@ -106,15 +113,27 @@ void add_calm(const LitLayer& layer, const Tile& tile, const TileBits& wanted, T
     }
 }
 
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+namespace {
+
+HWY_EXPORT(add_calm);
+
 }  // namespace
 
 TileBits calm_pixels(const Tile& tile, std::span<const LitLayer> layers, const TileBits& wanted) {
     TileBits calm{};
     for (const LitLayer& layer : layers) {
         // A translucent pixel may look calm while what is behind it changes.
-        if (layer.cover.empty()) add_calm(layer, tile, wanted, calm);
+        if (layer.cover.empty()) HWY_DYNAMIC_DISPATCH(add_calm)(layer, tile, wanted, calm);
     }
     return calm;
 }
 
 }  // namespace zeroset
+
+#endif

@@ -90,6 +90,40 @@ TEST_F(CalmPixels, AreNotThoseBesideAPixelOfAnotherColourInAnyChannel) {
     }
 }
 
+/// In a whole tile, whose last blocks end at its edges.
+TEST(CalmPixelsOfAWholeTile, AreThoseWithoutOtherColoursAroundThemUpToTheEdges) {
+    constexpr Tile whole{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};
+    constexpr std::uint64_t all = ~std::uint64_t{0};
+    std::vector<TileHits> hits(1);
+    std::ranges::fill(hits[0].depth, 1.0F);
+    hits[0].any = true;
+    LitTile lit;
+    lit.begin(hits);
+    LitLayer& layer = lit.layers().front();
+    layer.hit_rows.fill(all);
+    std::ranges::fill(layer.light, 0.3F);
+    TileBits odd{};
+    const auto set_odd = [&](std::size_t col, std::size_t row) {
+        layer.light_row(static_cast<int>(row), 1)[col] = 0.4F;
+        odd[row] |= std::uint64_t{1} << col;
+    };
+    for (std::size_t i = 0; i < 9; ++i)
+        set_odd(55 + i, 3 + 5 * i);
+    set_odd(7, 20);
+    set_odd(8, 30);
+    set_odd(63, 63);
+    TileBits wanted{};
+    wanted.fill(all);
+    const TileBits calm = calm_pixels(whole, lit.layers(), wanted);
+    for (std::size_t row = 0; row < tile_size; ++row) {
+        const bool is_inner = row > 0 && row + 1 < tile_size;
+        const std::uint64_t near = is_inner ? odd[row - 1] | odd[row] | odd[row + 1] : all;
+        const std::uint64_t beside = near | near << 1U | near >> 1U;
+        const std::uint64_t edges = std::uint64_t{1} | std::uint64_t{1} << (tile_size - 1U);
+        ASSERT_EQ(calm[row], ~(beside | edges)) << row;
+    }
+}
+
 TEST_F(CalmPixels, AreNoneWhereASurfaceIsSeenThrough) {
     light();
     layer().cover.assign(std::size_t{tile_size} * tile_size, 0.5F);
