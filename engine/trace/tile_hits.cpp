@@ -3,6 +3,7 @@
 #include "engine/trace/flag_bits.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -34,14 +35,18 @@ void PixelCover::clear() {
 std::uint64_t PixelCover::mixed_in_row(int row) const {
     const auto first = static_cast<std::size_t>(row) * tile_size;
     constexpr std::uint64_t in_row = (std::uint64_t{1} << (tile_size / tile_block)) - 1;
-    if ((open_blocks >> block_of(first) & in_row) == 0) return 0;
-    std::array<std::uint8_t, tile_size> is_mixed;
-    for (std::size_t col = 0; col < tile_size; ++col) {
-        const float other = other_from[first + col];
-        // Bitwise, so that it is done for many pixels at once.
-        const bool some = std::min(from[first + col], other) < none;
-        const bool covered = to[first + col] < other;
-        is_mixed[col] = static_cast<std::uint8_t>(some && !covered);
+    std::uint64_t open = open_blocks >> block_of(first) & in_row;
+    if (open == 0) return 0;
+    std::array<std::uint8_t, tile_size> is_mixed{};
+    for (; open != 0; open &= open - 1) {
+        const auto block = static_cast<std::size_t>(std::countr_zero(open)) * tile_block;
+        for (std::size_t col = block; col < block + tile_block; ++col) {
+            const float other = other_from[first + col];
+            // Bitwise, so that it is done for many pixels at once.
+            const bool some = std::min(from[first + col], other) < none;
+            const bool covered = to[first + col] < other;
+            is_mixed[col] = static_cast<std::uint8_t>(some && !covered);
+        }
     }
     return bits_of_flags(is_mixed);
 }
