@@ -51,6 +51,7 @@ private:
         V<double> doubt;  ///< how far heights may be off
         M<double> known;  ///< whether heights may go smoothly with the place
         M<double> shown;  ///< no roots hide in stretches
+        M<double> folds;  ///< there may be several roots before those that are found
     };
 
     void search_all(const TraceFrame& frame, Counters& counters);
@@ -107,6 +108,7 @@ HWY_INLINE auto LineSearch::edges_of_all(std::size_t i) const -> Edges {
     edges.doubt = zero;
     M<double> differ = hn::Lt(zero, zero);
     edges.shown = differ;
+    edges.folds = differ;
     V<double> size = zero;
     for (std::size_t k = 0; k < square_ray_count; ++k) {
         const V<double> near = least_.near_at(ray(k, i));
@@ -115,6 +117,7 @@ HWY_INLINE auto LineSearch::edges_of_all(std::size_t i) const -> Edges {
         edges.place[k] = least_.place_at(ray(k, i));
         differ = hn::Or(differ, hn::Xor(above, hn::Ge(near, zero)));
         edges.shown = hn::Or(edges.shown, hn::Or(least_.inner_at(ray(k, i)), hn::Le(height, zero)));
+        edges.folds = hn::Or(edges.folds, least_.wavers_at(ray(k, i)));
         size = hn::Add(size, hn::Add(hn::Abs(near), hn::Abs(height)));
     }
     edges.known = hn::AndNot(differ, hn::Lt(size, hn::Inf(d<double>)));
@@ -142,6 +145,7 @@ HWY_INLINE auto LineSearch::edges_by_middle(std::size_t i, const TileLines& tile
     edges.place[0] = place;
     edges.known = hn::Gt(least_near, zero);
     edges.shown = hn::Or(inner, hn::Le(edges.height[0], zero));
+    edges.folds = least_.wavers_at(i);
     V<double> size = hn::Add(near, hn::Abs(edges.height[0]));
     for (std::size_t k = 1; k < square_ray_count; ++k) {
         const std::size_t point = (k - 1) * stride_ + i;
@@ -223,6 +227,7 @@ HWY_INLINE void LineSearch::put_line(std::size_t i, const Edges& edges,
     }
     store(end, squares_.end.data() + i);
     store(hits, squares_.hits.data() + i);
+    store(flags(edges.folds), squares_.folds.data() + i);
 }
 
 HWY_INLINE void LineSearch::decide(std::size_t i, const Edges& edges) {

@@ -42,6 +42,8 @@ struct EdgeLines {
     alignas(64) Column share, x, y;
     alignas(64) Column end;   ///< out: behind `from`, before the root of the ray through x, y
     alignas(64) Column hits;  ///< out: of the square's rays with roots the sum of 2^ray
+    /// out: 1: there may be several roots, and another sheet, before those that were found; else 0
+    alignas(64) Column folds;
     /// out, with all_rays
     std::array<std::array<RayStretch, square_ray_count>, room_of_all_rays> stretches;
 };

@@ -120,6 +120,9 @@ public:
     [[nodiscard]] HWY_INLINE V<double> near_change_at(std::size_t i) const {
         return load(near_change_ + i);
     }
+    /// Whether f falls at both ends, to its least at the far one, but so steeply that it does not
+    /// fall between them all the way, as the cubic tells that the ends make.
+    [[nodiscard]] HWY_INLINE M<double> wavers_at(std::size_t i) const;
     /// How f bends where it is least within.
     [[nodiscard]] HWY_INLINE Bends bends_at(std::size_t i) const;
     /// Writes what was found of a stretch.
@@ -185,6 +188,16 @@ HWY_INLINE void LeastSearch::keep_best(std::size_t i, M<double> lanes, V<double>
     store_in(lanes, hn::Mul(sign, gradient.x), gradient_[0] + i);
     store_in(lanes, hn::Mul(sign, gradient.y), gradient_[1] + i);
     store_in(lanes, hn::Mul(sign, gradient.z), gradient_[2] + i);
+}
+
+HWY_INLINE M<double> LeastSearch::wavers_at(std::size_t i) const {
+    const V<double> zero = hn::Zero(d<double>);
+    const Places lo = lo_at(i);
+    const Places hi = hi_at(i);
+    const M<double> falls = hn::And(hn::Lt(lo.slope, zero), hn::Lt(hi.slope, zero));
+    const V<double> fall = hn::Mul(number(3.0), hn::Sub(hi.f, lo.f));
+    const V<double> by_slopes = hn::Mul(hn::Add(lo.slope, hi.slope), hn::Sub(hi.s, lo.s));
+    return hn::AndNot(inner_at(i), hn::And(falls, hn::Lt(by_slopes, fall)));
 }
 
 HWY_INLINE Bends LeastSearch::bends_at(std::size_t i) const {

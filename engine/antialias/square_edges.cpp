@@ -189,8 +189,7 @@ bool SquareEdges::take_found_line(std::size_t square, std::size_t i) {
     }
     const SquarePart part{.share = lines_.share[i], .x = lines_.x[i], .y = lines_.y[i]};
     if (!(part.share > 0.0)) return pass(square);
-    if (!(part.share < 1.0) && at.level < last_color_level && is_long(field_, at, front)) {
-        // Another sheet may begin before the one that all rays meet.
+    if (!(part.share < 1.0) && lines_.folds[i] != 0.0 && at.level < last_color_level) {
         add_uneven(square);
         return false;
     }
