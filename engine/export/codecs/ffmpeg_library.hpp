@@ -17,6 +17,7 @@ namespace zeroset {
 
 /// FFmpeg's functions by their names; all are there, or none and an error.
 struct FfmpegLibrary {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a declared name has none
 #define ZEROSET_FFMPEG(library, function) decltype(&::function) function = nullptr;
 #include "engine/export/codecs/ffmpeg_functions.def"
 #undef ZEROSET_FFMPEG
