@@ -8,7 +8,6 @@ Usage: includes.py FILE... from the root, after a build. Prints the compiler's e
 there are any.
 """
 
-import json
 import os
 import re
 import shlex
@@ -17,7 +16,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-COMMANDS = Path("build/release/compile_commands.json")
+from compile_commands import compile_commands
 
 
 def options_of(entry):
@@ -43,7 +42,7 @@ def read_alone(file, options):
 
 
 def main():
-    entries = json.loads(COMMANDS.read_text(encoding="utf-8"))
+    entries = compile_commands()
     by_file = {os.path.relpath(entry["file"]): entry for entry in entries}
     by_folder = {os.path.dirname(file): entry for file, entry in by_file.items()}
     work = []

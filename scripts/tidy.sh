@@ -11,6 +11,11 @@ command -v clang-tidy-22 >/dev/null ||
     die "clang-tidy-22 is missing; please run: apt-get install clang-tidy-22"
 [[ -f $build/compile_commands.json ]] || die "there is no build yet; ./test.sh makes one"
 
+# The commands of the build, with one for each source.
+export commands=$build/tidy
+mkdir -p -- "$commands"
+(cd -- "$root" && python3 scripts/compile_commands.py) >"$commands/all.json"
+
 # Prints the compiled sources that begin with a prefix, one a line, without generated ones.
 sources() {
     awk -F'"' -v root="$root/" -v wanted="$*" '
@@ -20,7 +25,7 @@ sources() {
         file ~ /^build\// { next }
         !count && file !~ /^tests\// { print file }
         { for (i = 1; i <= count; i++) if (index(file, prefixes[i]) == 1) { print file; break } }
-    ' "$build/compile_commands.json" | sort -u
+    ' "$commands/all.json" | sort -u
 }
 
 # Prints what clang-tidy finds in a file, nothing if all is well. An error that is not one of the
@@ -40,8 +45,6 @@ mapfile -t files < <(sources "$@")
 
 # One command for each source, though some are compiled for several programs, without options that
 # only g++ knows, and without precompiled headers: each source must include what it uses.
-export commands=$build/tidy
-mkdir -p -- "$commands"
 awk -F'"' '
     /^[][]/ { next }
     /^\{/ { entry = ""; next }
@@ -51,7 +54,7 @@ awk -F'"' '
     { sub(/ -mmemset-strategy=[^ ]*/, ""); sub(/ -include [^ ]*\/cmake_pch.hxx/, "") }
     { entry = entry $0 "\n" }
     END { print "\n]" }
-' "$build/compile_commands.json" >"$commands/compile_commands.json"
+' "$commands/all.json" >"$commands/compile_commands.json"
 
 # shellcheck disable=SC2016  # the shell that xargs starts expands $1
 if printf '%s\n' "${files[@]}" | xargs -d '\n' -n 1 -P "$(nproc)" bash -c 'tidy "$1"' tidy; then

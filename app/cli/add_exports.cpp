@@ -30,14 +30,15 @@ std::string about_film_file() {
                         ExportKind::Film);
 }
 
+/// Option texts that tell of formats are added by describe_formats.
+constexpr const char* described_later = "";
+
 void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about_turn) {
     add_equation(app, film.equation);
-    add_value(app, "-o,--output", film.output, about_film_file())->required();
+    add_value(app, "-o,--output", film.output, described_later)->required();
     add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
     add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
-    add_value(app, "--fps", film.fps,
-              std::string("frames a second, N or N/D (default 30") +
-                  (can_write(ExportKind::Film, "a.gif") ? ", for .gif 25)" : ")"));
+    add_value(app, "--fps", film.fps, described_later);
     add_value(app, "--frames", film.frames,
               "N frames in all, or only those from A to B: A..B, counted from 0");
     add_value(app, "--turn", film.turn, about_turn);
@@ -58,7 +59,7 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_value(app, "--frame-range", film.frame_range,
               "frames that share a search for empty space: auto (default; as many as measurement "
               "says), off, or a number");
-    add_value(app, "--quality", film.quality, quality_range(ExportKind::Film) + " (default 90)");
+    add_value(app, "--quality", film.quality, described_later);
     add_value(app, "--bits", film.bits, "of a color channel of numbered pictures: 8 or 16");
     app.add_flag("--alpha", film.alpha, "leave the background transparent");
     app.add_flag("--resume", film.resume,
@@ -72,25 +73,48 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_trace_options(app, film.trace);
 }
 
+void describe(CLI::App& app, const char* subcommand, const char* option, const std::string& about) {
+    app.get_subcommand(subcommand)->get_option(option)->description(about);
+}
+
+void describe_film(CLI::App& app, const char* subcommand) {
+    describe(app, subcommand, "--output", about_film_file());
+    describe(app, subcommand, "--fps",
+             std::string("frames a second, N or N/D (default 30") +
+                 (can_write(ExportKind::Film, "a.gif") ? ", for .gif 25)" : ")"));
+    describe(app, subcommand, "--quality", quality_range(ExportKind::Film) + " (default 90)");
+}
+
 }  // namespace
+
+void describe_formats(CLI::App& app) {
+    describe(app, "render", "--output",
+             with_missing("the picture: a file that ends in " + export_endings(ExportKind::Picture),
+                          ExportKind::Picture));
+    describe(app, "render", "--bits",
+             "of a color channel: 8 (default) or 16 for " +
+                 export_endings(ExportKind::Picture, &ExportFormat::deep));
+    describe(
+        app, "render", "--quality",
+        quality_range(ExportKind::Picture) + " (default 92)" +
+            (can_write(ExportKind::Picture, "a.webp") ? "; 100 in .webp is without loss" : ""));
+    describe_film(app, "turntable");
+    describe_film(app, "animate");
+    describe(app, "mesh", "--output",
+             "the mesh: a file that ends in " + export_endings(ExportKind::Mesh));
+    describe(app, "draw", "--output",
+             "the drawing: a file that ends in " + export_endings(ExportKind::Drawing));
+}
 
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
     add_equation(*render_app, render.equation);
-    add_value(
-        *render_app, "-o,--output", render.output,
-        with_missing("the picture: a file that ends in " + export_endings(ExportKind::Picture),
-                     ExportKind::Picture));
+    add_value(*render_app, "-o,--output", render.output, described_later);
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
-    add_value(*render_app, "--bits", render.bits,
-              "of a color channel: 8 (default) or 16 for " +
-                  export_endings(ExportKind::Picture, &ExportFormat::deep));
+    add_value(*render_app, "--bits", render.bits, described_later);
     add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
-    add_value(
-        *render_app, "--quality", render.quality,
-        quality_range(ExportKind::Picture) + " (default 92)" +
-            (can_write(ExportKind::Picture, "a.webp") ? "; 100 in .webp is without loss" : ""));
+    add_value(*render_app, "--quality", render.quality, described_later);
     render_app->add_flag("--no-session", render.no_session,
                          "leave out the session, which .png and .exr hold besides the picture");
     add_view_options(*render_app, render.view);
@@ -139,9 +163,7 @@ CLI::App* add_share(CLI::App& app, ShareCommand& share) {
 CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
     CLI::App* const mesh_app = app.add_subcommand("mesh", "write the surfaces as triangles");
     add_equation(*mesh_app, mesh.equation);
-    add_value(*mesh_app, "-o,--output", mesh.output,
-              "the mesh: a file that ends in " + export_endings(ExportKind::Mesh))
-        ->required();
+    add_value(*mesh_app, "-o,--output", mesh.output, described_later)->required();
     add_value(*mesh_app, "--tolerance", mesh.tolerance,
               "how far triangles may be from the surface, world units (default: a thousandth of "
               "the clip box's longest edge)");
@@ -175,8 +197,7 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
 CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
     CLI::App* const draw_app = app.add_subcommand("draw", "draw lines into a file for a paper");
     add_equation(*draw_app, draw.equation);
-    add_value(*draw_app, "-o,--output", draw.output,
-              "the drawing: a file that ends in " + export_endings(ExportKind::Drawing));
+    add_value(*draw_app, "-o,--output", draw.output, described_later);
     add_value(*draw_app, "--size", draw.drawing.size,
               "WIDTHxHEIGHT in points, or with mm, cm or in behind it (default 400x400)");
     add_value(*draw_app, "--lines", draw.drawing.lines,

@@ -15,4 +15,8 @@ CLI::App* add_share(CLI::App& app, ShareCommand& share);
 CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh);
 CLI::App* add_draw(CLI::App& app, DrawCommand& draw);
 
+/// Adds what the options of all of these say of formats; to be called before `app` shows its help,
+/// and only then, as it asks FFmpeg's libraries what they can write.
+void describe_formats(CLI::App& app);
+
 }  // namespace zeroset

@@ -290,7 +290,10 @@ int run(int argc, char** argv) {
     const std::vector<Subcommand> subcommands = add_subcommands(app, commands);
     try {
         app.parse(protected_arguments(argc, argv));
-    } catch (const CLI::Success& answer) {  // --help and --version
+    } catch (const CLI::CallForVersion& answer) {
+        return app.exit(answer);
+    } catch (const CLI::Success& answer) {  // --help
+        describe_formats(app);
         return app.exit(answer);
     } catch (const CLI::ParseError& error) {
         return report(

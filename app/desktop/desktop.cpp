@@ -55,11 +55,19 @@ std::string note_of(CodeState code) {
     return {};
 }
 
-/// Sets the language of all texts, where it is not set yet.
-void take_language(ui::UiState& state, Language of_desktop) {
-    const Language wanted = state.edited.layout.language.value_or(of_desktop);
-    if (wanted == language() && !state.shown.export_formats.empty()) return;
+Language wanted_language(const ui::UiState& state, Language of_desktop) {
+    return state.edited.layout.language.value_or(of_desktop);
+}
+
+/// Sets the language of all texts and the decimal mark of numbers.
+void take_language(ui::UiState& state, Language wanted) {
     set_language(wanted, decimal_mark_of(wanted, locale_variables()));
+    state.shown.export_formats.clear();
+}
+
+/// Fills the table of formats once the page of exports needs it: that loads FFmpeg.
+void take_formats(ui::UiState& state) {
+    if (!state.pages.exports.open || !state.shown.export_formats.empty()) return;
     const auto formats = export_formats();
     state.shown.export_formats.assign(formats.begin(), formats.end());
 }
@@ -70,7 +78,7 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.edited.theme = options.theme;
     state.edited.follows_desktop = options.follows_desktop;
     state.edited.layout = options.layout;
-    take_language(state, options.desktop_language);
+    take_language(state, wanted_language(state, options.desktop_language));
     state.edited.read_only = options.read_only;
     state.edited.full_screen = options.read_only;
     state.edited.layout.presents = options.read_only;
@@ -156,7 +164,9 @@ void Desktop::draw_frame() {
     if (events.close) session_.close();
     session_.open(events.dropped);
     state_.input.pinch = events.pinch;
-    take_language(state_, desktop_language_);
+    const Language wanted = wanted_language(state_, desktop_language_);
+    if (wanted != language()) take_language(state_, wanted);
+    take_formats(state_);
     const std::uint64_t before = feed_.newest();
     take_formula();
     feed_.take_double();

@@ -14,6 +14,7 @@ from command_line_film_pixels_cases import FilmPixelsTest
 from command_line_lost_file_cases import LostFileTest
 from command_line_mesh_cases import MeshTest
 from command_line_octree_cases import OctreeTest
+from command_line_start_cases import StartTest
 from command_line_volume_cases import VolumeTest
 from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
@@ -21,7 +22,7 @@ from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, r
 # The test cases that unittest runs from here, imported ones included.
 __all__ = ["BenchTest", "BudgetTest", "CompareTest", "DepthTest", "ExplainTest", "FilmPixelsTest",
            "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "OctreeTest", "SignalTest",
-           "UnwritableTest", "VolumeTest", "WrongInputTest"]
+           "StartTest", "UnwritableTest", "VolumeTest", "WrongInputTest"]
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",

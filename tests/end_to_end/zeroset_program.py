@@ -85,10 +85,10 @@ class Result:
         return f"{self.arguments}: exit code {self.code}\n{self.out}{self.err}"
 
 
-def run(*arguments, stdin="", cwd=None, timeout=TIMEOUT_S, env=None):
-    """Runs the program without a display and returns its Result."""
+def run(*arguments, stdin="", cwd=None, timeout=TIMEOUT_S, env=None, of=None):
+    """Runs the program, or the one in the file `of`, without a display and returns its Result."""
     words = [str(argument) for argument in arguments]
-    done = subprocess.run([program(), *words], input=stdin.encode("utf-8"), cwd=cwd,
+    done = subprocess.run([of or program(), *words], input=stdin.encode("utf-8"), cwd=cwd,
                           capture_output=True, timeout=timeout, check=False,
                           env=env or environment())
     return Result(words, done)

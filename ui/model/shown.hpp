@@ -118,7 +118,8 @@ struct Shown {
     std::vector<ShownPoint> points;     ///< of the rows, in the document's present state
     std::vector<TracerChoice> tracers;  ///< the usual one first
     OtherPicture other;
-    std::vector<ExportFormat> export_formats;  ///< all, each kind's usual one first
+    /// Each kind's usual one first; empty until the page of exports is open.
+    std::vector<ExportFormat> export_formats;
     ExportPreview export_preview;
     ExportProgress export_progress;
     /// The file that the export page saves without asking; none has its name. Empty: it asks.

@@ -1,10 +1,7 @@
 #include "engine/export/codecs/ffmpeg_codecs.hpp"
 
 #include "engine/base/parallel.hpp"
-
-extern "C" {
-#include <libavutil/opt.h>
-}
+#include "engine/export/codecs/ffmpeg_library.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,24 +17,24 @@ int on_scale(int quality, double best, double worst) {
 }
 
 void set_up_h264(AVCodecContext& encoder, const FilmSettings& settings) {
-    av_opt_set(encoder.priv_data, "preset", "superfast", 0);
-    av_opt_set_double(encoder.priv_data, "crf", on_scale(settings.quality, 15, 43), 0);
+    ffmpeg().av_opt_set(encoder.priv_data, "preset", "superfast", 0);
+    ffmpeg().av_opt_set_double(encoder.priv_data, "crf", on_scale(settings.quality, 15, 43), 0);
 }
 
 void set_up_vp9(AVCodecContext& encoder, const FilmSettings& settings) {
     encoder.bit_rate = 0;
-    av_opt_set_int(encoder.priv_data, "crf", on_scale(settings.quality, 14, 55), 0);
-    av_opt_set(encoder.priv_data, "deadline", "good", 0);
-    av_opt_set_int(encoder.priv_data, "cpu-used", 5, 0);
-    av_opt_set_int(encoder.priv_data, "row-mt", 1, 0);
+    ffmpeg().av_opt_set_int(encoder.priv_data, "crf", on_scale(settings.quality, 14, 55), 0);
+    ffmpeg().av_opt_set(encoder.priv_data, "deadline", "good", 0);
+    ffmpeg().av_opt_set_int(encoder.priv_data, "cpu-used", 5, 0);
+    ffmpeg().av_opt_set_int(encoder.priv_data, "row-mt", 1, 0);
     // Frames that are never shown would have no alpha.
-    if (settings.alpha) av_opt_set_int(encoder.priv_data, "auto-alt-ref", 0, 0);
+    if (settings.alpha) ffmpeg().av_opt_set_int(encoder.priv_data, "auto-alt-ref", 0, 0);
 }
 
 void set_up_prores(AVCodecContext& encoder, const FilmSettings&) {
-    av_opt_set(encoder.priv_data, "profile", "4444", 0);
-    av_opt_set(encoder.priv_data, "vendor", "apl0", 0);
-    av_opt_set_int(encoder.priv_data, "alpha_bits", 16, 0);
+    ffmpeg().av_opt_set(encoder.priv_data, "profile", "4444", 0);
+    ffmpeg().av_opt_set(encoder.priv_data, "vendor", "apl0", 0);
+    ffmpeg().av_opt_set_int(encoder.priv_data, "alpha_bits", 16, 0);
 }
 
 void set_up_ffv1(AVCodecContext& encoder, const FilmSettings&) {

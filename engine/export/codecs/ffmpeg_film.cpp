@@ -1,12 +1,8 @@
 #include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/ffmpeg_codecs.hpp"
+#include "engine/export/codecs/ffmpeg_library.hpp"
 #include "engine/export/codecs/ffmpeg_objects.hpp"
-
-extern "C" {
-#include <libavformat/avformat.h>
-#include <libavutil/opt.h>
-}
 
 #include <cmath>
 #include <cstdint>
@@ -18,15 +14,15 @@ namespace {
 
 struct FreeMuxer {
     void operator()(AVFormatContext* muxer) const {
-        avio_closep(&muxer->pb);
-        avformat_free_context(muxer);
+        ffmpeg().avio_closep(&muxer->pb);
+        ffmpeg().avformat_free_context(muxer);
     }
 };
 using Muxer = std::unique_ptr<AVFormatContext, FreeMuxer>;
 
 struct FreeDictionary {
     AVDictionary* entries = nullptr;
-    ~FreeDictionary() { av_dict_free(&entries); }
+    ~FreeDictionary() { ffmpeg().av_dict_free(&entries); }
 };
 
 class FfmpegFilm final : public FilmEncoder {
@@ -81,14 +77,15 @@ void FfmpegFilm::set_up_encoder() {
 }
 
 std::expected<void, std::string> FfmpegFilm::begin_file(const std::string& url) {
-    if (const int error = avio_open(&muxer_->pb, url.c_str(), AVIO_FLAG_WRITE); error < 0)
+    if (const int error = ffmpeg().avio_open(&muxer_->pb, url.c_str(), AVIO_FLAG_WRITE); error < 0)
         return failure(error);
     muxer_->flags |= AVFMT_FLAG_BITEXACT;
-    if (settings_.alpha && row_.alpha_tag) av_dict_set(&stream_->metadata, "alpha_mode", "1", 0);
+    if (settings_.alpha && row_.alpha_tag)
+        ffmpeg().av_dict_set(&stream_->metadata, "alpha_mode", "1", 0);
     FreeDictionary options;
     for (const auto& [name, value] : row_.muxer_options)
-        av_dict_set(&options.entries, name, value, 0);
-    if (const int error = avformat_write_header(muxer_.get(), &options.entries); error < 0)
+        ffmpeg().av_dict_set(&options.entries, name, value, 0);
+    if (const int error = ffmpeg().avformat_write_header(muxer_.get(), &options.entries); error < 0)
         return failure(error);
     return {};
 }
@@ -98,22 +95,24 @@ std::expected<void, std::string> FfmpegFilm::open(const std::filesystem::path& p
     if (encoder_ == nullptr) return std::unexpected(missing_encoder(row_.encoder));
     const std::string url = "file:" + path.string();
     AVFormatContext* muxer = nullptr;
-    if (const int error = avformat_alloc_output_context2(&muxer, nullptr, row_.muxer, url.c_str());
+    if (const int error =
+            ffmpeg().avformat_alloc_output_context2(&muxer, nullptr, row_.muxer, url.c_str());
         error < 0) {
         return failure(error);
     }
     muxer_.reset(muxer);
     set_up_encoder();
-    if (const int error = avcodec_open2(encoder_.get(), nullptr, nullptr); error < 0)
+    if (const int error = ffmpeg().avcodec_open2(encoder_.get(), nullptr, nullptr); error < 0)
         return failure(error);
-    stream_ = avformat_new_stream(muxer, nullptr);
-    packet_.reset(av_packet_alloc());
+    stream_ = ffmpeg().avformat_new_stream(muxer, nullptr);
+    packet_.reset(ffmpeg().av_packet_alloc());
     frame_ = codec_frame(*encoder_);
     if (stream_ == nullptr || packet_ == nullptr || frame_ == nullptr)
         return std::unexpected(tr("memory is short"));
     stream_->time_base = encoder_->time_base;
     stream_->avg_frame_rate = encoder_->framerate;
-    if (const int error = avcodec_parameters_from_context(stream_->codecpar, encoder_.get());
+    if (const int error =
+            ffmpeg().avcodec_parameters_from_context(stream_->codecpar, encoder_.get());
         error < 0) {
         return failure(error);
     }
@@ -121,32 +120,34 @@ std::expected<void, std::string> FfmpegFilm::open(const std::filesystem::path& p
 }
 
 std::expected<void, std::string> FfmpegFilm::encode(AVFrame* frame) {
-    int error = avcodec_send_frame(encoder_.get(), frame);
+    int error = ffmpeg().avcodec_send_frame(encoder_.get(), frame);
     while (error >= 0) {
-        error = avcodec_receive_packet(encoder_.get(), packet_.get());
+        error = ffmpeg().avcodec_receive_packet(encoder_.get(), packet_.get());
         if (error == AVERROR(EAGAIN) || error == AVERROR_EOF) return {};
         if (error < 0) break;
         if (packet_->duration == 0)
-            packet_->duration = av_rescale_q(1, av_inv_q(encoder_->framerate), encoder_->time_base);
-        av_packet_rescale_ts(packet_.get(), encoder_->time_base, stream_->time_base);
+            packet_->duration =
+                ffmpeg().av_rescale_q(1, av_inv_q(encoder_->framerate), encoder_->time_base);
+        ffmpeg().av_packet_rescale_ts(packet_.get(), encoder_->time_base, stream_->time_base);
         packet_->stream_index = stream_->index;
-        error = av_interleaved_write_frame(muxer_.get(), packet_.get());
+        error = ffmpeg().av_interleaved_write_frame(muxer_.get(), packet_.get());
     }
     return failure(error);
 }
 
 std::expected<void, std::string> FfmpegFilm::add(const VideoFrame& frame) {
-    if (const int error = av_frame_make_writable(frame_.get()); error < 0) return failure(error);
+    if (const int error = ffmpeg().av_frame_make_writable(frame_.get()); error < 0)
+        return failure(error);
     row_.fill(frame, *frame_);
-    frame_->pts = av_rescale_q_rnd(frames_++, av_inv_q(encoder_->framerate), encoder_->time_base,
-                                   AV_ROUND_NEAR_INF);
+    frame_->pts = ffmpeg().av_rescale_q_rnd(frames_++, av_inv_q(encoder_->framerate),
+                                            encoder_->time_base, AV_ROUND_NEAR_INF);
     return encode(frame_.get());
 }
 
 std::expected<void, std::string> FfmpegFilm::finish() {
     if (auto drained = encode(nullptr); !drained) return drained;
-    if (const int error = av_write_trailer(muxer_.get()); error < 0) return failure(error);
-    if (const int error = avio_closep(&muxer_->pb); error < 0) return failure(error);
+    if (const int error = ffmpeg().av_write_trailer(muxer_.get()); error < 0) return failure(error);
+    if (const int error = ffmpeg().avio_closep(&muxer_->pb); error < 0) return failure(error);
     return {};
 }
 

@@ -8,24 +8,27 @@
 namespace zeroset {
 
 std::string missing_encoder(const char* name) {
-    if (avcodec_find_encoder_by_name(name) != nullptr) return "";
+    if (!ffmpeg().error.empty())
+        return filled(tr("FFmpeg's libraries cannot be loaded: {0}"), {ffmpeg().error});
+    if (ffmpeg().avcodec_find_encoder_by_name(name) != nullptr) return "";
     return filled(tr("the FFmpeg libraries here have no encoder {0}"), {name});
 }
 
 std::string ffmpeg_error(int error) {
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-    av_strerror(error, text.data(), text.size());
+    ffmpeg().av_strerror(error, text.data(), text.size());
     return text.data();
 }
 
 CodecContext codec_context(const char* encoder) {
-    av_log_set_level(AV_LOG_QUIET);
-    const AVCodec* const codec = avcodec_find_encoder_by_name(encoder);
-    return CodecContext(codec == nullptr ? nullptr : avcodec_alloc_context3(codec));
+    if (!ffmpeg().error.empty()) return nullptr;
+    ffmpeg().av_log_set_level(AV_LOG_QUIET);
+    const AVCodec* const codec = ffmpeg().avcodec_find_encoder_by_name(encoder);
+    return CodecContext(codec == nullptr ? nullptr : ffmpeg().avcodec_alloc_context3(codec));
 }
 
 CodecFrame codec_frame(const AVCodecContext& context) {
-    CodecFrame frame(av_frame_alloc());
+    CodecFrame frame(ffmpeg().av_frame_alloc());
     if (frame == nullptr) return nullptr;
     frame->format = context.pix_fmt;
     frame->width = context.width;
@@ -35,7 +38,7 @@ CodecFrame codec_frame(const AVCodecContext& context) {
     frame->color_primaries = context.color_primaries;
     frame->color_trc = context.color_trc;
     frame->chroma_location = context.chroma_sample_location;
-    if (av_frame_get_buffer(frame.get(), 0) < 0) return nullptr;
+    if (ffmpeg().av_frame_get_buffer(frame.get(), 0) < 0) return nullptr;
     return frame;
 }
 

@@ -1,10 +1,6 @@
 #pragma once
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavutil/frame.h>
-#include <libavutil/log.h>
-}
+#include "engine/export/codecs/ffmpeg_library.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -13,9 +9,9 @@ extern "C" {
 namespace zeroset {
 
 struct FreeFfmpeg {
-    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+    void operator()(AVCodecContext* context) const { ffmpeg().avcodec_free_context(&context); }
+    void operator()(AVFrame* frame) const { ffmpeg().av_frame_free(&frame); }
+    void operator()(AVPacket* packet) const { ffmpeg().av_packet_free(&packet); }
 };
 using CodecContext = std::unique_ptr<AVCodecContext, FreeFfmpeg>;
 using CodecFrame = std::unique_ptr<AVFrame, FreeFfmpeg>;
@@ -24,7 +20,7 @@ using CodecPacket = std::unique_ptr<AVPacket, FreeFfmpeg>;
 /// FFmpeg's words for one of its error numbers.
 std::string ffmpeg_error(int error);
 
-/// A context for an encoder, not opened yet; nullptr where there is none of this name. FFmpeg's own
+/// A context for an encoder, not opened yet; nullptr where missing_encoder says why. FFmpeg's own
 /// messages are kept off standard error.
 CodecContext codec_context(const char* encoder);
 

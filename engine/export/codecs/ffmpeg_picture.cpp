@@ -2,11 +2,8 @@
 #include "engine/base/translation.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/encoded_picture.hpp"
+#include "engine/export/codecs/ffmpeg_library.hpp"
 #include "engine/export/codecs/ffmpeg_objects.hpp"
-
-extern "C" {
-#include <libavutil/opt.h>
-}
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +38,10 @@ EncodedPicture encoded(const PictureCodec& codec, const RawPicture& picture) {
     context->time_base = av_make_q(1, 1);
     context->flags |= AV_CODEC_FLAG_BITEXACT;
     codec.set_up(*context);
-    if (const int error = avcodec_open2(context.get(), nullptr, nullptr); error < 0)
+    if (const int error = ffmpeg().avcodec_open2(context.get(), nullptr, nullptr); error < 0)
         return std::unexpected(ffmpeg_error(error));
     const CodecFrame frame = codec_frame(*context);
-    const CodecPacket packet(av_packet_alloc());
+    const CodecPacket packet(ffmpeg().av_packet_alloc());
     if (frame == nullptr || packet == nullptr) return std::unexpected(tr("memory is short"));
     frame->pts = 0;
     frame->quality = context->global_quality;
@@ -52,9 +49,9 @@ EncodedPicture encoded(const PictureCodec& codec, const RawPicture& picture) {
     parallel_for(static_cast<std::size_t>(picture.height), 0, [&](std::size_t row) {
         codec.fill_row(picture.rows.data() + row * row_bytes, *frame, static_cast<int>(row));
     });
-    int error = avcodec_send_frame(context.get(), frame.get());
-    if (error >= 0) error = avcodec_send_frame(context.get(), nullptr);
-    if (error >= 0) error = avcodec_receive_packet(context.get(), packet.get());
+    int error = ffmpeg().avcodec_send_frame(context.get(), frame.get());
+    if (error >= 0) error = ffmpeg().avcodec_send_frame(context.get(), nullptr);
+    if (error >= 0) error = ffmpeg().avcodec_receive_packet(context.get(), packet.get());
     if (error < 0) return std::unexpected(ffmpeg_error(error));
     return bytes_of(*packet);
 }
@@ -115,8 +112,8 @@ EncodedPicture encoded_jpeg(const RawPicture& picture, int quality) {
 
 EncodedPicture encoded_webp(const RawPicture& picture, int quality) {
     const auto set_up = [quality](AVCodecContext& context) {
-        av_opt_set_int(context.priv_data, "lossless", quality == 100 ? 1 : 0, 0);
-        av_opt_set_double(context.priv_data, "quality", quality, 0);
+        ffmpeg().av_opt_set_int(context.priv_data, "lossless", quality == 100 ? 1 : 0, 0);
+        ffmpeg().av_opt_set_double(context.priv_data, "quality", quality, 0);
     };
     const auto fill_row = [&picture](const std::uint8_t* from, const AVFrame& to, int row) {
         fill_word_row(from, to, row, picture.alpha);
@@ -128,9 +125,9 @@ EncodedPicture encoded_webp(const RawPicture& picture, int quality) {
 
 EncodedPicture encoded_tiff(const RawPicture& picture, double dots_per_inch) {
     const auto set_up = [dots_per_inch](AVCodecContext& context) {
-        av_opt_set(context.priv_data, "compression_algo", "deflate", 0);
+        ffmpeg().av_opt_set(context.priv_data, "compression_algo", "deflate", 0);
         if (dots_per_inch > 0)
-            av_opt_set_int(context.priv_data, "dpi", std::lround(dots_per_inch), 0);
+            ffmpeg().av_opt_set_int(context.priv_data, "dpi", std::lround(dots_per_inch), 0);
     };
     const std::size_t bytes = picture.rows.size() / static_cast<std::size_t>(picture.height);
     const auto fill_row = [bytes](const std::uint8_t* from, const AVFrame& to, int row) {

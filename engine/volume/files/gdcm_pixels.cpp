@@ -1,7 +1,8 @@
 #include "engine/volume/files/dicom_packed.hpp"
+#include "engine/volume/files/gdcm_module.hpp"
 
+#include <dlfcn.h>
 #include <fcntl.h>
-#include <gdcmImageReader.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -11,14 +12,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <exception>
 #include <fstream>
 #include <new>
-#include <span>
-#include <spanstream>
 
 // Debian's GDCM ends the process by an assertion at many a file that is wrong. So it reads in a
-// child, and the samples come back in memory that both share.
+// child, and the samples come back in memory that both share. GDCM is loaded only here, as it takes
+// as long as the rest of the program's start: it is in a module, gdcm_module.cpp.
 
 namespace zeroset {
 namespace {
@@ -27,19 +26,9 @@ using Pixels = std::expected<DicomPixels, std::string>;
 
 /// Nothing is unpacked to more than so many times the file's bytes.
 constexpr std::uint64_t best_ratio = 1U << 13U;
-constexpr std::uint64_t widest = 4;  ///< bytes of a sample
 constexpr std::uint64_t most_samples = std::uint64_t{1} << 28U;
 constexpr std::uint64_t spare = std::uint64_t{1} << 28U;  ///< bytes for what GDCM makes besides
 constexpr unsigned most_seconds = 60;
-
-enum class Outcome : std::uint8_t { None, Done, Unreadable, NoNumbers, OtherCount };
-
-/// What the child tells, before the samples.
-struct Report {
-    Outcome outcome = Outcome::None;
-    int bits_allocated = 0, bits_stored = 0;
-    bool is_signed = false;
-};
 
 /// Memory that a child shares.
 class SharedMemory {
@@ -61,26 +50,25 @@ private:
     void* memory_;
 };
 
-/// Unpacks the samples; what is told of them is complete but for the outcome.
-Outcome unpack(std::string_view file, std::uint64_t count, Report& report, char* samples) {
-    std::ispanstream stream(std::span(file.data(), file.size()));
-    gdcm::ImageReader reader;
-    reader.SetStream(stream);
-    if (!reader.Read()) return Outcome::Unreadable;
-    const gdcm::Image& image = reader.GetImage();
-    const gdcm::PixelFormat& format = image.GetPixelFormat();
-    if (format.GetSamplesPerPixel() != 1 || format.GetPixelSize() > widest)
-        return Outcome::NoNumbers;
-    if (image.GetBufferLength() != count * format.GetPixelSize()) return Outcome::OtherCount;
-    report.bits_allocated = format.GetBitsAllocated();
-    report.bits_stored = format.GetBitsStored();
-    report.is_signed = format.GetPixelRepresentation() == 1;
-    return image.GetBuffer(samples) ? Outcome::Done : Outcome::Unreadable;
+/// The module's function, or why there is none.
+std::expected<UnpackByGdcm, std::string> loaded_module() {
+    void* const module = dlopen(gdcm_module_file, RTLD_NOW | RTLD_LOCAL);
+    void* const function = module == nullptr ? nullptr : dlsym(module, gdcm_module_function);
+    if (function != nullptr) return reinterpret_cast<UnpackByGdcm>(function);
+    const char* const error = dlerror();  // NOLINT(concurrency-mt-unsafe): glibc has one a thread
+    return std::unexpected("its samples are packed, and what unpacks them cannot be loaded: " +
+                           std::string(error == nullptr ? gdcm_module_file : error));
+}
+
+/// The same, loaded by the first call. Thread-safe.
+const std::expected<UnpackByGdcm, std::string>& gdcm_module() {
+    static const auto module = loaded_module();
+    return module;
 }
 
 /// The child: it tells nothing but in the memory, and leaves no trace.
-[[noreturn]] void run_child(std::string_view file, std::uint64_t count, std::uint64_t most_memory,
-                            Report& report, char* samples) {
+[[noreturn]] void run_child(UnpackByGdcm unpack, std::string_view file, std::uint64_t count,
+                            std::uint64_t most_memory, GdcmReport& report, char* samples) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
     prctl(PR_SET_DUMPABLE, 0);  // no core
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
@@ -98,11 +86,7 @@ Outcome unpack(std::string_view file, std::uint64_t count, Report& report, char*
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
-    try {
-        report.outcome = unpack(file, count, report, samples);
-    } catch (const std::exception&) {
-        report.outcome = Outcome::Unreadable;
-    }
+    unpack(file.data(), file.size(), count, report, samples);
     _exit(0);
 }
 
@@ -113,13 +97,14 @@ std::uint64_t memory_now() {
     return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-const char* what_is_wrong(Outcome outcome) {
+const char* what_is_wrong(GdcmOutcome outcome) {
     switch (outcome) {
-        case Outcome::NoNumbers: return "its samples are no single numbers";
-        case Outcome::OtherCount: return "its packed samples are not as many as its header says";
-        case Outcome::Done:
-        case Outcome::None:
-        case Outcome::Unreadable: break;
+        case GdcmOutcome::NoNumbers: return "its samples are no single numbers";
+        case GdcmOutcome::OtherCount:
+            return "its packed samples are not as many as its header says";
+        case GdcmOutcome::Done:
+        case GdcmOutcome::None:
+        case GdcmOutcome::Unreadable: break;
     }
     return "its packed samples are damaged, or of a kind that GDCM does not read";
 }
@@ -137,22 +122,25 @@ Pixels unpacked_pixels(std::string_view file, std::uint64_t count) {
                                " packed samples; at most " + std::to_string(most_samples) +
                                " of a file are unpacked");
     }
+    const auto& unpack = gdcm_module();
+    if (!unpack) return std::unexpected(unpack.error());
     constexpr std::size_t before = 64;  // bytes for the report
-    static_assert(sizeof(Report) <= before);
-    const SharedMemory memory(before + count * widest);
+    static_assert(sizeof(GdcmReport) <= before);
+    const SharedMemory memory(before + count * gdcm_widest);
     if (!memory.is_there()) return std::unexpected("there is no memory for its samples");
-    Report& report = *new (memory.data()) Report;
+    GdcmReport& report = *new (memory.data()) GdcmReport;
     char* const samples = memory.data() + before;
-    const std::uint64_t most_memory = memory_now() + 4 * (file.size() + count * widest) + spare;
+    const std::uint64_t most_memory =
+        memory_now() + 4 * (file.size() + count * gdcm_widest) + spare;
     const pid_t child = fork();
-    if (child == 0) run_child(file, count, most_memory, report, samples);
+    if (child == 0) run_child(*unpack, file, count, most_memory, report, samples);
     if (child < 0) return std::unexpected("there is no process to unpack its samples");
     while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
     }
-    if (report.outcome != Outcome::Done) return std::unexpected(what_is_wrong(report.outcome));
+    if (report.outcome != GdcmOutcome::Done) return std::unexpected(what_is_wrong(report.outcome));
     const auto bytes = count * static_cast<std::uint64_t>(report.bits_allocated) / 8;
     try {
-        return DicomPixels{.bytes = std::string(samples, std::min(bytes, count * widest)),
+        return DicomPixels{.bytes = std::string(samples, std::min(bytes, count * gdcm_widest)),
                            .bits_allocated = report.bits_allocated,
                            .bits_stored = report.bits_stored,
                            .is_signed = report.is_signed};
