@@ -146,12 +146,14 @@ bool Elaborator::build_surface(std::size_t index) {
     if (may_be_patch(tree_.statements[index])) return build_patch(index);
     note_distance(index);
     if (is_meeting(relation)) return build_meeting(index);
-    const Number root = equation(tree_.statements[index]);
+    Number root = equation(tree_.statements[index]);
     if (!root) return false;
     if (defines_nothing_else(index, *root)) {
         without_surface_.push_back(index);
         return true;
     }
+    if (makes_radius(index, *root)) root = equation(tree_.statements[index]);
+    if (!root) return false;
     return add_surface(index, *root);
 }
 

@@ -120,7 +120,8 @@ void Elaborator::note_distance(std::size_t statement) {
     const auto add = [&](const NameUse& use) {
         const Syntax& name = tree_[use.at];
         const bool is_free = name.kind == SyntaxKind::Name && name.offset < end &&
-                             table_.meant(use, statement) == nullptr;
+                             table_.meant(use, statement) == nullptr &&
+                             !is_radius(name.text, statement);
         if (is_free) said.try_emplace(name.text, use.at);
     };
     std::ranges::for_each(table_.uses(statement), add);

@@ -112,6 +112,8 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     }
     const bool called = next_is_one_of({"(", "["});
     if (called && defined_.defines_function(full)) return call_of_text(token);
+    const bool converts = full == "float" || full == "double";
+    if (called && !defined && converts) return group(take());
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
     const bool is_letter = !called && function != nullptr && may_be_letter(*function, full);

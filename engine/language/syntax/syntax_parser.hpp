@@ -37,20 +37,36 @@ private:
 
     /// A step of a function's body as programs write it.
     struct BodyStep {
-        enum class Kind : std::uint8_t { Value, Choice, Return };
+        enum class Kind : std::uint8_t {
+            Value,
+            Choice,
+            Return,
+            Loop,      ///< all of its rounds
+            Round,     ///< a round of a loop
+            Break,     ///< leaves the loop
+            Continue,  ///< leaves the round
+        };
 
         Kind kind;
         std::size_t offset;
         SyntaxId value = 0;               ///< the value, the result, or the condition of a choice
         std::string name = {};            ///< what has the value
         bool declares = false;            ///< the name is new
-        std::vector<BodyStep> then = {};  ///< where the condition holds
+        std::vector<BodyStep> then = {};  ///< where the condition holds; of a loop and a round: all
         std::vector<BodyStep> otherwise = {};  ///< where it does not
     };
     /// Steps that follow others, and what follows these.
     struct FollowingSteps {
         std::span<const BodyStep> steps;
         const FollowingSteps* next;
+        BodyStep::Kind of = BodyStep::Kind::Choice;  ///< what they stand behind
+    };
+    /// The head of a loop.
+    struct Loop {
+        const Token* name = nullptr;
+        double first = 0;
+        double step = 1;
+        int rounds = 0;
     };
 
     /// Counts one more level of nesting while it lives. Every recursion passes power() or part().
@@ -98,6 +114,17 @@ private:
     bool local_value(std::vector<BodyStep>& steps);
     SyntaxId zero_of(std::string_view type, std::size_t offset);
     bool named_value(std::string_view type, std::vector<BodyStep>& steps);
+
+    // syntax_loop.cpp
+    [[nodiscard]] bool starts_loop() const;
+    bool loop_step(std::vector<BodyStep>& steps);
+    std::optional<Loop> loop_header();
+    std::optional<double> loop_increment(const Token& name);
+    std::optional<double> counted_number();
+    SyntaxId number_node(double value, std::size_t offset);
+    [[nodiscard]] bool starts_leaving() const;
+    [[nodiscard]] static const FollowingSteps* following_left(const FollowingSteps* behind,
+                                                              BodyStep::Kind leaves);
 
     // syntax_instructions.cpp
     Parsed instructions();

@@ -5,6 +5,7 @@
 #include "engine/language/syntax/syntax_floats.hpp"
 #include "engine/language/syntax/syntax_marks.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
+#include "engine/language/words/commands.hpp"
 #include "engine/language/words/syntax_bars.hpp"
 #include "engine/language/words/words.hpp"
 #include "engine/language/words/words_candidates.hpp"
@@ -276,6 +277,8 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
                        .reason = filled(tr("the text is longer than {0} bytes"), {most}),
                        .hint = {}});
     }
+    const std::optional<std::string> plain = without_commands(text);
+    if (plain) text = *plain;
     Notes notes;
     Notes unused;
     auto tokens = tokenize(text, nullptr, unused);

@@ -1,5 +1,6 @@
 #include "engine/language/words/lexer.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
@@ -214,6 +215,10 @@ Done Lexer::other_character() {
         push_sign(*sign, point.length);
         return {};
     }
+    if (peek() == '.' && ends_sentence()) {
+        ++at_;
+        return {};
+    }
     std::string hint = hint_for_sign(point.code);
     if (peek() == '_') hint = tr("a subscript stands right behind a letter: c_1, c_{12}");
     const bool behind_value =
@@ -229,6 +234,17 @@ Done Lexer::other_character() {
     return std::unexpected(ParseError{.offset = at_, .reason = reason, .hint = hint});
 }
 
+/// Whether a point ends a sentence that a formula stands in: only blanks, a remark's end or LaTeX
+/// follow on its line.
+bool Lexer::ends_sentence() const {
+    const std::string_view line = text_.substr(at_ + 1, text_.find('\n', at_) - at_ - 1);
+    const std::string_view rest = trimmed(line);
+    constexpr std::array<std::string_view, 5> ends{"\\]", "\\)", "\\end{", "$", "}"};
+    return !tokens_.empty() &&
+           (rest.empty() ||
+            std::ranges::any_of(ends, [&](std::string_view end) { return rest.starts_with(end); }));
+}
+
 /// Reads a part of a vector, as .x or .xz.
 Done Lexer::part() {
     constexpr std::size_t most_parts = 4;
@@ -241,11 +257,22 @@ Done Lexer::part() {
     return {};
 }
 
+/// Reads \[Pi] and \[Alpha], as Mathematica writes signs.
+bool Lexer::named_character() {
+    const std::size_t letters = run_length(text_, at_ + 2, is_letter);
+    if (letters == 0 || peek(2 + letters) != ']') return false;
+    const auto sign = sign_of_command(lower_case(text_.substr(at_ + 2, letters)));
+    if (!sign || sign->text.empty()) return false;
+    push_sign(*sign, letters + 3);
+    return true;
+}
+
 Done Lexer::command() {
     const std::size_t letters = run_length(text_, at_ + 1, is_letter);
     const std::string_view word = text_.substr(at_ + 1, letters);
     if (letters == 0) {  // a single sign: \\ ends a line, \{ is a brace, \, and \( mean nothing
         const char sign = peek(1);
+        if (sign == '[' && named_character()) return {};
         if (sign == '\\') {
             push(TokenKind::Break, "\n", 2);
         } else if (sign == '{' || sign == '}') {

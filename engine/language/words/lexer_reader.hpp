@@ -39,6 +39,8 @@ private:
     Done step();
     Done other_character();
     Done command();
+    bool named_character();
+    [[nodiscard]] bool ends_sentence() const;
     Done environment(std::string_view word);
     Done begin_cases(std::size_t length);
     Done end_cases(std::size_t length);
