@@ -23,6 +23,7 @@ constexpr int most_read = 2'000;  // steps of a body, each counted as often as i
 SyntaxParser::Parsed SyntaxParser::block() {
     const Token& opener = take();
     std::vector<BodyStep> steps;
+    local_numbers_.clear();
     if (!steps_in_braces(opener, steps)) return std::nullopt;
     if (!may_nest(static_cast<int>(steps.size()))) return std::nullopt;
     const std::size_t closer = at_ - 1;
@@ -286,6 +287,7 @@ bool SyntaxParser::named_value(std::string_view type, std::vector<BodyStep>& ste
                      .value = *value,
                      .name = name_in_branch(full_name(name)),
                      .declares = declares});
+    keep_number(steps.back(), branch_ > 0);
     return true;
 }
 

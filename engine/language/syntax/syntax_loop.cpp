@@ -121,7 +121,7 @@ std::optional<double> SyntaxParser::loop_increment(const Token& name) {
     return step != 0 ? std::optional(step) : std::nullopt;
 }
 
-/// Reads a number, or the name of one that the text defines before: #define STEPS 8.
+/// Reads a number, or the name of one that the body or the text defines before: #define STEPS 8.
 std::optional<double> SyntaxParser::counted_number() {
     const bool negative = next_is("-");
     if (negative) take();
@@ -129,6 +129,8 @@ std::optional<double> SyntaxParser::counted_number() {
     std::optional<double> size;
     if (token.kind == TokenKind::Number) size = number_from<double>(token.text);
     if (token.kind == TokenKind::Name) {
+        const auto local = local_numbers_.find(full_name(token));
+        if (local != local_numbers_.end()) return negative ? -local->second : local->second;
         for (const StatementSyntax& statement : tree_.statements) {
             const Syntax& relation = tree_[statement.relation];
             if (relation.kind != SyntaxKind::Compare || relation.operands.size() != 2) continue;
@@ -139,6 +141,17 @@ std::optional<double> SyntaxParser::counted_number() {
         }
     }
     return size && negative ? -*size : size;
+}
+
+/// Keeps the number that a step gives a name for loops behind it.
+void SyntaxParser::keep_number(const BodyStep& step, bool in_branch) {
+    const Syntax& value = tree_[step.value];
+    const std::string name = step.name.substr(0, step.name.find(' '));
+    local_numbers_.erase(name);
+    const auto number = value.kind == SyntaxKind::Number && step.declares && !in_branch
+                            ? number_from<double>(value.text)
+                            : std::nullopt;
+    if (number) local_numbers_.emplace(name, *number);
 }
 
 /// Whether `break;` or `continue;` is next.

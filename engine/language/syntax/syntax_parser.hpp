@@ -122,6 +122,7 @@ private:
     std::optional<double> loop_increment(const Token& name);
     std::optional<double> counted_number();
     SyntaxId number_node(double value, std::size_t offset);
+    void keep_number(const BodyStep& step, bool in_branch);
     [[nodiscard]] bool starts_leaving() const;
     [[nodiscard]] static const FollowingSteps* following_left(const FollowingSteps* behind,
                                                               BodyStep::Kind leaves);
@@ -228,6 +229,7 @@ private:
     /// The branches that declare a name, the innermost last, each by the branches around it.
     NameMap<std::vector<std::size_t>> names_in_branches_;
     std::optional<bool> calls_chebyshev_;  ///< whether T_n or U_n with n >= 2 is called
+    NameMap<double> local_numbers_;        ///< names of a body that are given a number
     int steps_read_ = 0;                   ///< steps of a body, each as often as it was read
 };
 

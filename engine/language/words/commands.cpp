@@ -302,7 +302,7 @@ private:
     bool put(const Rewritten& statement, std::size_t begin, std::size_t end) {
         std::string words = statement.before + std::string(statement.main) + statement.behind;
         if (words.size() > end - begin) return false;
-        std::ranges::replace_if(words, [](char sign) { return sign == '\n' || sign == '\r'; }, ' ');
+        std::ranges::replace_if(words, [](char sign) { return line_ends.contains(sign); }, ' ');
         const auto main = static_cast<std::size_t>(statement.main.data() - text_.data());
         const std::size_t wished = main - std::min(main - begin, statement.before.size());
         const std::size_t at = std::min(wished, end - words.size());
