@@ -115,6 +115,9 @@ private:
     void add_terms(SyntaxId id, bool negative, std::vector<Term>& terms) const;
     [[nodiscard]] std::set<std::size_t> axes_in(SyntaxId root) const;
     [[nodiscard]] bool is_squared_against_axes(std::string_view name, SyntaxId root) const;
+    [[nodiscard]] bool is_exponent(std::string_view name, SyntaxId root) const;
+    bool is_ratio(std::size_t statement);
+    [[nodiscard]] bool names(const Syntax& root, std::string_view name) const;
     bool is_radius(std::string_view name, std::size_t statement);
     bool makes_radius(std::size_t statement, NodeId root);
     Built radius(const Syntax& name);

@@ -74,8 +74,58 @@ bool Elaborator::is_squared_against_axes(std::string_view name, SyntaxId root) c
     return (against[0] && squared[1].size() > 1) || (against[1] && squared[0].size() > 1);
 }
 
+/// Whether a name stands in an exponent of something with coordinates.
+bool Elaborator::is_exponent(std::string_view name, SyntaxId root) const {
+    std::vector<SyntaxId> pending{root};
+    while (!pending.empty()) {
+        const Syntax& syntax = tree_[pending.back()];
+        pending.pop_back();
+        if (syntax.kind == SyntaxKind::Power) {
+            const Syntax& exponent = tree_[syntax.operands[1]];
+            const bool is_it = exponent.kind == SyntaxKind::Name && exponent.text == name;
+            if (is_it && !axes_in(syntax.operands[0]).empty()) return true;
+        }
+        pending.insert(pending.end(), syntax.operands.begin(), syntax.operands.end());
+    }
+    return false;
+}
+
+/// Whether phi is the golden ratio in a statement, as in Barth's sextic, and no angle: it stands in
+/// no function, beside two of x, y and z, and no other name of polar coordinates is there.
+bool Elaborator::is_ratio(std::size_t statement) {
+    const auto known = radii_.find({statement, "phi"});
+    if (known != radii_.end()) return known->second;
+    const Definition* const definition = table_.of_statement(statement);
+    const SyntaxId root =
+        definition != nullptr ? definition->body : tree_.statements[statement].relation;
+    bool is_one = axes_in(root).size() > 1;
+    std::vector<SyntaxId> pending{root};
+    while (!pending.empty()) {
+        const Syntax& syntax = tree_[pending.back()];
+        pending.pop_back();
+        const bool is_polar =
+            syntax.kind == SyntaxKind::Name && (is_distance(syntax.text) || syntax.text == "theta");
+        if (is_polar || (syntax.kind == SyntaxKind::Call && names(syntax, "phi"))) is_one = false;
+        pending.insert(pending.end(), syntax.operands.begin(), syntax.operands.end());
+    }
+    return radii_[{statement, "phi"}] = is_one;
+}
+
+/// Whether a name stands in what is below a node.
+bool Elaborator::names(const Syntax& root, std::string_view name) const {
+    std::vector<SyntaxId> pending(root.operands);
+    while (!pending.empty()) {
+        const Syntax& syntax = tree_[pending.back()];
+        pending.pop_back();
+        if (syntax.kind == SyntaxKind::Name && syntax.text == name) return true;
+        pending.insert(pending.end(), syntax.operands.begin(), syntax.operands.end());
+    }
+    return false;
+}
+
 /// Whether r or rho is a radius in a statement, and no distance from the origin or the z-axis:
-/// where its square stands against those of coordinates, or x, y and R are in the statement, too.
+/// where its square stands against those of coordinates, or x, y and R are in the statement, too,
+/// in exponents, |x|^r + |y|^r = 1, and in points, which are given by no coordinates.
 bool Elaborator::is_radius(std::string_view name, std::size_t statement) {
     if (!is_distance(name)) return false;
     const auto known = radii_.find({statement, std::string(name)});
@@ -86,9 +136,12 @@ bool Elaborator::is_radius(std::string_view name, std::size_t statement) {
     std::set<std::string_view> said;
     for (const NameUse& use : table_.uses(statement))
         said.insert(tree_[use.at].text);
-    const bool is_polar = said.contains("theta") || said.contains("phi");
+    const bool is_point = definition == nullptr && may_be_patch(tree_.statements[statement]);
+    const bool is_polar = !is_point && (said.contains("theta") || said.contains("phi"));
     const bool beside = name == "r" && said.contains("R") && axes_in(root).size() > 1;
-    const bool is_one = !is_polar && (beside || is_squared_against_axes(name, root));
+    const bool is_one =
+        is_point ||
+        (!is_polar && (beside || is_squared_against_axes(name, root) || is_exponent(name, root)));
     return radii_[{statement, std::string(name)}] = is_one;
 }
 

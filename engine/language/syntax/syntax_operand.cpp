@@ -44,7 +44,39 @@ SyntaxParser::Parsed SyntaxParser::operand() {
     if (next_is_one_of({"(", "[", "{"})) return group(take());
     if (next_is_one_of({"|", "(|"})) return absolute(take());
     if (next_is_one_of({"⌊", "⌈"})) return floor_or_ceil(take());
+    if (starts_angled()) return angled();
     return refuse(missing_operand());
+}
+
+/// Whether a vector as <a, b, c> is next: after "=", or where a statement begins.
+bool SyntaxParser::starts_angled() const {
+    if (!next_is("<") || (at_ > statement_start_ && tokens_[at_ - 1].text != "=")) return false;
+    int open = 0;
+    int commas = 0;
+    for (std::size_t at = at_ + 1; tokens_[at].kind != TokenKind::End; ++at) {
+        if (is_symbol(tokens_[at], {"(", "[", "{"})) ++open;
+        if (is_symbol(tokens_[at], {")", "]", "}"})) --open;
+        if (tokens_[at].kind == TokenKind::Break || is_symbol(tokens_[at], {"<", "<="}))
+            return false;
+        if (open == 0 && is_symbol(tokens_[at], {","})) ++commas;
+        if (open == 0 && is_symbol(tokens_[at], {">"})) return commas > 0 && commas < 4;
+    }
+    return false;
+}
+
+SyntaxParser::Parsed SyntaxParser::angled() {
+    const std::size_t offset = take().offset;
+    std::vector<SyntaxId> values;
+    for (;;) {
+        const Parsed value = sum();
+        if (!value) return value;
+        values.push_back(*value);
+        if (!next_is(",")) break;
+        take();
+    }
+    if (!next_is(">")) return refuse(surplus());
+    take();
+    return add(SyntaxKind::Vector, offset, std::move(values));
 }
 
 /// Reads the point behind a volume, volume("ct.nrrd")(x, y, z), or behind blobs.

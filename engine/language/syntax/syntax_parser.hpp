@@ -139,6 +139,9 @@ private:
     Parsed both();
     Parsed negation();
     Parsed relation();
+    [[nodiscard]] bool is_membership() const;
+    Parsed membership(SyntaxId of);
+    void share_range(std::vector<SyntaxId>& restrictions);
     Parsed sum();
     Parsed product();
     [[nodiscard]] bool is_derivative() const;
@@ -161,6 +164,8 @@ private:
     Parsed cases(const Token& opener, SyntaxId condition);
     Parsed tuple(const Token& opener, SyntaxId first);
     Parsed part_of(SyntaxId vector);
+    [[nodiscard]] bool starts_angled() const;
+    Parsed angled();
     Parsed absolute(const Token& opener);
     Parsed floor_or_ceil(const Token& opener);
     Parsed fraction();

@@ -61,7 +61,7 @@ Done Lexer::step() {
         push(TokenKind::Symbol, "~", 1);
         return {};
     }
-    if (is_space(c) || is_elementwise_dot()) {
+    if (is_space(c) || is_elementwise_dot() || is_style_brace()) {
         ++at_;
         return {};
     }
@@ -79,6 +79,8 @@ Done Lexer::step() {
         if (!identifier()) return other_character();
     } else if (c == '\\') {
         return command();
+    } else if (c == ',' && ends_sentence()) {
+        ++at_;
     } else if (std::string_view("+-*/%^()[]{}|&,=<>:!?").contains(c) ||
                (c == '@' && peek(1) == '(')) {
         symbol();
@@ -86,6 +88,28 @@ Done Lexer::step() {
         return other_character();
     }
     return {};
+}
+
+/// Whether a brace is one of those around {\displaystyle ...}, as Wikipedia writes formulas.
+bool Lexer::is_style_brace() {
+    if (peek() == '}' && !style_ends_.empty() && style_ends_.back() == at_) {
+        style_ends_.pop_back();
+        return true;
+    }
+    if (peek() != '{' || !trimmed(text_.substr(at_ + 1, 16)).starts_with("\\displaystyle"))
+        return false;
+    int open = 0;
+    for (std::size_t at = at_; at < text_.size(); ++at) {
+        if (text_[at] == '\\')
+            ++at;
+        else if (text_[at] == '{')
+            ++open;
+        else if (text_[at] == '}' && --open == 0) {
+            style_ends_.push_back(at);
+            return true;
+        }
+    }
+    return false;
 }
 
 /// In MATLAB x.^2 applies to each element; every operator does so here.
@@ -234,15 +258,20 @@ Done Lexer::other_character() {
     return std::unexpected(ParseError{.offset = at_, .reason = reason, .hint = hint});
 }
 
-/// Whether a point ends a sentence that a formula stands in: only blanks, a remark's end or LaTeX
-/// follow on its line.
+/// Whether a point or comma ends a sentence or a part of one that a formula stands in: only blanks,
+/// a remark's end or LaTeX follow on its line.
 bool Lexer::ends_sentence() const {
-    const std::string_view line = text_.substr(at_ + 1, text_.find('\n', at_) - at_ - 1);
-    const std::string_view rest = trimmed(line);
+    const std::size_t end = text_.find('\n', at_);
+    std::string_view rest = trimmed(text_.substr(at_ + 1, end == text_.npos ? end : end - at_ - 1));
+    while (rest.size() > 1 && rest[0] == '\\' && std::string_view(" ,;!").contains(rest[1]))
+        rest = trimmed(rest.substr(2));
     constexpr std::array<std::string_view, 5> ends{"\\]", "\\)", "\\end{", "$", "}"};
-    return !tokens_.empty() &&
-           (rest.empty() ||
-            std::ranges::any_of(ends, [&](std::string_view end) { return rest.starts_with(end); }));
+    const bool is_point = peek() == '.';
+    const bool is_end = (is_point && (rest.empty() || rest == "\\")) ||
+                        std::ranges::any_of(ends, [&](std::string_view mark) {
+                            return rest.starts_with(mark) && (mark != "}" || rest.size() == 1);
+                        });
+    return !tokens_.empty() && is_end;
 }
 
 /// Reads a part of a vector, as .x or .xz.
