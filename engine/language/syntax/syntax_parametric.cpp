@@ -26,7 +26,9 @@ public:
         const std::size_t offset = tree_[first.relation].offset;
         tree_.nodes.push_back({.kind = SyntaxKind::Vector,
                                .offset = offset,
-                               .operands = {*values_[0], *values_[1], *values_[2]}});
+                               .text = {},
+                               .operands = {*values_[0], *values_[1], *values_[2]},
+                               .marks = {}});
         first.relation = static_cast<SyntaxId>(tree_.nodes.size() - 1);
         first.restrictions = ranges_;
         for (std::size_t i = used_.size(); i-- > 1;)

@@ -261,8 +261,8 @@ Done Lexer::other_character() {
 /// Whether a point or comma ends a sentence or a part of one that a formula stands in: only blanks,
 /// a remark's end or LaTeX follow on its line.
 bool Lexer::ends_sentence() const {
-    const std::size_t end = text_.find('\n', at_);
-    std::string_view rest = trimmed(text_.substr(at_ + 1, end == text_.npos ? end : end - at_ - 1));
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string_view rest = trimmed(text_.substr(at_ + 1, end - at_ - 1));
     while (rest.size() > 1 && rest[0] == '\\' && std::string_view(" ,;!").contains(rest[1]))
         rest = trimmed(rest.substr(2));
     constexpr std::array<std::string_view, 5> ends{"\\]", "\\)", "\\end{", "$", "}"};
