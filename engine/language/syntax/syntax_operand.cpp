@@ -106,8 +106,10 @@ SyntaxParser::Parsed SyntaxParser::volume(const Token& token) {
     return add(SyntaxKind::Volume, token.offset, std::move(*point), {}, token.text);
 }
 
-/// Refuses a call of what is no function.
-SyntaxParser::Parsed SyntaxParser::refuse_call(const Token& token, const std::string& full) {
+/// Reads float(i), which is i, and refuses other calls of what is no function.
+SyntaxParser::Parsed SyntaxParser::call_of_no_function(const Token& token,
+                                                       const std::string& full) {
+    if (full == "float" || full == "double") return group(take());
     if (full != "volume") return refuse(no_function(token));
     return fail(token, tr("a volume is named by its file, in quotes"),
                 filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
@@ -144,8 +146,6 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     }
     const bool called = next_is_one_of({"(", "["});
     if (called && defined_.defines_function(full)) return call_of_text(token);
-    const bool converts = full == "float" || full == "double";
-    if (called && !defined && converts) return group(take());
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
     const bool is_letter = !called && function != nullptr && may_be_letter(*function, full);
@@ -156,7 +156,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
     if (const auto degree = chebyshev_degree(full); degree && is_chebyshev(at_ - 1, *degree))
         return chebyshev(token, *degree);
-    if (called && !defined && !is_letter_name) return refuse_call(token, full);
+    if (called && !defined && !is_letter_name) return call_of_no_function(token, full);
     note_product(token, full);
     return add(SyntaxKind::Name, token.offset, {}, {}, name_in_branch(full));
 }

@@ -16,12 +16,14 @@ public:
     explicit CoordinateJoiner(SyntaxTree& tree) : tree_(tree) {}
 
     void join() {
-        for (std::size_t i = 0; i < tree_.statements.size(); ++i)
+        constexpr std::size_t most_ranges = 2;
+        for (std::size_t i = 0; i < tree_.statements.size() && ranges_.size() <= most_ranges; ++i)
             look_at(i);
         const bool all =
             std::ranges::all_of(values_, [](const auto& value) { return value.has_value(); });
         const bool is_one_row = used_.size() == 1;
-        if (!all || is_double_ || ranges_.size() > 2 || (ranges_.empty() && !is_one_row)) return;
+        if (!all || is_double_ || ranges_.size() > most_ranges || (ranges_.empty() && !is_one_row))
+            return;
         StatementSyntax& first = tree_.statements[used_.front()];
         const std::size_t offset = tree_[first.relation].offset;
         tree_.nodes.push_back({.kind = SyntaxKind::Vector,

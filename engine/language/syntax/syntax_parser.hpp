@@ -157,7 +157,7 @@ private:
     // syntax_operand.cpp
     Parsed operand();
     Parsed name(const Token& token);
-    Parsed refuse_call(const Token& token, const std::string& full);
+    Parsed call_of_no_function(const Token& token, const std::string& full);
     void note_product(const Token& token, const std::string& name);
     Parsed volume(const Token& token);
     Parsed group(const Token& opener);

@@ -76,9 +76,12 @@ private:
         const auto* const known = std::ranges::find(
             commands, text_.substr(at, word), &std::pair<std::string_view, CommandKind>::first);
         const std::size_t opener = behind_blanks(at + word);
-        const bool calls = known != commands.end() && opener < text_.size() &&
-                           (text_[opener] == '(' || text_[opener] == '[');
-        const auto closer = calls ? closing_bracket(text_.substr(opener)) : std::nullopt;
+        constexpr std::size_t longest = 20'000;  // bytes of a command's arguments
+        constexpr int most_commands = 200;
+        const bool calls = looked_at_ < most_commands && known != commands.end() &&
+                           opener < text_.size() && (text_[opener] == '(' || text_[opener] == '[');
+        const auto closer = calls ? closing_bracket(text_.substr(opener, longest)) : std::nullopt;
+        if (calls) ++looked_at_;
         if (!closer) return line;
         std::size_t behind = behind_blanks(opener + *closer + 1);
         const bool is_maple = text_.substr(behind).starts_with(':');
@@ -133,6 +136,7 @@ private:
     std::string_view text_;
     std::string result_;
     std::vector<std::pair<std::size_t, std::size_t>> idle_lines_;  ///< lines without a command
+    int looked_at_ = 0;                                            ///< commands
     bool rewrites_ = false;
 };
 
