@@ -52,9 +52,9 @@ bool may_hide_roots(const EdgeSamples& samples, SquareStretches stretches,
     return rules_of(square, true).may_hide && !any_inner && samples.roots() == 0;
 }
 
-EdgeSamples samples_of(SquareStretches stretches, const CoverSquare& square, const Front& front) {
-    const bool at_walls = front.continuous && !front.is_inside(front.at, front.to);
-    if (at_walls && !front.kinked && square.level >= first_one_end_level) {
+EdgeSamples samples_at_walls(SquareStretches stretches, const CoverSquare& square,
+                             const Front& front) {
+    if (!front.kinked && square.level >= first_one_end_level) {
         if (const auto at_one_end = one_end_samples(stretches)) return *at_one_end;
     }
     return edge_samples(stretches);
@@ -110,11 +110,14 @@ bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
     return false;
 }
 
-std::optional<bool> SquareEdges::take_at_walls(std::size_t square, SquareStretches stretches,
-                                               CornerStretches corners, const EdgeSamples& samples,
-                                               std::optional<LinearOnSquare>& fit) {
+bool SquareEdges::take_at_walls(std::size_t square, SquareStretches stretches,
+                                CornerStretches corners) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
+    if (at.whole != nullptr && is_flush(stretches, corners)) {
+        field_.leave_plain(square);
+        return false;
+    }
     const bool may_hide = at.level < first_one_slope_level && is_long(field_, at, front);
     switch (walls_.take_line(square, stretches, corners, rules_of(at, false), may_hide)) {
         case SquareWalls::Choice::None: break;
@@ -127,6 +130,9 @@ std::optional<bool> SquareEdges::take_at_walls(std::size_t square, SquareStretch
         field_.divide(square);
         return false;
     }
+    const EdgeSamples samples = samples_at_walls(stretches, at, front);
+    auto fit = samples.before_end.front() ? line_of(samples, at, false)
+                                          : line_at_walls(samples, stretches, at);
     if (!fit && samples.roots() == square_ray_count) {
         const bool is_covered = signs == Signs::Changed ||
                                 (is_all_below(samples) && is_all_below(entry_samples(stretches)));
@@ -137,45 +143,42 @@ std::optional<bool> SquareEdges::take_at_walls(std::size_t square, SquareStretch
         case SquareWalls::Choice::Taken: return false;
         case SquareWalls::Choice::Outside: return pass(square);
     }
-    return std::nullopt;
+    return fit ? take_line(square, stretches, samples, *fit)
+               : take_rough(square, stretches, samples);
 }
 
-bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStretches corners) {
+bool SquareEdges::take_inside(std::size_t square, SquareStretches stretches) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
-    const EdgeSamples samples = samples_of(stretches, at, front);
-    if (!front.continuous) return take_rough(square, stretches, samples);
-    const bool is_inside = front.is_inside(front.at, front.to);
+    const EdgeSamples samples = edge_samples(stretches);
     const bool all = samples.roots() == square_ray_count;
-    if (all && is_inside && front.calm && field_.is_hit_between(square, front.at, front.to)) {
+    if (all && front.calm && field_.is_hit_between(square, front.at, front.to)) {
         field_.leave_plain(square);
         return false;
     }
-    if (!is_inside && at.whole != nullptr && is_flush(stretches, corners)) {
-        field_.leave_plain(square);
-        return false;
-    }
-    const bool one_entry = is_inside || samples.before_end.front();
-    auto fit = one_entry ? line_of(samples, at, is_inside) : line_at_walls(samples, stretches, at);
-    if (!is_inside) {
-        if (const auto goes_on = take_at_walls(square, stretches, corners, samples, fit))
-            return *goes_on;
-    }
-    if (!fit && is_inside) {
+    const auto fit = line_of(samples, at, true);
+    if (!fit) {
         const auto thread = fit_thread(stretches, 0.5 * at.side, 2.0 * thinnest_thread / at.side);
         if (thread) return take_thread(square, stretches, samples, *thread);
     }
-    if (is_inside && may_hide_roots(samples, stretches, at)) {
+    if (may_hide_roots(samples, stretches, at)) {
         field_.divide(square);
         return false;
     }
     const bool one_colored = fit && !(front.kinked && is_all_below(samples));
-    if (all && is_inside && !one_colored && at.level < last_color_level) {
+    if (all && !one_colored && at.level < last_color_level) {
         creases_.add(square, stretches, samples);
         return false;
     }
     return fit ? take_line(square, stretches, samples, *fit)
                : take_rough(square, stretches, samples);
+}
+
+bool SquareEdges::take(std::size_t square, SquareStretches stretches, CornerStretches corners) {
+    const Front& front = field_.fronts(square)[surface_];
+    if (!front.continuous) return take_rough(square, stretches, edge_samples(stretches));
+    return front.is_inside(front.at, front.to) ? take_inside(square, stretches)
+                                               : take_at_walls(square, stretches, corners);
 }
 
 bool SquareEdges::take_found_line(std::size_t square, std::size_t i) {

@@ -58,11 +58,9 @@ private:
     bool take(std::size_t square, SquareStretches stretches, CornerStretches corners);
     /// As take, of square i of lines_.
     bool take_found_line(std::size_t square, std::size_t i);
-    /// Decides a square at walls of the clip region, all of whose rays have roots or not, where
-    /// that can be told; else its edge is `fit`, if it is a line.
-    std::optional<bool> take_at_walls(std::size_t square, SquareStretches stretches,
-                                      CornerStretches corners, const EdgeSamples& samples,
-                                      std::optional<LinearOnSquare>& fit);
+    /// As take, where f is continuous: of squares within the clip region, and at walls of it.
+    bool take_inside(std::size_t square, SquareStretches stretches);
+    bool take_at_walls(std::size_t square, SquareStretches stretches, CornerStretches corners);
     bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
                    const LinearOnSquare& fit);
     bool take_thread(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
