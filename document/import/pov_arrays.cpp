@@ -2,7 +2,6 @@
 #include "engine/base/translation.hpp"
 
 #include <cmath>
-#include <utility>
 
 // Arrays of POV-Ray's scenes: an element is a value whose name has its indices, "A[0][2]".
 
@@ -54,40 +53,9 @@ bool PovScript::declare_array(const std::string& name, bool local) {
         if (!take_sign("]")) break;
     }
     arrays_.insert_or_assign(name, std::move(sizes));
-    if (!local) forget_elements(name);
     const std::size_t line = this->line();
     if (at_sign("{") && !read_elements(name, local, 0))
         note(line, "#declare " + name, tr("its value is not known; it is left out"));
-    return true;
-}
-
-void PovScript::forget_elements(const std::string& array) {
-    const std::string begin = array + "[";
-    auto at = values_.lower_bound(begin);
-    while (at != values_.end() && at->first.starts_with(begin))
-        at = values_.erase(at);
-}
-
-bool PovScript::copy_array(const std::string& name, bool local) {
-    const ScriptToken from = tokens_.peek();
-    const auto known = arrays_.find(from.text);
-    const bool is_array = from.kind == ScriptKind::Name && known != arrays_.end();
-    if (!is_array || tokens_.at_sign("[", 1)) return false;
-    const std::string begin = std::string(from.text) + "[";
-    tokens_.next();
-    std::vector<std::pair<std::string, PovValue>> elements;
-    for (auto at = values_.lower_bound(begin); at != values_.end() && at->first.starts_with(begin);
-         ++at)
-        elements.emplace_back(name + at->first.substr(begin.size() - 1), at->second);
-    const std::vector<double> sizes = known->second;
-    arrays_.insert_or_assign(name, sizes);
-    if (!local) forget_elements(name);
-    for (auto& [element, value] : elements) {
-        if (local)
-            set_local(element, std::move(value));
-        else
-            values_.insert_or_assign(element, std::move(value));
-    }
     return true;
 }
 

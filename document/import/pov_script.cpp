@@ -148,10 +148,6 @@ void PovScript::declare(bool local) {
         skip_line(line);
         return;
     }
-    if (!is_element && copy_array(name, local)) {
-        tokens_.take_sign(";");
-        return;
-    }
     if (!is_element) arrays_.erase(name);
     if (declare_array(name, local)) {
         tokens_.take_sign(";");

@@ -128,10 +128,6 @@ private:
     /// Reads an element within a formula as its number; as a sign that no formula has, with a note,
     /// where that is not known.
     ScriptToken element_token();
-    /// Reads the name of an array, whose elements are copied; false where none is next.
-    bool copy_array(const std::string& name, bool local);
-    /// Leaves an array without values.
-    void forget_elements(const std::string& array);
     /// Reads an array that is declared; false where none is next.
     bool declare_array(const std::string& name, bool local);
     /// Reads "(A, n)" behind dimension_size.

@@ -144,19 +144,14 @@ bool Elaborator::build_surface(std::size_t index) {
     const bool is_call = relation.kind == SyntaxKind::Call && relation.function != nullptr;
     if (is_call && relation.function->is_thing()) return build_thing(index, *relation.function);
     if (may_be_patch(tree_.statements[index])) return build_patch(index);
-    if (is_meeting(relation)) {
-        note_distance(index);
-        return build_meeting(index);
-    }
-    Number root = equation(tree_.statements[index]);
+    note_distance(index);
+    if (is_meeting(relation)) return build_meeting(index);
+    const Number root = equation(tree_.statements[index]);
     if (!root) return false;
     if (defines_nothing_else(index, *root)) {
         without_surface_.push_back(index);
         return true;
     }
-    if (makes_radius(index, *root)) root = equation(tree_.statements[index]);
-    if (!root) return false;
-    note_distance(index);
     return add_surface(index, *root);
 }
 

@@ -106,22 +106,6 @@ private:
     std::expected<Program, ParseError> result();
     [[nodiscard]] std::size_t longest_definition();
 
-    // elaborator_radius.cpp: r and rho as radii
-    /// A term of a sum.
-    struct Term {
-        SyntaxId at;
-        bool negative;  ///< it is subtracted
-    };
-    void add_terms(SyntaxId id, bool negative, std::vector<Term>& terms) const;
-    [[nodiscard]] std::set<std::size_t> axes_in(SyntaxId root) const;
-    [[nodiscard]] bool is_squared_against_axes(std::string_view name, SyntaxId root) const;
-    [[nodiscard]] bool is_exponent(std::string_view name, SyntaxId root) const;
-    bool is_ratio(std::size_t statement);
-    [[nodiscard]] bool names(const Syntax& root, std::string_view name) const;
-    bool is_radius(std::string_view name, std::size_t statement);
-    bool makes_radius(std::size_t statement, NodeId root);
-    Built radius(const Syntax& name);
-
     // elaborator_solids.cpp: conditions that stand alone
     Number solid(const Value& condition, const StatementSyntax& statement);
     Number boundary(NodeId condition, std::size_t offset);
@@ -184,7 +168,6 @@ private:
     // elaborator_graphs.cpp: functions that stand alone
     bool build_graphs();
     bool build_graph(Definition& definition);
-    bool build_zeros(Definition& definition);
 
     // elaborator_value.cpp: expressions
     Built build(SyntaxId id, const Binding* scope);
@@ -330,8 +313,6 @@ private:
     std::map<double, NodeId> kept_;                               ///< values kept by psh, by index
     std::optional<std::size_t> library_offset_;  ///< offset of the library call whose body is
                                                  ///< being built
-    std::map<std::pair<std::size_t, std::string>, bool> radii_;  ///< r and rho of statements that
-                                                                 ///< were looked at
     std::vector<Surface> surfaces_;
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 whose names are not
                                                 ///< used

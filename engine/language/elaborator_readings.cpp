@@ -120,23 +120,21 @@ void Elaborator::note_distance(std::size_t statement) {
     const auto add = [&](const NameUse& use) {
         const Syntax& name = tree_[use.at];
         const bool is_free = name.kind == SyntaxKind::Name && name.offset < end &&
-                             table_.meant(use, statement) == nullptr &&
-                             !is_radius(name.text, statement);
+                             table_.meant(use, statement) == nullptr;
         if (is_free) said.try_emplace(name.text, use.at);
     };
     std::ranges::for_each(table_.uses(statement), add);
     if (relation.kind == SyntaxKind::Compare) add({.at = relation.operands[0], .calls = false});
+    if (said.contains("x") || said.contains("y")) return;
     const auto r = said.find("r");
     const auto rho = said.find("rho");
     const bool is_spherical = said.contains("phi");
-    const bool is_cylindrical = said.contains("z") || said.contains("theta");
-    if (r != said.end() && !is_spherical &&
-        (is_cylindrical || said.contains("x") || said.contains("y"))) {
+    if (r != said.end() && !is_spherical && (said.contains("z") || said.contains("theta"))) {
         notes_.add(tree_[r->second].offset,
                    filled(tr("{0} is {1}; for the distance from the z-axis type {2}"),
                           {"r", "sqrt(x^2 + y^2 + z^2)", "rho"}));
     }
-    if (rho != said.end() && is_spherical && !said.contains("x") && !said.contains("y")) {
+    if (rho != said.end() && is_spherical) {
         notes_.add(tree_[rho->second].offset,
                    filled(tr("{0} is {1}; for the distance from the origin type {2}"),
                           {"rho", "sqrt(x^2 + y^2)", "r"}));

@@ -130,11 +130,6 @@ Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
     Definition* const definition =
         library_offset_ ? nullptr : table_.value(syntax.text, statement_);
     if (definition != nullptr) return defined_value(*definition, syntax);
-    if (!library_offset_ && is_radius(syntax.text, statement_)) return radius(syntax);
-    if (syntax.text == "phi" && !library_offset_ && is_ratio(statement_)) {
-        notes_.add(syntax.offset, filled(tr("{0} is read as {1}"), {"phi", "golden"}));
-        return done(built_in("golden")->id, syntax.offset);
-    }
     if (is_built_in_value(syntax.text)) return said(syntax);
     return unknown(syntax);
 }

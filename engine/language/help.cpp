@@ -24,15 +24,10 @@ constexpr Line statements[] = {
     {"z > x^2 + y^2, z < 1",
      marked("inequalities: the boundary of the solid where all of them hold")},
     {"f(x, y) = x^2 - y^2", marked("alone: the graph z = f(x, y); so of x and z, of y and z")},
-    {"f(x, y, z) = x^2 - y z",
-     marked("alone: the surface where it is 0; so a function of a point alone")},
     {"(u cos v, u sin v, v), 0 < u < 1, 0 < v < 2 pi",
      marked("a parametric surface: a point over two variables of any names")},
     {"s = u^2; (u, v, s), 0 < u < 1, 0 < v < 1",
      marked("values of other rows may go by the variables of the row")},
-    {"x = u; y = v; z = u v; 0 < u < 1; 0 < v < 1",
-     marked("coordinates and ranges in rows of their own")},
-    {"(u, v, u v), u in [0, 1], v in [0, 2 pi]", marked("ranges as sets; also with \u2208")},
     {"r(u, v) = (u, v, u v), 0 < u < 1, 0 < v < 1",
      marked("the point with a name, which is left out")},
     {"(cos t, sin t, t/3), 0 < t < 20", marked("a curve: a point over one variable")},
@@ -59,8 +54,6 @@ constexpr Line statements[] = {
 constexpr Line names[] = {
     {"x y z w", marked("the variables; t is another name of w")},
     {"r, rho", "sqrt(x^2 + y^2 + z^2), sqrt(x^2 + y^2)"},
-    {"x^2 + y^2 = r^2",
-     marked("r is a parameter where its square stands against those of x and y, and in points")},
     {"theta \u03b8, phi \u03c6", marked("the angles atan2(y, x) and acos(z/r)")},
     {"pi \u03c0, tau \u03c4, e, golden", "3.14159..., 2 pi, 2.71828..., (1 + sqrt 5)/2"},
     {"a, k, c_1, \u03b1",
@@ -122,10 +115,6 @@ constexpr Line elsewhere[] = {
      marked("a function, of values one after the other")},
     {"float f(float u) { if (u < 0.) return -u; else u += 1.; return u; }",
      marked("choices in a function; what a choice leaves open follows it")},
-    {"for (int i = 0; i < 8; i++) u *= 2.;",
-     marked("a loop in a function, of up to 100 rounds; also break and continue")},
-    {"Plot3D[x y, {x, -1, 1}, {y, -2, 2}]",
-     marked("plotting commands of Mathematica, Maple, Sage, MATLAB and GeoGebra")},
     {"#declare F = function(u, v) { u*v }", marked("a function as POV-Ray writes it")},
     {"f[u_, v_] := u v  Sin[x]",
      marked("definitions and calls as Mathematica writes them; there E is e")},
@@ -146,8 +135,6 @@ statement = [ words ] [ left ("=" | ":=") ] choice { "," choice | "{" choice { "
 body      = "{" step { step } "}"
 step      = [ words ] name [ "=" choice ] ";" | "return" choice ";"
           | "if" "(" choice ")" ( step | body ) [ "else" ( step | body ) ]
-          | "for" "(" [ words ] name "=" number ";" relation ";" step ")" ( step | body )
-          | ( "break" | "continue" ) ";"
 left      = name | name "(" names ")" | sum
 names     = [ words ] name { "," [ words ] name }
 words     = ("const" | "float" | "double" | "int" | "let" | "var" | "#declare" | ...) [ words ]
@@ -155,7 +142,7 @@ choice    = logic [ "?" choice ":" choice ]
 logic     = both { ("or" | "|" | "||") both }
 both      = negation { ("and" | "&" | "&&") negation }
 negation  = "not" negation | relation
-relation  = sum { ("=" | "==" | "!=" | "<" | ">" | "<=" | ">=") sum } | sum "in" "[" sum "," sum "]"
+relation  = sum { ("=" | "==" | "!=" | "<" | ">" | "<=" | ">=") sum }
 sum       = product { ("+" | "-") product }
 product   = signed { ("*" | "/" | "%") signed | power }
 signed    = { "+" | "-" } ( power | "!" signed )

@@ -23,7 +23,6 @@ constexpr int most_read = 2'000;  // steps of a body, each counted as often as i
 SyntaxParser::Parsed SyntaxParser::block() {
     const Token& opener = take();
     std::vector<BodyStep> steps;
-    local_numbers_.clear();
     if (!steps_in_braces(opener, steps)) return std::nullopt;
     if (!may_nest(static_cast<int>(steps.size()))) return std::nullopt;
     const std::size_t closer = at_ - 1;
@@ -55,13 +54,6 @@ bool SyntaxParser::step(std::vector<BodyStep>& steps) {
     const Level level(depth_);
     if (!may_nest()) return false;
     if (next_is_word("if") && is_symbol(tokens_[at_ + 1], {"("})) return choice_step(steps);
-    if (starts_loop()) return loop_step(steps);
-    if (starts_leaving()) {
-        const bool breaks = next_is_word("break");
-        steps.push_back({.kind = breaks ? BodyStep::Kind::Break : BodyStep::Kind::Continue,
-                         .offset = take().offset});
-        return true;
-    }
     if (!next_is_word("return")) return local_value(steps);
     const std::size_t offset = take().offset;
     const Parsed value = choice();
@@ -134,16 +126,8 @@ SyntaxParser::Parsed SyntaxParser::result_of(std::span<const BodyStep> steps,
         if (!result) return result;
         return add(SyntaxKind::Let, first.offset, {first.value, *result}, {}, first.name);
     }
-    if (first.kind == BodyStep::Kind::Break || first.kind == BodyStep::Kind::Continue) {
-        const FollowingSteps* const left = following_left(behind, first.kind);
-        if (left == nullptr) return refuse(no_step(tokens_[closer]));
-        return result_of(left->steps, left->next, closer);
-    }
-    const bool is_loop = first.kind == BodyStep::Kind::Loop || first.kind == BodyStep::Kind::Round;
-    if (!is_loop && !returns_within(first))
-        return result_behind_values(first, rest, behind, closer);
-    const FollowingSteps following{.steps = rest, .next = behind, .of = first.kind};
-    if (is_loop) return result_of(first.then, &following, closer);
+    if (!returns_within(first)) return result_behind_values(first, rest, behind, closer);
+    const FollowingSteps following{.steps = rest, .next = behind};
     const Parsed then = result_of(first.then, &following, closer);
     const Parsed otherwise = then ? result_of(first.otherwise, &following, closer) : then;
     if (!otherwise) return otherwise;
@@ -151,9 +135,7 @@ SyntaxParser::Parsed SyntaxParser::result_of(std::span<const BodyStep> steps,
 }
 
 bool SyntaxParser::returns_within(const BodyStep& step) {
-    const bool leaves = step.kind == BodyStep::Kind::Return || step.kind == BodyStep::Kind::Break ||
-                        step.kind == BodyStep::Kind::Continue;
-    return leaves || std::ranges::any_of(step.then, returns_within) ||
+    return step.kind == BodyStep::Kind::Return || std::ranges::any_of(step.then, returns_within) ||
            std::ranges::any_of(step.otherwise, returns_within);
 }
 
@@ -250,9 +232,7 @@ bool SyntaxParser::local_value(std::vector<BodyStep>& steps) {
 /// The value of a name that is declared without one.
 SyntaxId SyntaxParser::zero_of(std::string_view type, std::size_t offset) {
     const auto zero = [&] { return add(SyntaxKind::Number, offset, {}, {}, "0"); };
-    const bool is_vector =
-        type.starts_with("vec") || (type.starts_with("float") && type.size() > 5);
-    if (!is_vector) return zero();
+    if (type != "vec2" && type != "vec3" && type != "vec4") return zero();
     std::vector<SyntaxId> parts;
     for (char i = '0'; i < type.back(); ++i)
         parts.push_back(zero());
@@ -287,7 +267,6 @@ bool SyntaxParser::named_value(std::string_view type, std::vector<BodyStep>& ste
                      .value = *value,
                      .name = name_in_branch(full_name(name)),
                      .declares = declares});
-    keep_number(steps.back(), branch_ > 0);
     return true;
 }
 

@@ -44,39 +44,7 @@ SyntaxParser::Parsed SyntaxParser::operand() {
     if (next_is_one_of({"(", "[", "{"})) return group(take());
     if (next_is_one_of({"|", "(|"})) return absolute(take());
     if (next_is_one_of({"⌊", "⌈"})) return floor_or_ceil(take());
-    if (starts_angled()) return angled();
     return refuse(missing_operand());
-}
-
-/// Whether a vector as <a, b, c> is next: after "=", or where a statement begins.
-bool SyntaxParser::starts_angled() const {
-    if (!next_is("<") || (at_ > statement_start_ && tokens_[at_ - 1].text != "=")) return false;
-    int open = 0;
-    int commas = 0;
-    for (std::size_t at = at_ + 1; tokens_[at].kind != TokenKind::End; ++at) {
-        if (is_symbol(tokens_[at], {"(", "[", "{"})) ++open;
-        if (is_symbol(tokens_[at], {")", "]", "}"})) --open;
-        if (tokens_[at].kind == TokenKind::Break || is_symbol(tokens_[at], {"<", "<="}))
-            return false;
-        if (open == 0 && is_symbol(tokens_[at], {","})) ++commas;
-        if (open == 0 && is_symbol(tokens_[at], {">"})) return commas > 0 && commas < 4;
-    }
-    return false;
-}
-
-SyntaxParser::Parsed SyntaxParser::angled() {
-    const std::size_t offset = take().offset;
-    std::vector<SyntaxId> values;
-    for (;;) {
-        const Parsed value = sum();
-        if (!value) return value;
-        values.push_back(*value);
-        if (!next_is(",")) break;
-        take();
-    }
-    if (!next_is(">")) return refuse(surplus());
-    take();
-    return add(SyntaxKind::Vector, offset, std::move(values));
 }
 
 /// Reads the point behind a volume, volume("ct.nrrd")(x, y, z), or behind blobs.
@@ -106,10 +74,8 @@ SyntaxParser::Parsed SyntaxParser::volume(const Token& token) {
     return add(SyntaxKind::Volume, token.offset, std::move(*point), {}, token.text);
 }
 
-/// Reads float(i), which is i, and refuses other calls of what is no function.
-SyntaxParser::Parsed SyntaxParser::call_of_no_function(const Token& token,
-                                                       const std::string& full) {
-    if (full == "float" || full == "double") return group(take());
+/// Refuses a call of what is no function.
+SyntaxParser::Parsed SyntaxParser::refuse_call(const Token& token, const std::string& full) {
     if (full != "volume") return refuse(no_function(token));
     return fail(token, tr("a volume is named by its file, in quotes"),
                 filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
@@ -156,7 +122,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
     if (const auto degree = chebyshev_degree(full); degree && is_chebyshev(at_ - 1, *degree))
         return chebyshev(token, *degree);
-    if (called && !defined && !is_letter_name) return call_of_no_function(token, full);
+    if (called && !defined && !is_letter_name) return refuse_call(token, full);
     note_product(token, full);
     return add(SyntaxKind::Name, token.offset, {}, {}, name_in_branch(full));
 }

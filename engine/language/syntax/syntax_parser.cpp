@@ -90,7 +90,6 @@ char SyntaxParser::comparison() const {
 
 SyntaxParser::Parsed SyntaxParser::relation() {
     Parsed first = sum();
-    if (first && is_membership()) return membership(*first);
     if (!first || comparison() == '\0') return first;
     const std::size_t offset = next().offset;
     std::vector<SyntaxId> operands{*first};
@@ -108,38 +107,6 @@ SyntaxParser::Parsed SyntaxParser::relation() {
         operands.push_back(*further);
     }
     return add(SyntaxKind::Compare, offset, std::move(operands), marks);
-}
-
-/// Whether `in [` is next, as in u in [0, 1].
-bool SyntaxParser::is_membership() const {
-    return next_is_word("in") && is_symbol(tokens_[at_ + 1], {"[", "(", "]"});
-}
-
-/// Reads the rest of u in [0, 1], which says 0 <= u <= 1; each bracket may be of either kind.
-SyntaxParser::Parsed SyntaxParser::membership(SyntaxId of) {
-    const std::size_t offset = take().offset;
-    take();
-    const Parsed lo = sum();
-    if (!lo) return lo;
-    if (!next_is(",")) return refuse(surplus());
-    take();
-    const Parsed hi = sum();
-    if (!hi) return hi;
-    if (!next_is_one_of({"]", ")", "["})) return refuse(surplus());
-    take();
-    return add(SyntaxKind::Compare, offset, {*lo, of, *hi}, "ll");
-}
-
-/// Gives names before a range the same one: u, v in [0, 1].
-void SyntaxParser::share_range(std::vector<SyntaxId>& restrictions) {
-    const Syntax last = tree_[restrictions.back()];
-    if (last.kind != SyntaxKind::Compare || last.marks != "ll") return;
-    for (std::size_t i = restrictions.size() - 1; i-- > 0;) {
-        const Syntax& name = tree_[restrictions[i]];
-        if (name.kind != SyntaxKind::Name) return;
-        restrictions[i] = add(SyntaxKind::Compare, name.offset,
-                              {last.operands[0], restrictions[i], last.operands[2]}, "ll");
-    }
 }
 
 SyntaxParser::Parsed SyntaxParser::sum() {
@@ -175,8 +142,7 @@ bool SyntaxParser::restricts() const {
 
 /// Whether the next token can be a factor without a "*" before it.
 bool SyntaxParser::starts_factor() const {
-    if (next().kind == TokenKind::Name)
-        return !is_connective(next()) && next().text != "not" && !is_membership();
+    if (next().kind == TokenKind::Name) return !is_connective(next()) && next().text != "not";
     if (next().kind == TokenKind::Volume) return true;
     if (next_is("{")) return !restricts();
     if (next_is("|")) return bars_ == 0;

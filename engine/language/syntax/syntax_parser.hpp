@@ -37,36 +37,20 @@ private:
 
     /// A step of a function's body as programs write it.
     struct BodyStep {
-        enum class Kind : std::uint8_t {
-            Value,
-            Choice,
-            Return,
-            Loop,      ///< all of its rounds
-            Round,     ///< a round of a loop
-            Break,     ///< leaves the loop
-            Continue,  ///< leaves the round
-        };
+        enum class Kind : std::uint8_t { Value, Choice, Return };
 
         Kind kind;
         std::size_t offset;
         SyntaxId value = 0;               ///< the value, the result, or the condition of a choice
         std::string name = {};            ///< what has the value
         bool declares = false;            ///< the name is new
-        std::vector<BodyStep> then = {};  ///< where the condition holds; of a loop and a round: all
+        std::vector<BodyStep> then = {};  ///< where the condition holds
         std::vector<BodyStep> otherwise = {};  ///< where it does not
     };
     /// Steps that follow others, and what follows these.
     struct FollowingSteps {
         std::span<const BodyStep> steps;
         const FollowingSteps* next;
-        BodyStep::Kind of = BodyStep::Kind::Choice;  ///< what they stand behind
-    };
-    /// The head of a loop.
-    struct Loop {
-        const Token* name = nullptr;
-        double first = 0;
-        double step = 1;
-        int rounds = 0;
     };
 
     /// Counts one more level of nesting while it lives. Every recursion passes power() or part().
@@ -115,18 +99,6 @@ private:
     SyntaxId zero_of(std::string_view type, std::size_t offset);
     bool named_value(std::string_view type, std::vector<BodyStep>& steps);
 
-    // syntax_loop.cpp
-    [[nodiscard]] bool starts_loop() const;
-    bool loop_step(std::vector<BodyStep>& steps);
-    std::optional<Loop> loop_header();
-    std::optional<double> loop_increment(const Token& name);
-    std::optional<double> counted_number();
-    SyntaxId number_node(double value, std::size_t offset);
-    void keep_number(const BodyStep& step, bool in_branch);
-    [[nodiscard]] bool starts_leaving() const;
-    [[nodiscard]] static const FollowingSteps* following_left(const FollowingSteps* behind,
-                                                              BodyStep::Kind leaves);
-
     // syntax_instructions.cpp
     Parsed instructions();
     Parsed instruction(const NameMap<SyntaxId>& known);
@@ -139,9 +111,6 @@ private:
     Parsed both();
     Parsed negation();
     Parsed relation();
-    [[nodiscard]] bool is_membership() const;
-    Parsed membership(SyntaxId of);
-    void share_range(std::vector<SyntaxId>& restrictions);
     Parsed sum();
     Parsed product();
     [[nodiscard]] bool is_derivative() const;
@@ -157,15 +126,13 @@ private:
     // syntax_operand.cpp
     Parsed operand();
     Parsed name(const Token& token);
-    Parsed call_of_no_function(const Token& token, const std::string& full);
+    Parsed refuse_call(const Token& token, const std::string& full);
     void note_product(const Token& token, const std::string& name);
     Parsed volume(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);
     Parsed tuple(const Token& opener, SyntaxId first);
     Parsed part_of(SyntaxId vector);
-    [[nodiscard]] bool starts_angled() const;
-    Parsed angled();
     Parsed absolute(const Token& opener);
     Parsed floor_or_ceil(const Token& opener);
     Parsed fraction();
@@ -234,7 +201,6 @@ private:
     /// The branches that declare a name, the innermost last, each by the branches around it.
     NameMap<std::vector<std::size_t>> names_in_branches_;
     std::optional<bool> calls_chebyshev_;  ///< whether T_n or U_n with n >= 2 is called
-    NameMap<double> local_numbers_;        ///< names of a body that are given a number
     int steps_read_ = 0;                   ///< steps of a body, each as often as it was read
 };
 

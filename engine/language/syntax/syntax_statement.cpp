@@ -4,9 +4,7 @@
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_floats.hpp"
 #include "engine/language/syntax/syntax_marks.hpp"
-#include "engine/language/syntax/syntax_parametric.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
-#include "engine/language/words/commands.hpp"
 #include "engine/language/words/syntax_bars.hpp"
 #include "engine/language/words/words.hpp"
 #include "engine/language/words/words_candidates.hpp"
@@ -108,7 +106,6 @@ bool SyntaxParser::part_of_statement(bool is_certain, std::size_t offset) {
         const Parsed restriction = choice();
         if (!restriction) return false;
         statement.restrictions.push_back(*restriction);
-        share_range(statement.restrictions);
     }
     tree_.statements.push_back(std::move(statement));
     return true;
@@ -279,8 +276,6 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
                        .reason = filled(tr("the text is longer than {0} bytes"), {most}),
                        .hint = {}});
     }
-    const std::optional<std::string> plain = without_commands(text);
-    if (plain) text = *plain;
     Notes notes;
     Notes unused;
     auto tokens = tokenize(text, nullptr, unused);
@@ -293,7 +288,6 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
     tokens = with_plain_marks(std::move(*tokens), defined, notes);
     SyntaxParser parser(std::move(*tokens), defined, std::move(notes));
     auto tree = parser.text();
-    if (tree) join_coordinates(*tree);
     if (tree) return tree;
     auto error = error_for_open_bracket(text, parser.tokens(), tree.error());
     return error ? std::unexpected(std::move(*error)) : tree;

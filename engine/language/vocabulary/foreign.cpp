@@ -35,40 +35,15 @@ std::optional<ParseError> error_for_word_of_programs(std::string_view word, std:
             .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
             .hint = tr("define the function as f(x, y, z) = x^2 + y^2 - z")};
     }
-    if (is_one_of(word, {"while", "return", "void", "else", "struct", "uniform", "import", "with",
-                         "var", "meshgrid", "linspace"})) {
+    if (is_one_of(word, {"while", "return", "void", "else", "struct", "uniform", "import"})) {
         return ParseError{
             .offset = offset,
             .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
             .hint = tr("type its formulas, each on a line of its own")};
     }
-    if (is_one_of(word, {"contourplot3d",
-                         "plot3d",
-                         "implicitplot3d",
-                         "implicitplot",
-                         "implicit_plot3d",
-                         "fimplicit3",
-                         "fimplicit",
-                         "isosurface",
-                         "parametricplot3d",
-                         "parametric_plot3d",
-                         "sphericalplot3d",
-                         "spherical_plot3d",
-                         "revolutionplot3d",
-                         "revolution_plot3d",
-                         "cylindrical_plot3d",
-                         "regionplot3d",
-                         "spacecurve",
-                         "fsurf",
-                         "fplot3",
-                         "ezsurf",
-                         "ezmesh",
-                         "splot",
-                         "surface",
-                         "superficie",
-                         "curve",
-                         "show",
-                         "manipulate"})) {
+    if (is_one_of(word, {"contourplot3d", "plot3d", "implicitplot3d", "implicitplot",
+                         "implicit_plot3d", "fimplicit3", "fimplicit", "isosurface",
+                         "parametricplot3d", "show", "manipulate"})) {
         return ParseError{
             .offset = offset,
             .reason = filled(tr("{0} is a command of another program"), {quoted(name)}),
@@ -81,7 +56,8 @@ std::optional<ParseError> error_for_word_of_programs(std::string_view word, std:
 
 std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
     const std::string word = in_small_letters(name);
-    if (is_one_of(word, {"vec", "ivec2", "ivec3", "dvec2", "dvec3"})) {
+    if (is_one_of(word,
+                  {"vec", "float2", "float3", "float4", "ivec2", "ivec3", "dvec2", "dvec3"})) {
         return ParseError{.offset = offset,
                           .reason = filled(tr("{0} is not known as a vector"), {quoted(name)}),
                           .hint = tr("type a vector as (x, y, z) or vec3(x, y, z)")};

@@ -1,6 +1,5 @@
 #include "engine/language/words/lexer.hpp"
 
-#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
@@ -61,7 +60,7 @@ Done Lexer::step() {
         push(TokenKind::Symbol, "~", 1);
         return {};
     }
-    if (is_space(c) || is_elementwise_dot() || is_style_brace()) {
+    if (is_space(c) || is_elementwise_dot()) {
         ++at_;
         return {};
     }
@@ -79,8 +78,6 @@ Done Lexer::step() {
         if (!identifier()) return other_character();
     } else if (c == '\\') {
         return command();
-    } else if (c == ',' && ends_sentence()) {
-        ++at_;
     } else if (std::string_view("+-*/%^()[]{}|&,=<>:!?").contains(c) ||
                (c == '@' && peek(1) == '(')) {
         symbol();
@@ -88,28 +85,6 @@ Done Lexer::step() {
         return other_character();
     }
     return {};
-}
-
-/// Whether a brace is one of those around {\displaystyle ...}, as Wikipedia writes formulas.
-bool Lexer::is_style_brace() {
-    if (peek() == '}' && !style_ends_.empty() && style_ends_.back() == at_) {
-        style_ends_.pop_back();
-        return true;
-    }
-    if (peek() != '{' || !trimmed(text_.substr(at_ + 1, 16)).starts_with("\\displaystyle"))
-        return false;
-    int open = 0;
-    for (std::size_t at = at_; at < text_.size(); ++at) {
-        if (text_[at] == '\\')
-            ++at;
-        else if (text_[at] == '{')
-            ++open;
-        else if (text_[at] == '}' && --open == 0) {
-            style_ends_.push_back(at);
-            return true;
-        }
-    }
-    return false;
 }
 
 /// In MATLAB x.^2 applies to each element; every operator does so here.
@@ -239,10 +214,6 @@ Done Lexer::other_character() {
         push_sign(*sign, point.length);
         return {};
     }
-    if (peek() == '.' && ends_sentence()) {
-        ++at_;
-        return {};
-    }
     std::string hint = hint_for_sign(point.code);
     if (peek() == '_') hint = tr("a subscript stands right behind a letter: c_1, c_{12}");
     const bool behind_value =
@@ -258,22 +229,6 @@ Done Lexer::other_character() {
     return std::unexpected(ParseError{.offset = at_, .reason = reason, .hint = hint});
 }
 
-/// Whether a point or comma ends a sentence or a part of one that a formula stands in: only blanks,
-/// a remark's end or LaTeX follow on its line.
-bool Lexer::ends_sentence() const {
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    std::string_view rest = trimmed(text_.substr(at_ + 1, end - at_ - 1));
-    while (rest.size() > 1 && rest[0] == '\\' && std::string_view(" ,;!").contains(rest[1]))
-        rest = trimmed(rest.substr(2));
-    constexpr std::array<std::string_view, 5> ends{"\\]", "\\)", "\\end{", "$", "}"};
-    const bool is_point = peek() == '.';
-    const bool is_end = (is_point && (rest.empty() || rest == "\\")) ||
-                        std::ranges::any_of(ends, [&](std::string_view mark) {
-                            return rest.starts_with(mark) && (mark != "}" || rest.size() == 1);
-                        });
-    return !tokens_.empty() && is_end;
-}
-
 /// Reads a part of a vector, as .x or .xz.
 Done Lexer::part() {
     constexpr std::size_t most_parts = 4;
@@ -286,22 +241,11 @@ Done Lexer::part() {
     return {};
 }
 
-/// Reads \[Pi] and \[Alpha], as Mathematica writes signs.
-bool Lexer::named_character() {
-    const std::size_t letters = run_length(text_, at_ + 2, is_letter);
-    if (letters == 0 || peek(2 + letters) != ']') return false;
-    const auto sign = sign_of_command(lower_case(text_.substr(at_ + 2, letters)));
-    if (!sign || sign->text.empty()) return false;
-    push_sign(*sign, letters + 3);
-    return true;
-}
-
 Done Lexer::command() {
     const std::size_t letters = run_length(text_, at_ + 1, is_letter);
     const std::string_view word = text_.substr(at_ + 1, letters);
     if (letters == 0) {  // a single sign: \\ ends a line, \{ is a brace, \, and \( mean nothing
         const char sign = peek(1);
-        if (sign == '[' && named_character()) return {};
         if (sign == '\\') {
             push(TokenKind::Break, "\n", 2);
         } else if (sign == '{' || sign == '}') {

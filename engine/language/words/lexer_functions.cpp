@@ -33,11 +33,6 @@ public:
                 continue;
             }
             const auto header = starts ? header_at(at) : std::nullopt;
-            const std::size_t body = starts && !header ? python_body(at) : 0;
-            if (body > 0) {
-                at = write_python(at, body) - 1;
-                continue;
-            }
             if (header) {
                 write(*header, tokens_[at + header->length].offset);
                 at += header->length;
@@ -123,42 +118,6 @@ private:
         return Header{.name = part(name, name + 1),
                       .arguments = part(name + 2, end),
                       .length = body + 2 - name};
-    }
-    /// The first token of the lines of `def f(x, y):`, up to one that begins with return; 0: there
-    /// are none.
-    [[nodiscard]] std::size_t python_body(std::size_t at) const {
-        const std::size_t end = end_of_names(at + 3);
-        const bool is_head = is_word(at, "def") && is_name(at + 1) && is(at + 2, "(") &&
-                             is(end, ")") && is(end + 1, ":");
-        return is_head && tokens_[end + 2].kind == TokenKind::Break ? end + 3 : 0;
-    }
-    /// Writes such a function with braces, its lines ended by ";"; returns the index behind it.
-    std::size_t write_python(std::size_t head, std::size_t body) {
-        const auto symbol = [&](std::string_view text, std::size_t offset) {
-            out_.push_back({.kind = TokenKind::Symbol, .text = text, .offset = offset});
-        };
-        out_.insert(out_.end(), tokens_.begin() + static_cast<std::ptrdiff_t>(head),
-                    tokens_.begin() + static_cast<std::ptrdiff_t>(body - 2));
-        symbol("{", tokens_[body - 2].offset);
-        int open = 0;
-        bool returns = false;
-        std::size_t at = body;
-        for (; tokens_[at].kind != TokenKind::End; ++at) {
-            const Token& token = tokens_[at];
-            const bool starts =
-                out_.back().kind == TokenKind::Break || is_symbol(out_.back(), {"{"});
-            open += is_symbol(token, {"(", "["}) ? 1 : is_symbol(token, {")", "]"}) ? -1 : 0;
-            if (token.kind != TokenKind::Break) {
-                returns = returns || (starts && is_word(at, "return"));
-                out_.push_back(token);
-            } else if (open <= 0) {
-                if (returns) break;
-                if (!starts)
-                    out_.push_back({.kind = TokenKind::Break, .text = ";", .offset = token.offset});
-            }
-        }
-        symbol("}", tokens_[at].offset);
-        return at;
     }
     /// Reads `@(x, y)`.
     [[nodiscard]] std::optional<Header> handle_header(std::size_t at, std::size_t begin) const {

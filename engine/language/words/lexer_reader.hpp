@@ -39,9 +39,6 @@ private:
     Done step();
     Done other_character();
     Done command();
-    bool named_character();
-    bool is_style_brace();
-    [[nodiscard]] bool ends_sentence() const;
     Done environment(std::string_view word);
     Done begin_cases(std::size_t length);
     Done end_cases(std::size_t length);
@@ -86,8 +83,6 @@ private:
     bool line_start_ = true;  ///< only spaces and remarks since the last line end
     std::vector<Token> tokens_;
     std::vector<std::size_t> cases_;  ///< indices of the first tokens of open cases of LaTeX
-    std::vector<std::size_t> style_ends_ =
-        {};  ///< closing braces of {\displaystyle, outer ones first
 };
 
 }  // namespace zeroset

@@ -66,13 +66,8 @@ bool is_program_word(std::span<const Token> tokens, std::size_t at) {
     if (word.text == "function")
         return behind({"=", ":="}) || (starts && is_symbol(tokens[at + 1], {"{"}));
     if (word.text == "else") return starts || behind({"}"});
-    if (word.text == "in" && at > 0 && is_symbol(tokens[at + 1], {"[", "(", "]"})) return true;
     const bool behind_else = at > 0 && tokens[at - 1].text == "else";
-    const bool begins = starts || behind_else || behind({"}", ")"});
-    if (word.text == "for") return begins && is_symbol(tokens[at + 1], {"("});
-    if (word.text == "break" || word.text == "continue")
-        return begins && tokens[at + 1].kind == TokenKind::Break;
-    if (word.text == "return") return begins;
+    if (word.text == "return") return starts || behind_else || behind({"}", ")"});
     const bool behind_word = at > 0 && declares(tokens[at - 1], word);
     return declares(word, tokens[at + 1]) && (starts || behind_word || behind({"(", ","}));
 }

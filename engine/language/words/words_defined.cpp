@@ -14,10 +14,9 @@
 namespace zeroset {
 namespace {
 
-constexpr std::array<std::string_view, 25> type_words{
-    "float", "double", "int",    "real",    "const",  "let",      "var",     "val",  "def",
-    "auto",  "local",  "static", "declare", "lowp",   "highp",    "mediump", "vec2", "vec3",
-    "vec4",  "bool",   "float2", "float3",  "float4", "function", "half"};
+constexpr std::array<std::string_view, 20> type_words{
+    "float", "double", "int",     "real", "const", "let",     "var",  "val",  "def",  "auto",
+    "local", "static", "declare", "lowp", "highp", "mediump", "vec2", "vec3", "vec4", "bool"};
 
 /// Whether a name is one letter, ASCII or not; such names are never split.
 bool is_letter_name(std::string_view name) {

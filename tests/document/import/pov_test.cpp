@@ -253,9 +253,6 @@ TEST(Imports, PovScenesSayWhyTheyShowNothing) {
               "line 2: function: '[' does not continue the formula");
     EXPECT_EQ(reason("#declare A = array[2] { 1, 2 }\nisosurface { function { x - A[2] } }"),
               "line 2: A[]: its value is not known; it is left out");
-    EXPECT_EQ(reason("#declare A = array[2] { 1, 2 } #declare A = array[2];\nisosurface { function "
-                     "{ x - A[1] } }"),
-              "line 2: A[]: its value is not known; it is left out");
     EXPECT_EQ(reason("parametric { function { u } <0, 0> <1, 1> }"),
               "line 1: parametric: without its function it is left out");
     EXPECT_TRUE(reason("sphere { 0, 1 }").starts_with("it shows no isosurface"));
@@ -308,22 +305,6 @@ TEST(Imports, PovArraysHaveElements) {
             read_import("a.pov", "isosurface { function { x } } #declare A = " + text);
         EXPECT_TRUE(imported) << text;
     }
-}
-
-TEST(Imports, PovArraysAreCopiedAndNewOnesAreEmpty) {
-    EXPECT_NEAR(inner_value("#declare A = array[2] { 3, 4 }; #declare B = A; #declare A[0] = 50;"
-                            "#declare N = dimension_size(B, 1);"
-                            "isosurface { function { x + B[0] + 10*B[1] + "
-                            "100*N - A[0] }" +
-                                in_ball,
-                            0, 0, 0),
-                3.0 + 40.0 + 200.0 - 50.0, 1e-12);
-    EXPECT_NEAR(inner_value("#declare A = array[2][2] { { 3, 4 }, { 5, 6 } };"
-                            "#declare A = array[2] { 7, 8 }; #local C = A;"
-                            "isosurface { function { x + C[0] + 10*C[1] }" +
-                                in_ball,
-                            0, 0, 0),
-                7.0 + 80.0, 1e-12);
 }
 
 TEST(Imports, PovTransformsMayBeInverse) {

@@ -158,8 +158,8 @@ TEST_P(Readings, AreAsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(Files, Readings,
                          testing::Values("notation", "latex", "functions", "statements", "errors",
-                                         "names", "commands", "operators", "lines", "programs",
-                                         "vectors", "noise"),
+                                         "names", "operators", "lines", "programs", "vectors",
+                                         "noise"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace
