@@ -169,7 +169,7 @@ bool are_ends_even(SquareStretches stretches, CornerStretches corners) {
 std::optional<EdgeSamples> wall_samples(SquareStretches stretches, const WallEnd& wall) {
     std::array<double, square_ray_count> others{};
     for (std::size_t i = 0; i < square_ray_count; ++i)
-        others[i] = stretches[i].*wall.other;
+        others[i] = stretches[i].*wall.other_f;
     const int sign = sign_of_line(line_through(others));
     if (sign == 0) return std::nullopt;
     EdgeSamples samples;
@@ -185,9 +185,10 @@ std::optional<EdgeSamples> wall_samples(SquareStretches stretches, const WallEnd
     return samples;
 }
 
-RayStretch stretch_at(SquareStretches stretches, const SquareRay& place, const WallEnd& wall) {
+RayStretch stretch_at(SquareStretches stretches, const SquareRay& place) {
     RayStretch stretch = stretches.front();
-    stretch.*wall.depth = plane_through(stretches, wall.depth).fit.at(place);
+    stretch.from = plane_through(stretches, &RayStretch::from).fit.at(place);
+    stretch.to = plane_through(stretches, &RayStretch::to).fit.at(place);
     return stretch;
 }
 

@@ -36,21 +36,18 @@ std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
 /// Whether the rays' stretches begin in a plane, and end in one: in one wall of the clip region, or
 /// at one depth. They may be empty, where a wall is beyond the other end.
 bool are_ends_even(SquareStretches stretches, CornerStretches corners);
-/// The end of stretches at which a wall is: its depth, f there, and f at the other end.
+/// The end of stretches at which a wall is: f there, and at the other end.
 struct WallEnd {
-    double RayStretch::* depth;
     double RayStretch::* f;
-    double RayStretch::* other;
+    double RayStretch::* other_f;
 };
-inline constexpr WallEnd entry_wall{
-    .depth = &RayStretch::from, .f = &RayStretch::near, .other = &RayStretch::far};
-inline constexpr WallEnd exit_wall{
-    .depth = &RayStretch::to, .f = &RayStretch::far, .other = &RayStretch::near};
+inline constexpr WallEnd entry_wall{.f = &RayStretch::near, .other_f = &RayStretch::far};
+inline constexpr WallEnd exit_wall{.f = &RayStretch::far, .other_f = &RayStretch::near};
 /// Samples of f in a wall, where f surely keeps its sign at the other ends all over the square:
 /// roots are where f has the other sign in the wall. Nothing where rays may have more of them.
 std::optional<EdgeSamples> wall_samples(SquareStretches stretches, const WallEnd& wall);
-/// The stretch of a ray beside the square's own, by how deep that wall is there.
-RayStretch stretch_at(SquareStretches stretches, const SquareRay& place, const WallEnd& wall);
+/// The stretch of a ray beside the square's own, as deep as planes through their ends are there.
+RayStretch stretch_at(SquareStretches stretches, const SquareRay& place);
 
 /// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.

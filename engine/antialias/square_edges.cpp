@@ -62,7 +62,7 @@ EdgeSamples samples_at_walls(SquareStretches stretches, const CoverSquare& squar
 
 /// Whether a square's stretches are long beside its width: f may come to 0 in them several times.
 bool is_long(const SquareField& field, const CoverSquare& square, const Front& front) {
-    constexpr double most = 4.0;  // fair lengths
+    const double most = square.level < first_one_slope_level ? 4.0 : 12.0;  // fair lengths
     return front.to - front.at > most * field.fair_length(square, front.at);
 }
 
@@ -118,15 +118,15 @@ bool SquareEdges::take_at_walls(std::size_t square, SquareStretches stretches,
         field_.leave_plain(square);
         return false;
     }
-    const bool may_hide = at.level < first_one_slope_level && is_long(field_, at, front);
-    switch (walls_.take_line(square, stretches, corners, rules_of(at, false), may_hide)) {
+    const bool may_fold = at.level < first_flat_level && is_long(field_, at, front);
+    switch (walls_.take_line(square, stretches, corners, rules_of(at, false), may_fold)) {
         case SquareWalls::Choice::None: break;
         case SquareWalls::Choice::Taken: return false;
         case SquareWalls::Choice::Outside: return pass(square);
     }
     const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
     if (signs == Signs::Kept) {
-        if (!may_hide) return pass(square);
+        if (!may_fold) return pass(square);
         field_.divide(square);
         return false;
     }

@@ -95,8 +95,8 @@ public:
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with what is left of the square beside it.
     void keep_rest(std::size_t square, std::size_t surface, const SquareRest& rest);
-    /// Goes on with rays for it instead of the square, from where the stretch with the edge begins:
-    /// more of the surface may be in that.
+    /// Goes on with rays for a rest instead of the square, from where the stretch with the edge
+    /// begins: more of the surface may be in that.
     void divide_whole_rest(std::size_t square, const SquareRest& rest);
     /// Adds the squares of which a rest was kept to `open`.
     void reopen(std::vector<std::size_t>& open);
@@ -126,6 +126,8 @@ private:
     /// Goes on with a part of a square, or with a ray that stands for one.
     void add_part(std::size_t square, const CoverSquare& part);
     void divide_rest(std::size_t square, const SquareRest& rest);
+    /// Goes on with quarters that stand for a rest of nearly all of a square.
+    void divide_nearly_all(std::size_t square, const SquareRest& rest);
 
     const TileRays& rays_;
     std::size_t surfaces_;

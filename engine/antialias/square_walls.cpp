@@ -53,7 +53,7 @@ void SquareWalls::Task::take(SquareStretches stretches) {
 }
 
 auto SquareWalls::take_line(std::size_t square, SquareStretches stretches, CornerStretches corners,
-                            const LineRules& rules, bool may_hide) -> Choice {
+                            const LineRules& rules, bool is_long) -> Choice {
     const Front& front = field_.fronts(square)[surface_];
     const bool all_enter = front.inside_from <= front.inside_to;
     if (front.kinked || !all_enter || !are_ends_even(stretches, corners)) return Choice::None;
@@ -62,20 +62,27 @@ auto SquareWalls::take_line(std::size_t square, SquareStretches stretches, Corne
         if (!samples) continue;
         const auto line = fit_edge(*samples, rules.error, rules.flat_too);
         if (line && !is_cut(*line, corners))
-            return take_part(square, stretches, *samples, *line, wall, may_hide);
+            return take_part(square, stretches, *samples, *line, is_long);
     }
     return Choice::None;
 }
 
 auto SquareWalls::take_part(std::size_t square, SquareStretches stretches,
-                            const EdgeSamples& samples, const LinearOnSquare& line,
-                            const WallEnd& wall, bool may_hide) -> Choice {
+                            const EdgeSamples& samples, const LinearOnSquare& line, bool is_long)
+    -> Choice {
     const SquarePart part = part_below_zero(line);
-    if (!(part.share > 0.0)) return may_hide ? Choice::None : Choice::Outside;
+    // Rays tell too little of a large rest, and not which of several surfaces is first.
+    const bool is_pixel = field_.square(square).level == 0;
+    const bool is_small = part.share < (is_pixel ? 0.5 : 0.01);
+    if (is_long && (is_small || !field_.is_of_one_surface())) {
+        field_.divide(square);
+        return Choice::Taken;
+    }
+    if (!(part.share > 0.0)) return Choice::Outside;
     const CoverSquare& at = field_.square(square);
     const SquareRay middle{.x = part.x, .y = part.y};
     if (samples.roots() == 0) {
-        const RayStretch stretch = stretch_at(stretches, middle, wall);
+        const RayStretch stretch = stretch_at(stretches, middle);
         drafts_.add(at, middle, part.share, stretch.from, stretch.to, Certificate::Certified);
     } else {
         const std::size_t nearest = samples.nearest_hit(middle);
@@ -85,7 +92,7 @@ auto SquareWalls::take_part(std::size_t square, SquareStretches stretches,
     }
     const SquareRest rest{
         .share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()};
-    if (may_hide) {
+    if (is_long) {
         field_.divide_whole_rest(square, rest);
     } else {
         field_.keep_rest(square, surface_, rest);

@@ -23,12 +23,13 @@ public:
                 SampleDrafts& drafts, Counters& counters)
         : frame_(frame), surface_(surface), field_(field), drafts_(drafts), counters_(counters) {}
 
-    /// What becomes of a square: it is left to others, decided here, or nothing is seen in it.
+    /// What becomes of a square: it is left to others, decided or sought in here, or nothing is
+    /// seen in it.
     enum class Choice : std::uint8_t { None, Taken, Outside };
     /// Decides a square that all rays enter, or leave, by one wall, where the edge in that is a
-    /// line. `may_hide`: f may come to 0 and go away again between the ends of its stretches.
+    /// line. `is_long`: f may come to 0 and go away again between the ends of its stretches.
     Choice take_line(std::size_t square, SquareStretches stretches, CornerStretches corners,
-                     const LineRules& rules, bool may_hide);
+                     const LineRules& rules, bool is_long);
     /// Adds a square in which a wall may be sought.
     /// `corners`: the stretches of these rays within the clip region; `fit`: the edge without the
     /// wall, where it is known.
@@ -63,7 +64,7 @@ private:
         WallWay* way;
     };
     Choice take_part(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
-                     const LinearOnSquare& line, const WallEnd& wall, bool may_hide);
+                     const LinearOnSquare& line, bool is_long);
     /// Searches the ways of all tasks.
     void narrow();
     void show(const Task& task, const LinearOnSquare& line);

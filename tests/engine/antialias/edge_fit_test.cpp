@@ -111,7 +111,7 @@ TEST(EdgeFit, AWallCutsWhereFHasTheOtherSignInIt) {
                 Five five = stretches_of(far_from_zero, far_from_zero);
                 for (std::size_t i = 0; i < square_ray_count; ++i) {
                     five[i].*wall.f = sign * in_wall.at(square_rays[i]);
-                    five[i].*wall.other *= sign;
+                    five[i].*wall.other_f *= sign;
                 }
                 const auto samples = wall_samples(five, wall);
                 ASSERT_TRUE(samples);
@@ -153,7 +153,7 @@ TEST(EdgeFit, AWallTellsNothingWhereFIsNotSureBesideIt) {
 TEST(EdgeFit, ARayBesideTheOthersEndsInTheSameWall) {
     const Five five = stretches_from_wall(9.0);
     const SquareRay place{.x = 0.75, .y = -0.5};
-    const RayStretch stretch = stretch_at(five, place, entry_wall);
+    const RayStretch stretch = stretch_at(five, place);
     EXPECT_NEAR(stretch.from, entry.at(place), 1e-12);
     EXPECT_EQ(stretch.to, 9.0);
 }

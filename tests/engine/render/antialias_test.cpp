@@ -144,6 +144,36 @@ TEST(Antialias, IsNearToManyRaysWhereCornersOfPixelsEnterBehindASheet) {
               0U);
 }
 
+/// Edges in walls of the clip box, beside which another surface is seen, another sheet of the same
+/// one, or nearly all of a pixel that is told by quarters.
+TEST(Antialias, LosesNothingBesideEdgesInWalls) {
+    const auto lost = [](const Scene& scene, const Camera& camera, int width, int height) {
+        const auto picture = [&](Antialias antialias, int scale) {
+            Framebuffer frame(scale * width, scale * height);
+            TraceSettings settings;
+            settings.antialias = antialias;
+            render_frame(scene, camera, settings, frame);
+            return frame;
+        };
+        return different_pixels(picture(Antialias::Beams, 1),
+                                averaged(picture(Antialias::Rays16, 4), 4), 40);
+    };
+    Scene scene = scene_of("sin(5.785x) = 0.2079z", Box::cube(0.7099));
+    scene.surfaces.push_back(scene_of("y = 0.3x", scene.clip).surfaces.front());
+    Camera camera = default_camera(scene.clip);
+    camera.eye = {-1.967, 2.65, 2.647};
+    camera.look_at = {0, 0, 0};
+    camera.fov_rad = glm::radians(42.0);
+    camera.projection = Projection::Orthographic;
+    EXPECT_EQ(lost(scene, camera, 300, 300), 0U);
+    const Scene waves = scene_of("sin(5.265x) sin(1.563y) = 1.427z", Box::cube(2));
+    EXPECT_EQ(lost(waves, default_camera(waves.clip), 160, 120), 0U);
+    const Scene sheets = scene_of("sin(8.613x) + sin(8.681y) + sin(8.613z) = 0", Box::cube(0.9969));
+    camera.eye = {0.07498, 2.356, -1.495};
+    camera.projection = Projection::Perspective;
+    EXPECT_LE(lost(sheets, camera, 100, 100), 1U);
+}
+
 /// In the middle of this asterisk a sheet and its back lie close behind each other, in a long
 /// stretch of rays at whose both ends f has one sign.
 TEST(Antialias, LeavesNoHoleWhereASheetAndItsBackAreInOneStretch) {
