@@ -46,8 +46,6 @@ inline constexpr double first_widths = 8.0;
 inline constexpr double cell_margin = 1.0 / 1024;
 /// How well roots are known, in pixels' widths.
 inline constexpr double root_error = 1.0 / 1024;
-/// Of more of a square than this, beside an edge, its quarters tell, not some of its rays.
-inline constexpr double nearly_all = 0.9;
 /// Less of a square is not worth a search.
 inline constexpr double least_share = 1e-3;
 

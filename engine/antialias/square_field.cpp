@@ -138,14 +138,6 @@ void SquareField::divide_whole_rest(std::size_t square, const SquareRest& rest) 
     if (rest.share > least_share) divide_rest(square, rest);
 }
 
-void SquareField::divide_nearly_all(std::size_t square, const SquareRest& rest) {
-    for (const SquareRay& middle : std::span(square_rays).subspan(1)) {
-        CoverSquare part = in_.squares[square].quarter(middle);
-        part.area *= rest.share;
-        add_part(square, part);
-    }
-}
-
 void SquareField::reopen(std::vector<std::size_t>& open) {
     open.insert(open.end(), in_.reopened.begin(), in_.reopened.end());
     in_.reopened.clear();
@@ -153,8 +145,6 @@ void SquareField::reopen(std::vector<std::size_t>& open) {
 
 void SquareField::divide_rest(std::size_t square, const SquareRest& rest) {
     const CoverSquare& at = in_.squares[square];
-    if (at.level < first_flat_level && rest.share > nearly_all)
-        return divide_nearly_all(square, rest);
     const auto count = static_cast<double>(std::ranges::count(rest.misses, true));
     // Where the rest is large, or not known, several rays stand for it.
     const bool is_large = at.level == 0 || (at.level == 1 && rest.share > 0.5);

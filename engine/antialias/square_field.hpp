@@ -126,8 +126,6 @@ private:
     /// Goes on with a part of a square, or with a ray that stands for one.
     void add_part(std::size_t square, const CoverSquare& part);
     void divide_rest(std::size_t square, const SquareRest& rest);
-    /// Goes on with quarters that stand for a rest of nearly all of a square.
-    void divide_nearly_all(std::size_t square, const SquareRest& rest);
 
     const TileRays& rays_;
     std::size_t surfaces_;

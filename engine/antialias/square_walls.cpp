@@ -73,8 +73,9 @@ auto SquareWalls::take_part(std::size_t square, SquareStretches stretches,
     const SquarePart part = part_below_zero(line);
     // Rays tell too little of a large rest, and not which of several surfaces is first.
     const bool is_pixel = field_.square(square).level == 0;
+    const bool is_sliver = is_pixel && part.share > 0.0 && part.share < 0.02;
     const bool is_small = part.share < (is_pixel ? 0.5 : 0.01);
-    if (is_long && (is_small || !field_.is_of_one_surface())) {
+    if (is_sliver || (is_long && (is_small || !field_.is_of_one_surface()))) {
         field_.divide(square);
         return Choice::Taken;
     }
