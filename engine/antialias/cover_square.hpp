@@ -18,6 +18,10 @@ struct SquareRest {
     /// A place that stands for it.
     [[nodiscard]] SquareRay middle() const;
 };
+/// All of a square but a part with an edge that these rays go beside.
+inline SquareRest rest_beside(const SquarePart& part, const SquareRayFlags& misses) {
+    return {.share = 1.0 - part.share, .part = part.rest(), .misses = misses};
+}
 
 /// A square part of a pixel, or a ray that stands for a part.
 struct CoverSquare {

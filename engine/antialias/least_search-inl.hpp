@@ -120,8 +120,8 @@ public:
     [[nodiscard]] HWY_INLINE V<double> near_change_at(std::size_t i) const {
         return load(near_change_ + i);
     }
-    /// Whether f falls at both ends, to its least at the far one, but so steeply that it does not
-    /// fall between them all the way, as the cubic tells that the ends make.
+    /// Whether f falls at both ends, to its least at the far one, but so steeply that the cubic
+    /// through the ends may rise between them [Fritsch and Carlson 1980].
     [[nodiscard]] HWY_INLINE M<double> wavers_at(std::size_t i) const;
     /// How f bends where it is least within.
     [[nodiscard]] HWY_INLINE Bends bends_at(std::size_t i) const;

@@ -201,8 +201,7 @@ bool SquareEdges::take_found_line(std::size_t square, std::size_t i) {
     SquareRayFlags misses{};
     for (std::size_t k = 0; k < square_ray_count; ++k)
         misses[k] = (hits >> k & 1U) == 0;
-    field_.keep_rest(square, surface_,
-                     {.share = 1.0 - part.share, .part = part.rest(), .misses = misses});
+    field_.keep_rest(square, surface_, rest_beside(part, misses));
     return false;
 }
 
@@ -225,8 +224,7 @@ bool SquareEdges::take_line(std::size_t square, SquareStretches stretches,
     const RayRoot root = samples.bracket(stretches, nearest);
     drafts_.add(at, is_sure ? middle : square_rays[nearest], part.share, root.from, root.to,
                 Certificate::Certified);
-    field_.keep_rest(square, surface_,
-                     {.share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()});
+    field_.keep_rest(square, surface_, rest_beside(part, samples.misses()));
     return false;
 }
 

@@ -91,8 +91,7 @@ auto SquareWalls::take_part(std::size_t square, SquareStretches stretches,
         drafts_.add(at, square_rays[nearest], part.share, root.from, root.to,
                     Certificate::Certified);
     }
-    const SquareRest rest{
-        .share = 1.0 - part.share, .part = part.rest(), .misses = samples.misses()};
+    const SquareRest rest = rest_beside(part, samples.misses());
     if (is_long) {
         field_.divide_whole_rest(square, rest);
     } else {
@@ -173,8 +172,7 @@ void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
     const SquarePart part = part_below_zero(line);
     drafts_.add(field_.square(task.square), task.shown, part.share, task.from, task.to,
                 Certificate::Certified);
-    field_.keep_rest(task.square, surface_,
-                     {.share = 1.0 - part.share, .part = part.rest(), .misses = task.misses});
+    field_.keep_rest(task.square, surface_, rest_beside(part, task.misses));
 }
 
 void SquareWalls::decide() {

@@ -9,7 +9,7 @@ constexpr const char* avcodec_file = "libavcodec.so." AV_STRINGIFY(LIBAVCODEC_VE
 constexpr const char* avformat_file = "libavformat.so." AV_STRINGIFY(LIBAVFORMAT_VERSION_MAJOR);
 constexpr const char* avutil_file = "libavutil.so." AV_STRINGIFY(LIBAVUTIL_VERSION_MAJOR);
 
-/// What dlopen or dlsym just failed with.
+/// The message of the call of dlopen or dlsym that just failed.
 std::string last_error() {
     const char* const text = dlerror();  // NOLINT(concurrency-mt-unsafe): glibc has one a thread
     return text == nullptr ? "unknown error" : text;

@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 
-// What the program and its module zeroset_gdcm.so share: GDCM with one function in front of it. The
+// The function that the program calls in its module zeroset_gdcm.so, which has GDCM behind it. The
 // module has nothing else of the program.
 
 namespace zeroset {
 
 enum class GdcmOutcome : std::uint8_t { None, Done, Unreadable, NoNumbers, OtherCount };
 
-/// What is told of samples that were unpacked.
+/// How unpacking some samples ended.
 struct GdcmReport {
     GdcmOutcome outcome = GdcmOutcome::None;
     int bits_allocated = 0, bits_stored = 0;
