@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/scripts/build.sh"
 
 install_packages run
-configure_and_build release zeroset 5
+configure_and_build release zeroset
 zeroset=$build/zeroset
 
 if (($#)) || [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then

@@ -5,5 +5,5 @@ set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/scripts/build.sh"
 
 install_packages run test
-configure_and_build test all 9
+configure_and_build test all
 exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@"

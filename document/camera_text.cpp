@@ -52,7 +52,7 @@ std::expected<glm::dvec3, std::string> point_of(std::string_view text) {
 }
 
 /// A camera as it is read part by part.
-struct Reading {
+struct CameraReading {
     Camera camera;
     bool has_eye = false;
     std::optional<double> height = std::nullopt;
@@ -61,7 +61,7 @@ struct Reading {
     std::optional<std::string> take(std::string_view word, std::string_view value);
 };
 
-std::optional<std::string> Reading::take(std::string_view word, std::string_view value) {
+std::optional<std::string> CameraReading::take(std::string_view word, std::string_view value) {
     for (const auto& [name, member] : points) {
         if (word != name) continue;
         const auto point = point_of(value);
@@ -110,7 +110,7 @@ bool looks_like_camera(std::string_view text) {
 }
 
 std::expected<Camera, std::string> read_camera_text(std::string_view text, const Camera& base) {
-    Reading reading{.camera = base};
+    CameraReading reading{.camera = base};
     for (const std::string_view part : split(text, ';')) {
         const std::size_t end = part.find_first_of(" =");
         const std::string_view value =

@@ -5,7 +5,9 @@
 #include "engine/real/rounding.hpp"
 #include "engine/real/sleef.hpp"
 #include "jit/kernel_cache.hpp"
-#include "jit/orc.hpp"
+#include "jit/llvm_module.hpp"
+
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
@@ -20,19 +22,30 @@
 namespace zeroset::jit {
 namespace {
 
-/// The result of `work()`, run on a large stack.
+/// The result of `work()`, an expected value, run on a thread with a stack large enough for LLVM on
+/// a deep graph.
 template <class Work>
-auto on_large_stack(Work work) {
+auto on_large_stack(Work work) -> decltype(work()) {
+    constexpr std::size_t stack_bytes = std::size_t{256} << 20U;
     struct Call {
         Work& work;
         std::optional<decltype(work())> result;
     } call{work, {}};
-    run_on_large_stack(
-        [](void* argument) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, stack_bytes);
+    pthread_t thread{};
+    const int error = pthread_create(
+        &thread, &attributes,
+        [](void* argument) -> void* {
             auto& c = *static_cast<Call*>(argument);
             c.result.emplace(c.work());
+            return nullptr;
         },
         &call);
+    pthread_attr_destroy(&attributes);
+    if (error != 0) return std::unexpected(CompileError{"there is no memory for a thread"});
+    pthread_join(thread, nullptr);
     return std::move(*call.result);
 }
 
@@ -76,12 +89,10 @@ struct Piece {
         const char* const how = hasty ? "hasty " : "";
         return how + std::to_string(vector.lanes) + type + symbol_of(kind) + ":" + expr.key();
     }
-    [[nodiscard]] Lowering lowering(const Expr& expr) const {
-        return lowering_of(expr, vector, kind);
+    [[nodiscard]] WantedCode wanted(const Expr& expr) const {
+        return {.expr = expr, .vectors = vector, .kind = kind, .hasty = hasty};
     }
 };
-
-using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
 
 /// The code with the fields that it asks, which it only points to; the cache keeps no field.
 std::shared_ptr<const MachineCode> with_fields(std::shared_ptr<const MachineCode> code,
@@ -100,9 +111,11 @@ std::shared_ptr<const MachineCode> with_fields(std::shared_ptr<const MachineCode
 Code cached_code(const Expr& expr, const Piece& piece) {
     std::string key = piece.key(expr);
     if (auto known = cache().find(key)) return with_fields(std::move(known), expr);
+    const auto& llvm = llvm_module();
+    if (!llvm) return std::unexpected(llvm.error());
     auto code = on_large_stack([&] {
         const NearestRounding guard;
-        return make_code(piece.lowering(expr), symbol_of(piece.kind), piece.hasty);
+        return (*llvm)->make(piece.wanted(expr));
     });
     if (!code) return code;
     cache().insert(std::move(key), *code);
@@ -278,12 +291,13 @@ std::expected<KernelFunction<Batch>, CompileError> compiled_in_double(const Expr
     return function;
 }
 
-using Print = std::expected<std::string, CompileError> (*)(const Lowering&);
+using Print = CodeText (*)(const WantedCode&);
 
-std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
-                                                 const CompileOptions& options) {
+CodeText printed(Print LlvmModule::* print, const Expr& expr, const CompileOptions& options) {
     const auto vectors = usable_vectors(options);
     if (!vectors) return std::unexpected(vectors.error());
+    const auto& llvm = llvm_module();
+    if (!llvm) return std::unexpected(llvm.error());
     std::vector<VectorKind> vector_kinds{vectors->in_float};
     if (options.with_double) vector_kinds.push_back(vectors->in_double);
     std::string text;
@@ -292,7 +306,7 @@ std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
             const bool always_double = kind == KernelKind::RayValue;
             if (always_double && vector.type == RealType::Float) continue;
             const Piece piece{.vector = vector, .kind = kind};
-            const auto code = on_large_stack([&] { return print(piece.lowering(expr)); });
+            const auto code = on_large_stack([&] { return ((*llvm)->*print)(piece.wanted(expr)); });
             if (!code) return code;
             text += *code;
         }
@@ -368,11 +382,11 @@ std::expected<KernelFunction<ValueBatchOf<double>>, CompileError> compile_values
 }
 
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options) {
-    return printed(print_ir, expr, options);
+    return printed(&LlvmModule::ir, expr, options);
 }
 
 std::expected<std::string, CompileError> assembly(const Expr& expr, const CompileOptions& options) {
-    return printed(print_assembly, expr, options);
+    return printed(&LlvmModule::assembly, expr, options);
 }
 
 }  // namespace zeroset::jit

@@ -4,6 +4,7 @@
 #include "engine/kernel/kernel.hpp"
 
 #include <expected>
+#include <optional>
 #include <string>
 
 namespace zeroset::jit {
@@ -59,6 +60,13 @@ std::expected<KernelFunction<ValueBatchOf<double>>, CompileError> compile_values
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
 std::expected<std::string, CompileError> assembly(const Expr& expr,
                                                   const CompileOptions& options = {});
+
+/// Whether code can be made: false where LLVM, a module beside the program, cannot be loaded. The
+/// first call loads it, which takes about 80 ms. Thread-safe.
+bool can_compile();
+
+/// One line on why no code can be made, once it was tried; nothing before, and where it can.
+std::optional<std::string> missing_code();
 
 /// Forgets all code, so that everything is compiled anew; for measurements.
 void forget_code();

@@ -17,7 +17,7 @@ namespace zeroset {
 namespace {
 
 // LLVM takes about 0.1 ms for a node where only values are compiled.
-constexpr std::size_t most_nodes = 4'000;
+constexpr std::size_t most_nodes_of_code = 4'000;
 
 /// `missing`: the error where there is none.
 std::expected<Expr, InputError> expression_of(const std::string& text, const RowProgram& rows,
@@ -42,7 +42,7 @@ Expr shape_of(ColorBy by, const Expr& f) {
 }
 
 PointFunction code_of(const Expr& expr) {
-    if (expr.nodes().size() <= most_nodes) {
+    if (expr.nodes().size() <= most_nodes_of_code) {
         if (auto code = jit::compile_points(expr)) return std::move(*code);
     }
     return interpret_points(expr);

@@ -25,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // LLVM takes 0.4 to 1 ms and 25 kB for each node.
-constexpr std::size_t most_nodes = 8'000;
+constexpr std::size_t most_nodes_compiled = 8'000;
 
 /// The first of the uniforms of a surface's thickness, among the parameters.
 std::size_t thickness_at(const Formula& formula, std::size_t surface) {
@@ -66,8 +66,10 @@ CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Preparation h
     for (const Expr& surface : surfaces) {
         if (!has_many_choices(surface)) nodes += surface.nodes().size();
     }
-    if (nodes > most_nodes) return CodeState::Interpreted;
-    if (how == Preparation::Compiled || surfaces.empty()) return CodeState::Machine;
+    if (nodes > most_nodes_compiled) return CodeState::Interpreted;
+    if (surfaces.empty()) return CodeState::Machine;
+    if (how == Preparation::Compiled)
+        return jit::can_compile() ? CodeState::Machine : CodeState::Interpreted;
     if (how == Preparation::Interpreted) return CodeState::InterpretedFirst;
     return is_compiled(surfaces, use) ? CodeState::Machine : CodeState::InterpretedFirst;
 }
@@ -183,9 +185,13 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
 std::expected<Formula, InputError> with_machine_code(const Formula& formula, CodeUse use,
                                                      Precision precision) {
     const auto start = Clock::now();
+    Formula result = formula;
+    if (!implicit_surfaces(formula).empty() && !jit::can_compile()) {
+        result.code = CodeState::Interpreted;
+        return result;
+    }
     auto kernels = machine_code(formula, use, precision);
     if (!kernels) return std::unexpected(kernels.error());
-    Formula result = formula;
     for (std::size_t i = 0; i < kernels->size(); ++i) {
         if (is_patch(formula.drawn[i])) continue;
         (*kernels)[i].witnesses = formula.kernels[i].witnesses;
@@ -223,6 +229,11 @@ double steps_left(const Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i)
         steps += steps_left(formula.drawn[i], formula.kernels[i], formula.region);
     return steps;
+}
+
+std::string note_on_code(const Formula& formula) {
+    if (formula.code != CodeState::Interpreted) return {};
+    return jit::missing_code().value_or("large: interpreted");
 }
 
 bool is_preview(const Formula& formula) {

@@ -90,6 +90,9 @@ double steps_left(const Formula& formula);
 /// if that cannot be made. Takes as long as making the code in float. Thread-safe.
 Formula with_double(const Formula& formula);
 
+/// What is to be told of the formula's code, a short line; nothing where it is as expected.
+std::string note_on_code(const Formula& formula);
+
 /// True if machine code will be ready before a full picture without it would be of use.
 bool is_preview(const Formula& formula);
 

@@ -184,6 +184,7 @@ void FormulaJob::drawn() {
 }
 
 void FormulaJob::compile_more() {
+    jit::can_compile();  // while nothing is to be compiled yet
     std::unique_lock lock(mutex_);
     while (!stop_) {
         if (deep_ != nullptr) {

@@ -18,17 +18,17 @@ namespace zeroset {
 namespace {
 
 // LLVM takes about 1 ms for a node; larger graphs are interpreted.
-constexpr std::size_t most_nodes = 3'000;
+constexpr std::size_t most_nodes_of_mesh_code = 3'000;
 
 KernelFunction<RangeBatchOf<double>> ranges_of(const Expr& expr) {
-    if (expr.nodes().size() <= most_nodes) {
+    if (expr.nodes().size() <= most_nodes_of_mesh_code) {
         if (auto code = jit::compile_ranges(expr)) return std::move(*code);
     }
     return interpret(expr).in_double.range;
 }
 
 KernelFunction<ValueBatchOf<double>> values_of(const Expr& expr) {
-    if (expr.nodes().size() <= most_nodes) {
+    if (expr.nodes().size() <= most_nodes_of_mesh_code) {
         if (auto code = jit::compile_values(expr)) return std::move(*code);
     }
     return interpret(expr).in_double.value;

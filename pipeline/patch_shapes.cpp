@@ -152,7 +152,7 @@ glm::dvec3 aside_of(const std::array<Expr, 3>& tangent) {
 
 /// The names of a formula's parameters and of uniforms behind them up to those of a thickness.
 std::vector<std::string> names_of(const Expr& graph, std::size_t thickness) {
-    std::vector<std::string> names(graph.parameters().begin(), graph.parameters().end());
+    std::vector<std::string> names = graph.parameter_names();
     names.resize(std::max(names.size(), thickness + thickness_uniforms), "thickness");
     return names;
 }

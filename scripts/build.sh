@@ -87,13 +87,22 @@ configure() {
     cp -- "$root/CMakePresets.json" "$build/configured_presets.json"
 }
 
-# Reports every half minute the progress of a build whose output goes to a log.
+# Reports every half minute the progress of a build whose output goes to a log, and the time left if
+# the steps to come take as long as those before.
 tell_progress() {
-    local log=$1 step
+    local log=$1 step built total left start=$SECONDS
     # sleep does not inherit this script's output, so that a reader of that does not wait for sleep.
     while sleep 30 >/dev/null 2>&1; do
         step=$(grep -o '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 1 || true)
-        [[ -z $step ]] || say "built ${step:1:-1}"
+        [[ $step =~ ^.([0-9]+)/([0-9]+) ]] || continue
+        built=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+        ((built > 0)) || continue
+        left=$(((SECONDS - start) * (total - built) / built))
+        if ((left < 60)); then
+            say "built $built of $total steps, less than a minute left"
+        else
+            say "built $built of $total steps, about $(((left + 30) / 60)) min left"
+        fi
     done
 }
 
@@ -113,7 +122,7 @@ build_telling_progress() {
 
 # Builds a target of a preset on all cores; silent if there is nothing to do.
 configure_and_build() {
-    local preset=$1 target=$2 minutes=$3
+    local preset=$1 target=$2
     configure "$preset"
     local ninja=(ninja -C "$build")
     # The first call updates build.ninja. The dry run names it by an absolute path, which is not a
@@ -121,7 +130,7 @@ configure_and_build() {
     quietly "$build/build.log" "${ninja[@]}" --quiet build.ninja ||
         die "cmake failed; its output is above and in $build/build.log"
     [[ $("${ninja[@]}" -f "$build/build.ninja" -n "$target") == *"no work to do"* ]] && return
-    say "building (first time takes about $minutes minutes)…"
+    say "building; the time left is told every half minute"
     build_telling_progress "$build/build.log" "${ninja[@]}" "$target" ||
         die "the build failed; its output is above and in $build/build.log"
 }

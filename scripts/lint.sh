@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks how the code is written, after a build: clang-format, shellcheck, pyflakes, clang-tidy over
+# Checks how the code is written: clang-format, shellcheck, pyflakes, clang-tidy over
 # those sources of the program that the last commits changed, and whether the tests and headers that
 # these changed include what they use. (clang-tidy over all takes a quarter of an hour: scripts/tidy.sh,
 # and scripts/tidy.sh tests.) Prints what they find; exits 1 if they find anything. packages.txt lists
@@ -15,18 +15,11 @@ changed() {
         git ls-files -- "$@"
     fi
 }
-# Prints the sources of the program that changed.
-changed_sources() {
-    changed '*.cpp' ':!tests' | while IFS= read -r source; do
-        # Some are of other builds only, such as those without a library.
-        if grep -qF "/$source\"" build/release/compile_commands.json; then printf '%s\n' "$source"; fi
-    done
-}
 # Prints the tests that changed, and the headers that did so without the source of their name, which
-# begins with them. The build gives all of them precompiled headers, clang-tidy none.
+# begins with them. Headers that end in -inl are included after others on purpose.
 changed_without_tidy() {
     changed 'tests/*.cpp'
-    changed '*.hpp' | while IFS= read -r header; do
+    changed '*.hpp' ':!*-inl.hpp' | while IFS= read -r header; do
         [[ -n $(changed "${header%.hpp}.cpp") ]] || printf '%s\n' "$header"
     done
 }
@@ -39,8 +32,8 @@ result=0
 git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 --dry-run --Werror || result=1
 git grep -lzE '^(#!.*[/ ](ba)?sh$|# shellcheck shell=)' | xargs -0 shellcheck || result=1
 git ls-files -z '*.py' | xargs -0 pyflakes3 || result=1
-mapfile -t sources < <(changed_sources)
+mapfile -t sources < <(changed '*.cpp' ':!tests')
 ((${#sources[@]} == 0)) || scripts/tidy.sh "${sources[@]}" || result=1
 mapfile -t alone < <(changed_without_tidy)
-((${#alone[@]} == 0)) || scripts/includes.py "${alone[@]}" || result=1
+((${#alone[@]} == 0)) || scripts/tidy.sh --alone "${alone[@]}" || result=1
 exit "$result"

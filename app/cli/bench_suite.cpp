@@ -19,7 +19,7 @@
 namespace zeroset {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// The value of w for surfaces of a suite file.
 constexpr double suite_w = 0.5;

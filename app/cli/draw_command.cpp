@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 /// How long to wait for a drawing beyond its budget, as LLVM cannot be interrupted.
-constexpr auto patience = std::chrono::seconds(2);
+constexpr auto drawing_patience = std::chrono::seconds(2);
 
 /// A drawing being made. The thread that makes it shares its ownership and may outlive the command.
 struct DrawJob {
@@ -171,7 +171,7 @@ int run_draw(const DrawCommand& command) {
     job->start = start;
     if (const auto message = first_unwritable({command.output, command.stats}))
         return report_run_time(*message);
-    const auto last = until_after(start, job->budget_s) + patience;
+    const auto last = until_after(start, job->budget_s) + drawing_patience;
     if (!finish_until(last, job->progress, [job] { work_on(*job); })) {
         job->cancel = true;
         end_process(finish(command, *job, stuck_drawing(*job)));

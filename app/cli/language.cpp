@@ -28,7 +28,7 @@ std::string picture(const HelpEntry& entry) {
     const Function* const function = find_function(name);
     const bool is_shape = function != nullptr && entry.typed.size() > name.size() &&
                           !entry.typed.contains('"') &&
-                          (function->section == WordSection::Shapes || function->is_noise());
+                          (function->section == WordSection::Bodies || function->is_noise());
     return is_shape ? " ![" + name + "](shapes/" + name + ".png)" : std::string();
 }
 

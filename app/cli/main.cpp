@@ -13,6 +13,7 @@
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
 #include "engine/volume/files/mapped_file.hpp"
+#include "jit/compile.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -306,7 +307,11 @@ int run(int argc, char** argv) {
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
     on_lost_pages(app.get_subcommands().empty() ? fill_lost_pages : end_if_lost);
     for (const auto& [subcommand, run_subcommand] : subcommands) {
-        if (*subcommand) return run_subcommand();
+        if (!*subcommand) continue;
+        const int result = run_subcommand();
+        const auto missing = jit::missing_code();
+        if (missing && result == exit_ok) std::cerr << "note: " << *missing << '\n';
+        return result;
     }
     return open_window(window);
 }
@@ -315,8 +320,9 @@ int run(int argc, char** argv) {
 }  // namespace zeroset
 
 int main(int argc, char** argv) {
-    if (!__builtin_cpu_supports("sse4.2")) {
-        std::cerr << "error: Zeroset needs a processor with SSE4.2\n";
+    if (!__builtin_cpu_supports("sse4.2") || !__builtin_cpu_supports("aes") ||
+        !__builtin_cpu_supports("pclmul")) {
+        std::cerr << "error: Zeroset needs a processor with SSE4.2, AES and PCLMULQDQ\n";
         return zeroset::exit_run_time;
     }
     return zeroset::run(argc, argv);

@@ -25,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How long to wait for a picture beyond its budget, as LLVM cannot be interrupted.
-constexpr auto patience = std::chrono::seconds(1);
+constexpr auto picture_patience = std::chrono::seconds(1);
 
 // Divisors of the time left: finding the range of the colours and finding the surfaces' extent each
 // may take 1 / share of it.
@@ -222,7 +222,7 @@ RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
         drawing->picture.frame.keep_planes(needs_normals(plan.picture));
     drawing->start = start;
     drawing->until = until_after(start, plan.budget_s);
-    const auto last = is_one_frame(plan) ? drawing->until + patience : TimeLimit::never;
+    const auto last = is_one_frame(plan) ? drawing->until + picture_patience : TimeLimit::never;
     if (finish_until(last, drawing->progress, [drawing] { draw(*drawing); })) {
         return {.picture = std::shared_ptr<const RenderedPicture>(drawing, &drawing->picture)};
     }

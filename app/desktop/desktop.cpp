@@ -34,7 +34,7 @@ namespace zeroset {
 namespace {
 
 /// Time between steps of a playing slider that moves no picture.
-constexpr double frame_s = 1.0 / 60.0;
+constexpr double slider_frame_s = 1.0 / 60.0;
 /// Full pictures quicker than this are waited for before a playing slider moves on.
 constexpr double quick_ms = 30.0;
 /// Longest step of a playing slider, after a frame that took long.
@@ -44,15 +44,6 @@ constexpr double export_shown_s = 0.1;
 
 bool plays_film(const ui::ExportPage& page) {
     return page.open && page.plays && page.wish.kind == ExportKind::Film;
-}
-
-std::string note_of(CodeState code) {
-    switch (code) {
-        case CodeState::Machine:
-        case CodeState::InterpretedFirst: return {};
-        case CodeState::Interpreted: return "large: interpreted";
-    }
-    return {};
 }
 
 Language wanted_language(const ui::UiState& state, Language of_desktop) {
@@ -229,7 +220,7 @@ std::optional<double> Desktop::due_s() const {
     due_in(wait_notice_.due_s(now_s()));
     due_in(inspector_.due_s(now_s()));
     if (!state_.edited.playing.empty() && !waits_for_picture())
-        due_in(std::max(played_s_ + frame_s - now_s(), 0.0));
+        due_in(std::max(played_s_ + slider_frame_s - now_s(), 0.0));
     return due;
 }
 
@@ -262,7 +253,7 @@ void Desktop::show(const FormulaResult& result) {
     for (const ThickSurface& thick : feed_.formula()->thick)
         reading.thick_rows.push_back(feed_.formula()->surface_rows[thick.surface]);
     histograms_.follow(*result.reading.program);
-    state_.shown.status.note = note_of(feed_.formula()->code);
+    state_.shown.status.note = note_on_code(*feed_.formula());
     session_.amend([&](Document& document) {
         choose_colors(document, result.reading.surface_rows);
         for (const auto& [name, volume] : histograms_.wanted())

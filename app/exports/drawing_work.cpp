@@ -14,7 +14,7 @@ namespace zeroset {
 namespace {
 
 /// Seconds after which no more lines are looked for.
-constexpr double budget_s = 30.0;
+constexpr double drawing_budget_s = 30.0;
 constexpr double least_width_pt = 0.01;
 constexpr double points_per_mm = 72.0 / 25.4;
 
@@ -59,7 +59,7 @@ std::expected<std::shared_ptr<const LineDrawing>, std::string> make_drawing(
         .hidden = wish.hidden != ui::DrawingExport::Hidden::Remove,
         .tolerance_pt = wish.tolerance_pt};
     const TimeLimit limit{.cancel = &news.cancel,
-                          .until = until_after(TimeLimit::Clock::now(), budget_s)};
+                          .until = until_after(TimeLimit::Clock::now(), drawing_budget_s)};
     const auto scene = drawing_scene(subject.document, subject.rows(), choice, limit);
     if (!scene) return std::unexpected(scene.error().reason);
     LineDrawing drawing = line_drawing(*scene, limit);

@@ -20,10 +20,6 @@ constexpr std::chrono::milliseconds between_pictures(120);
 /// Before, a rate says nothing.
 constexpr double rate_from_s = 0.3;
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 std::string clock_text(double seconds) {
@@ -42,7 +38,7 @@ void ExportNews::enter(std::string stage, std::uint64_t parts, std::string unit)
     const std::scoped_lock lock(mutex_);
     stage_ = std::move(stage);
     unit_ = std::move(unit);
-    begun_ = Clock::now();
+    begun_ = now_();
     parts_ = parts;
     done_ = 0;
 }
@@ -51,7 +47,7 @@ void ExportNews::show(const Framebuffer& frame, int row, int rows) {
     const bool last = row + frame.height >= rows;
     {
         const std::scoped_lock lock(mutex_);
-        const auto now = Clock::now();
+        const auto now = now_();
         if (row == 0 && last && now < shown_ + between_pictures) return;
         shown_ = now;
         take_over(frame, row, rows, shown_px, picture_);
@@ -71,7 +67,7 @@ std::string ExportNews::text() const {
     const std::uint64_t parts = parts_;
     const std::uint64_t done = std::min(done_.load(), parts);
     if (parts == 0) return stage_;
-    const double seconds = seconds_since(begun_);
+    const double seconds = std::chrono::duration<double>(now_() - begun_).count();
     std::string text =
         unit_.empty() ? std::to_string(100 * done / parts) + " %"
                       : filled(tr("{0} {1} of {2}"),

@@ -16,8 +16,12 @@ namespace zeroset {
 /// How far an export is. Written by the threads that work, read by the window's. Any thread.
 class ExportNews {
 public:
-    /// `wake` is called when there is a new picture.
-    explicit ExportNews(std::function<void()> wake) : wake_(std::move(wake)) {}
+    using Clock = std::chrono::steady_clock;
+
+    /// `wake` is called when there is a new picture; `now` tells the time.
+    explicit ExportNews(std::function<void()> wake,
+                        std::function<Clock::time_point()> now = Clock::now)
+        : wake_(std::move(wake)), now_(std::move(now)) {}
 
     std::atomic<bool> cancel = false;
 
@@ -37,13 +41,12 @@ public:
     std::optional<RgbaImage> take_picture();
 
 private:
-    using Clock = std::chrono::steady_clock;
-
     std::function<void()> wake_;
+    std::function<Clock::time_point()> now_;
     std::atomic<std::uint64_t> parts_ = 0, done_ = 0;
     mutable std::mutex mutex_;
     std::string stage_, unit_;
-    Clock::time_point begun_ = Clock::now(), shown_;
+    Clock::time_point begun_ = now_(), shown_;
     RgbaImage picture_;
     bool fresh_ = false;
 };

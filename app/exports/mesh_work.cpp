@@ -14,7 +14,7 @@ namespace zeroset {
 namespace {
 
 /// Seconds after which a mesh stays as coarse as it is.
-constexpr double budget_s = 30.0;
+constexpr double mesh_budget_s = 30.0;
 
 const char* name_of(MeshStage stage) {
     switch (stage) {
@@ -27,12 +27,12 @@ const char* name_of(MeshStage stage) {
 }
 
 MeshSettings settings_of(const ui::MeshExport& wish, ExportNews& news) {
-    MeshSettings settings{
-        .size_mm = wish.size_mm,
-        .most_triangles = static_cast<std::size_t>(wish.most_triangles),
-        .open = wish.shape == ui::MeshExport::Shape::Open,
-        .limit = {.cancel = &news.cancel, .until = until_after(TimeLimit::Clock::now(), budget_s)},
-        .on_stage = [&news](MeshStage stage) { news.enter(name_of(stage)); }};
+    MeshSettings settings{.size_mm = wish.size_mm,
+                          .most_triangles = static_cast<std::size_t>(wish.most_triangles),
+                          .open = wish.shape == ui::MeshExport::Shape::Open,
+                          .limit = {.cancel = &news.cancel,
+                                    .until = until_after(TimeLimit::Clock::now(), mesh_budget_s)},
+                          .on_stage = [&news](MeshStage stage) { news.enter(name_of(stage)); }};
     if (wish.tolerance > 0.0) settings.tolerance = wish.tolerance;
     if (wish.shape == ui::MeshExport::Shape::Wall) settings.wall_mm = wish.wall_mm;
     return settings;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t most_definitions = 100'000;
 constexpr std::size_t most_nodes = 1'000'000;
 constexpr int deepest_call = 16;
-constexpr int most_calls = 10'000;
+constexpr int most_function_calls = 10'000;
 
 /// Nodes that do the same with each component, and how that is written: A, B, C for the inputs.
 struct Componentwise {
@@ -120,7 +120,7 @@ GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& 
     const auto found = functions_.find(id);
     if (found == functions_.end())
         return std::unexpected(filled(tr("there is no implicit function {0} before it"), {id}));
-    if (depth_ >= deepest_call || ++calls_ > most_calls)
+    if (depth_ >= deepest_call || ++calls_ > most_function_calls)
         return std::unexpected(tr("functions that call each other are nested too deeply"));
     ++depth_;
     Scope scope;
@@ -154,7 +154,7 @@ std::expected<GraphValue, std::string> GraphWriter::Scope::value(
 }
 
 bool GraphWriter::is_too_long() const {
-    return nodes_ > most_nodes || count_ > most_definitions || calls_ > most_calls;
+    return nodes_ > most_nodes || count_ > most_definitions || calls_ > most_function_calls;
 }
 
 std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pugi::xml_node& node,

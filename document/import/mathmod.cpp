@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 64;
+constexpr int deepest_bracket = 64;
 
 /// A text as JSON allows it: line ends and tabs in strings as escapes. An error where brackets are
 /// nested too deeply.
@@ -42,7 +42,8 @@ std::expected<std::string, std::string> strict_json(std::string_view text) {
         if (quoted) continue;
         if (letter == '[' || letter == '{') ++depth;
         if (letter == ']' || letter == '}') --depth;
-        if (depth > deepest) return import_error(line, tr("its brackets are nested too deeply"));
+        if (depth > deepest_bracket)
+            return import_error(line, tr("its brackets are nested too deeply"));
     }
     return strict;
 }

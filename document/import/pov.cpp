@@ -29,7 +29,7 @@ struct PovSurface {
     std::size_t line = 0;
 };
 
-constexpr int deepest = 60;
+constexpr int deepest_group = 60;
 constexpr std::size_t most_surfaces = 90;
 
 class SceneReader {
@@ -119,7 +119,7 @@ private:
         static constexpr std::array<std::string_view, 5> groups{"union", "merge", "object",
                                                                 "intersection", "difference"};
         if (word == "isosurface" || word == "parametric") return surface(word, line);
-        if (std::ranges::find(groups, word) == groups.end() || depth_ >= deepest)
+        if (std::ranges::find(groups, word) == groups.end() || depth_ >= deepest_group)
             return std::nullopt;
         if (word == "intersection" || word == "difference")
             result_.note(line, word, tr("its parts are drawn whole, not cut by each other"));

@@ -8,7 +8,7 @@
 namespace zeroset {
 namespace {
 
-constexpr int deepest = 5;  // POV-Ray's own limit
+constexpr int most_dimensions = 5;  // POV-Ray's own limit
 constexpr double largest_index = 1e6;
 
 std::string element(const std::string& array, std::size_t index) {
@@ -74,7 +74,7 @@ bool PovScript::read_elements(const std::string& name, bool local, int depth) {
     bool known = true;
     take_sign("{");
     for (std::size_t i = 0; !take_sign("}") && !tokens_.at_end(); ++i) {
-        if (at_sign("{") && depth < deepest) {
+        if (at_sign("{") && depth < most_dimensions) {
             known = read_elements(element(name, i), local, depth + 1) && known;
         } else {
             auto read = value();

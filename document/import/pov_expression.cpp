@@ -11,12 +11,7 @@
 namespace zeroset {
 namespace {
 
-constexpr int deepest = 100;
-
-template <std::size_t n>
-bool is_one_of(const std::array<std::string_view, n>& words, std::string_view word) {
-    return std::ranges::find(words, word) != words.end();
-}
+constexpr int deepest_term = 100;
 
 }  // namespace
 
@@ -48,7 +43,7 @@ std::optional<PovValue> PovScript::value_of(std::string_view name) const {
 }
 
 std::optional<PovValue> PovScript::sum() {
-    if (depth_ >= deepest) return std::nullopt;
+    if (depth_ >= deepest_term) return std::nullopt;
     ++depth_;
     auto result = product();
     while (result && (at_sign("+") || at_sign("-"))) {

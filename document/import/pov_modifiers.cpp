@@ -11,7 +11,7 @@
 namespace zeroset {
 namespace {
 
-constexpr int deepest = 60;
+constexpr int deepest_block = 60;
 
 }  // namespace
 
@@ -109,7 +109,7 @@ Placement PovModifiers::transform() {
         if (known != transforms_.end()) {
             script_.next();
             result = result.then(known->second);
-        } else if (depth_ < deepest) {
+        } else if (depth_ < deepest_block) {
             ++depth_;
             const auto step = transformation();
             --depth_;

@@ -10,17 +10,12 @@ namespace {
 
 constexpr std::size_t most_steps = 200'000;
 constexpr std::size_t most_repeated = 10'000'000;  // tokens
-constexpr int deepest = 100;
+constexpr int deepest_directive = 100;
 constexpr std::array<std::string_view, 7> openers{"if",  "ifdef",  "ifndef", "while",
                                                   "for", "switch", "macro"};
 /// Files of POV-Ray's own whose functions, constants and colours are known.
 constexpr std::array<std::string_view, 5> known_files{"functions.inc", "colors.inc", "math.inc",
                                                       "consts.inc", "transforms.inc"};
-
-template <std::size_t n>
-bool is_one_of(const std::array<std::string_view, n>& words, std::string_view word) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 }  // namespace
 
@@ -31,7 +26,7 @@ void PovScript::note(std::size_t line, std::string_view entry, std::string reaso
 }
 
 const ScriptToken& PovScript::peek() {
-    while (directive_depth_ < deepest) {
+    while (directive_depth_ < deepest_directive) {
         const bool macro_ends = !frames_.empty() && tokens_.at_end();
         const bool macro_begins = !macro_ends && at_macro();
         if (!macro_ends && !macro_begins && !tokens_.at_sign("#")) break;

@@ -5,6 +5,9 @@
 #include "document/import/pov_value.hpp"
 #include "document/import/script_tokens.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -17,6 +20,11 @@
 #include <vector>
 
 namespace zeroset {
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
 
 /// The tokens of a scene of POV-Ray with its directives carried out on the way: #if, #while, #for,
 /// #switch, #declare of values, and calls of macros. Whoever reads sees the tokens in between.

@@ -42,7 +42,7 @@ constexpr std::array<std::pair<std::string_view, double>, 24> constants{{
     {"postscript", 0},
 }};
 
-constexpr std::array<std::string_view, 22> names{
+constexpr std::array<std::string_view, 22> surf_view_names{
     "origin_x", "origin_y", "origin_z",    "rot_x",      "rot_y",     "rot_z",
     "scale_x",  "scale_y",  "scale_z",     "spec_z",     "first",     "second",
     "third",    "radius",   "clip",        "clip_front", "clip_back", "center_x",
@@ -134,7 +134,7 @@ Placement surf_turning(int axis, double angle_rad) {
 }
 
 bool SurfViewNames::knows(std::string_view name) const {
-    return std::ranges::find(names, name) != names.end();
+    return std::ranges::find(surf_view_names, name) != surf_view_names.end();
 }
 
 SurfView SurfViewNames::of(const Setting& setting) const {

@@ -20,7 +20,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t largest_model = 64U << 20U;
-constexpr int deepest = 16;
+constexpr int deepest_component = 16;
 
 struct ZipClosed {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -130,7 +130,7 @@ private:
 
     void add_object(const std::string& id, const Placement& placement, int depth) {
         const auto found = objects_.find(id);
-        if (found == objects_.end() || depth > deepest) return;
+        if (found == objects_.end() || depth > deepest_component) return;
         for (const pugi::xml_node& part : found->second.children()) {
             const std::string_view kind = local_name(part);
             if (kind == "levelset")

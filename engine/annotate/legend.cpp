@@ -20,7 +20,7 @@ constexpr double narrowest = 9.0;
 constexpr double padding = 0.7;
 constexpr double bar_height = 0.8;
 constexpr double below_bar = 0.25;
-constexpr double line = 1.35;
+constexpr double line_em = 1.35;
 constexpr double between_numbers = 0.4;
 constexpr double corner_radius = 0.5;
 constexpr double stripe = 0.5;
@@ -60,7 +60,7 @@ public:
 
     void add_title(const std::string& words) {
         add(fitting(words, width_, style_), at_.x, Anchor::TopLeft, style_.colors.text);
-        at_.y += line * style_.unit;
+        at_.y += line_em * style_.unit;
     }
     void add_scale(const ValueRange& range, const Legend& legend);
     void add_directions();
@@ -70,7 +70,7 @@ public:
                swatch_shapes(at_ + glm::dvec2(0.0, 0.05 * unit), 0.9 * unit, mark, style_));
         add(fitting(words, width_ - before_mark * unit, style_), at_.x + before_mark * unit,
             Anchor::TopLeft, style_.colors.quiet);
-        at_.y += line * unit;
+        at_.y += line_em * unit;
     }
 
 private:
@@ -104,7 +104,7 @@ void Card::add_scale(const ValueRange& range, const Legend& legend) {
     const double free = 0.5 * (width_ - width(middle)) - between_numbers * unit;
     if (std::max(width(lo), width(hi)) < free)
         add(middle, at_.x + 0.5 * width_, Anchor::TopMiddle, style_.colors.quiet);
-    at_.y += line * unit;
+    at_.y += line_em * unit;
 }
 
 /// Adds how the three directions look.
@@ -121,7 +121,7 @@ void Card::add_directions() {
         add(name, left + size + 0.4 * unit, Anchor::TopLeft, style_.colors.quiet);
         left += 3.0 * unit;
     }
-    at_.y += line * unit;
+    at_.y += line_em * unit;
 }
 
 /// What is told of marked pixels.
@@ -138,11 +138,11 @@ std::vector<std::pair<PixelMark, const char*>> marks_of(const CornerLegend& lege
 double height_of(const CornerLegend& legend) {
     double height = 2.0 * padding - below_bar;
     if (legend.legend != nullptr) {
-        height += 2.0 * line;
+        height += 2.0 * line_em;
         if (legend.legend->range) height += bar_height + below_bar;
     }
-    if (legend.sections != nullptr) height += 2.0 * line + bar_height + below_bar;
-    return height + static_cast<double>(marks_of(legend).size()) * line;
+    if (legend.sections != nullptr) height += 2.0 * line_em + bar_height + below_bar;
+    return height + static_cast<double>(marks_of(legend).size()) * line_em;
 }
 
 /// The width that the words of the marks need.

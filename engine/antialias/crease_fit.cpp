@@ -10,7 +10,7 @@ namespace {
 constexpr double one_sheet = 0.97;
 constexpr double even_sheet = 0.9995;
 /// Rays at more than 60 degrees from the normal graze.
-constexpr double least_cosine = 0.5;
+constexpr double least_root_cosine = 0.5;
 
 bool are_within(double cosine, const RayRoot& a, const RayRoot& b) {
     // NaN: they are not.
@@ -42,8 +42,8 @@ std::optional<Creased> fit_crease(SquareRoots roots, double half_side) {
     const SquarePart whole{.share = 1.0, .x = 0.0, .y = 0.0};
     const SquarePart nothing{.share = 0.0, .x = 0.0, .y = 0.0};
     if (!are_of_one_sheet(roots[0], roots[0])) return std::nullopt;
-    const bool grazed =
-        !std::ranges::all_of(roots, [](const RayRoot& root) { return root.cosine > least_cosine; });
+    const bool grazed = !std::ranges::all_of(
+        roots, [](const RayRoot& root) { return root.cosine > least_root_cosine; });
     if (other == 0) {
         const bool bent = !std::ranges::all_of(
             roots, [&](const RayRoot& root) { return are_within(even_sheet, roots[0], root); });

@@ -17,7 +17,7 @@ namespace {
 constexpr int least_hits = 4;
 /// Hits whose normals have at least this cosine may be on the same sheet, if they are not too far
 /// from each other.
-constexpr double least_cosine = 0.9;
+constexpr double least_normal_cosine = 0.9;
 
 /// A bit for each pixel of a row that may be one of those around a column.
 std::uint64_t bits_around(int col) { return col > 0 ? std::uint64_t{7} << (col - 1) : 3; }
@@ -28,7 +28,7 @@ bool is_on(const SeenSheet& sheet, float distance, const LitLayer& layer, std::s
     if (!sheet.may_be_apart(static_cast<double>(apart))) return false;
     const glm::dvec3 other = layer.hits->gradient_at(at);
     const double product = glm::dot(other, sheet.gradient);
-    return product >= 0.0 && product * product >= least_cosine * least_cosine *
+    return product >= 0.0 && product * product >= least_normal_cosine * least_normal_cosine *
                                                       glm::dot(other, other) *
                                                       glm::dot(sheet.gradient, sheet.gradient);
 }

@@ -1,52 +1,58 @@
 #include "engine/base/translation.hpp"
 
-#include <boost/locale/gnu_gettext.hpp>
-#include <boost/locale/message.hpp>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <locale>
-#include <vector>
+#include <cstdint>
+#include <cstring>
+#include <ranges>
+#include <string>
 
 namespace zeroset {
 namespace {
 
-using Messages = boost::locale::message_format<char>;
-
-/// Holds the messages of a language, to the end of the program.
-class Catalog {
+/// The messages of a language as GNU gettext's msgfmt writes them: pairs of numbers, the length and
+/// the place of a text, of all English texts in their order, then of all translations.
+class Messages {
 public:
-    Catalog(std::string_view code, std::string_view bytes) {
-        boost::locale::gnu_gettext::messages_info info;
-        info.language = std::string(code);
-        info.encoding = "UTF-8";
-        info.locale_category = "LC_MESSAGES";
-        info.domains.emplace_back("zeroset");
-        info.paths = {""};
-        info.callback = [bytes](const std::string&, const std::string&) {
-            return std::vector<char>(bytes.begin(), bytes.end());
-        };
-        messages_ = boost::locale::gnu_gettext::create_messages_facet<char>(info);
-        holder_ = std::locale(std::locale::classic(), messages_);
+    /// `bytes`: a whole file in this machine's byte order; outlives this.
+    explicit Messages(std::string_view bytes) : bytes_(bytes) {}
+
+    /// The translation of a text, in its context unless that is nullptr; nullptr: there is none.
+    [[nodiscard]] const char* find(const char* context, const char* english) const {
+        std::string wanted = context == nullptr ? "" : std::string(context) + '\4';
+        wanted += english;
+        const auto places = std::views::iota(std::uint32_t{0}, number(count_at));
+        const auto english_of = [this](std::uint32_t i) { return text(number(english_at), i); };
+        const auto found = std::ranges::lower_bound(places, wanted, {}, english_of);
+        if (found == places.end() || english_of(*found) != wanted) return nullptr;
+        return text(number(translations_at), *found).data();
     }
 
-    [[nodiscard]] const Messages& messages() const { return *messages_; }
-
 private:
-    const Messages* messages_ = nullptr;
-    std::locale holder_;  // owns them
+    static constexpr std::size_t count_at = 8, english_at = 12, translations_at = 16;
+
+    [[nodiscard]] std::uint32_t number(std::size_t at) const {
+        std::uint32_t value = 0;
+        std::memcpy(&value, bytes_.data() + at, sizeof value);
+        return value;
+    }
+    /// Text i of a table of pairs; a zero follows it.
+    [[nodiscard]] std::string_view text(std::size_t table, std::size_t i) const {
+        return bytes_.substr(number(table + 8 * i + 4), number(table + 8 * i));
+    }
+
+    std::string_view bytes_;
 };
 
 /// nullptr for English, which needs none.
 const Messages* messages_of(Language language) {
     if (language == Language::English) return nullptr;
-    static const std::array<Catalog, 3> catalogs{
-        {{name_of(Language::German), message_catalogs()[0]},
-         {name_of(Language::French), message_catalogs()[1]},
-         {name_of(Language::Spanish), message_catalogs()[2]}}};
-    return &catalogs.at(static_cast<std::size_t>(language) - 1).messages();
+    static const std::array<Messages, 3> catalogs{Messages(message_catalogs()[0]),
+                                                  Messages(message_catalogs()[1]),
+                                                  Messages(message_catalogs()[2])};
+    return &catalogs.at(static_cast<std::size_t>(language) - 1);
 }
 
 /// The language that was set, as all threads read it.
@@ -64,7 +70,7 @@ Chosen& chosen() {
 const char* found(const char* context, const char* english) {
     const Messages* const messages = chosen().messages.load(std::memory_order_acquire);
     if (messages == nullptr || *english == '\0') return english;
-    const char* const text = messages->get(0, context, english);
+    const char* const text = messages->find(context, english);
     return text != nullptr ? text : english;
 }
 

@@ -1,8 +1,9 @@
 #include "engine/blobs/blob_set.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace zeroset {
 namespace {
@@ -44,7 +45,6 @@ BlobSet::BlobSet(std::span<const Blob> blobs, double reach) {
 
 /// Adds the node of some blobs, of which `first` are before, and sorts them.
 void BlobSet::build(std::span<Blob> blobs, std::uint32_t first, double reach) {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     const std::size_t at = nodes_.size();
     nodes_.emplace_back();
     Node node{.first = first, .last = first + static_cast<std::uint32_t>(blobs.size())};

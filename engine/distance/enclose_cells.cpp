@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <span>
 
 // In a cell with middle c and half edges h, and with G an enclosure of the gradient, f(x) is in
@@ -25,7 +26,8 @@ using Boxes = RangeBoxes<double, cells_at_once>;
 
 /// Boxes for a thread's work, as they are too large for a stack.
 Boxes& boxes_of_thread() {
-    static thread_local Boxes boxes;
+    thread_local const auto kept = std::make_unique<Boxes>();
+    Boxes& boxes = *kept;
     return boxes;
 }
 

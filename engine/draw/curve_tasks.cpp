@@ -53,8 +53,7 @@ Expr difference(const Expr& a, const Expr& b) {
     ExprBuilder builder;
     const NodeId first = copy_nodes(builder, a).back();
     const NodeId second = copy_nodes(builder, b).back();
-    return builder.finish(make_subtract(builder, first, second),
-                          {a.parameters().begin(), a.parameters().end()});
+    return builder.finish(make_subtract(builder, first, second), a.parameter_names());
 }
 
 glm::dvec3 axis_vector(int axis) {

@@ -17,15 +17,11 @@ constexpr std::size_t most_seams = 64;
 
 using MakeNode = std::function<NodeId(ExprBuilder&, const std::vector<NodeId>& copies)>;
 
-std::vector<std::string> names_of(const Expr& f) {
-    return {f.parameters().begin(), f.parameters().end()};
-}
-
 /// A formula made from copies of a graph's nodes.
 Expr made_of(const Expr& f, const MakeNode& make) {
     ExprBuilder builder;
     const std::vector<NodeId> copies = copy_nodes(builder, f);
-    return builder.finish(make(builder, copies), names_of(f));
+    return builder.finish(make(builder, copies), f.parameter_names());
 }
 
 /// The branch of a choice whose condition is a constant, or the node itself.
@@ -41,7 +37,7 @@ Expr with_node(const Expr& f, NodeId at, const MakeNode& make) {
     std::vector<NodeId> copies;
     for (NodeId id = 0; id <= f.root(); ++id)
         copies.push_back(id == at ? make(builder, copies) : decided(builder, f.node(id), copies));
-    return builder.finish(copies.back(), names_of(f));
+    return builder.finish(copies.back(), f.parameter_names());
 }
 
 class SeamFinder {

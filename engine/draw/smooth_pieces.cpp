@@ -14,10 +14,6 @@ namespace {
 
 bool has_kink(Op op) { return op == Op::Abs || op == Op::Min || op == Op::Max; }
 
-std::vector<std::string> names_of(const Expr& f) {
-    return {f.parameters().begin(), f.parameters().end()};
-}
-
 /// The last of the graph's kinks: no other one is made of it.
 std::optional<NodeId> outermost_kink(const Expr& f) {
     for (NodeId id = f.root() + 1; id-- > 0;) {
@@ -44,7 +40,7 @@ Expr held(const Expr& f, NodeId kink, Side side) {
                                                 : copies[node.b]);
         }
     }
-    return builder.finish(copies.back(), names_of(f));
+    return builder.finish(copies.back(), f.parameter_names());
 }
 
 /// Where the kink's sides are equal.
@@ -55,7 +51,7 @@ Expr border_of(const Expr& f, NodeId kink) {
     const NodeId border = node.op == Op::Abs
                               ? copies[node.a]
                               : make_subtract(builder, copies[node.a], copies[node.b]);
-    return builder.finish(border, names_of(f));
+    return builder.finish(border, f.parameter_names());
 }
 
 }  // namespace
@@ -113,7 +109,7 @@ std::vector<Expr> restriction_borders(const Expr& f) {
         ExprBuilder builder;
         const std::vector<NodeId> copies = copy_nodes(builder, f);
         const NodeId border = make_subtract(builder, copies[node.a], copies[node.b]);
-        borders.push_back(builder.finish(border, names_of(f)));
+        borders.push_back(builder.finish(border, f.parameter_names()));
     }
     return borders;
 }

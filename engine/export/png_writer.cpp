@@ -11,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <utility>
 
 namespace zeroset {
@@ -107,7 +108,8 @@ struct Piece {
 
 /// Filters rows and deflates them. `above`: the row before the first one.
 Piece piece_of(ByteSpan rows, const std::uint8_t* above, const PngFormat& format) {
-    thread_local Deflater deflated;
+    thread_local const auto kept = std::make_unique<Deflater>();
+    Deflater& deflated = *kept;
     thread_local Bytes filtered;
     const std::size_t row = format.row_bytes();
     const std::size_t count = rows.size() / row;

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] NodeId root() const { return static_cast<NodeId>(nodes_.size() - 1); }
     /// Names of variables 4 and up.
     [[nodiscard]] std::span<const std::string> parameters() const { return parameters_; }
+    [[nodiscard]] std::vector<std::string> parameter_names() const { return parameters_; }
     [[nodiscard]] bool uses_variable(int variable) const;
     /// The formula with every operator written out; parsing it gives the same graph unless it is
     /// cut, longer than `longest_text`, or has an operator that is never read, written as what it

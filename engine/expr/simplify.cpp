@@ -20,12 +20,12 @@ bool is_constant(const ExprBuilder& builder, NodeId id, double value) {
 }
 
 /// base^exponent with the exponent at least 1; any node is a power of itself.
-struct Power {
+struct PowerOf {
     NodeId base;
     int exponent;
 };
 
-Power as_power(const ExprBuilder& builder, NodeId id) {
+PowerOf as_power(const ExprBuilder& builder, NodeId id) {
     const Node& node = builder.node(id);
     if (node.op == Op::IntPower) return {.base = node.a, .exponent = node.number};
     return {.base = id, .exponent = 1};
@@ -33,8 +33,8 @@ Power as_power(const ExprBuilder& builder, NodeId id) {
 
 /// a * b for powers of the same base.
 std::optional<NodeId> merged_power(ExprBuilder& builder, NodeId a, NodeId b) {
-    const Power left = as_power(builder, a);
-    const Power right = as_power(builder, b);
+    const PowerOf left = as_power(builder, a);
+    const PowerOf right = as_power(builder, b);
     if (left.base != right.base || left.exponent + right.exponent > largest_exponent)
         return std::nullopt;
     if (builder.node(left.base).op == Op::Constant) return std::nullopt;  // 2*2 stays as typed

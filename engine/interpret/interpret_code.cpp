@@ -1,6 +1,6 @@
 #include "engine/interpret/interpret_code.hpp"
 
-#include "engine/real/sleef_lanes.hpp"
+#include "engine/real/processor.hpp"
 
 namespace zeroset {
 

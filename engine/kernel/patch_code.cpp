@@ -10,7 +10,7 @@ namespace zeroset {
 namespace {
 
 template <class Real>
-constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+constexpr Real no_bound = std::numeric_limits<Real>::infinity();
 template <class Real>
 constexpr Real not_known = std::numeric_limits<Real>::quiet_NaN();
 
@@ -21,8 +21,8 @@ void fill(Real* numbers, std::size_t size, Real value) {
 
 template <class Real>
 void know_nothing(const void*, const RangeBatchOf<Real>* batch) {
-    fill(batch->f_neg_lo, batch->size, unbounded<Real>);
-    fill(batch->f_hi, batch->size, unbounded<Real>);
+    fill(batch->f_neg_lo, batch->size, no_bound<Real>);
+    fill(batch->f_hi, batch->size, no_bound<Real>);
     fill(batch->continuous, batch->size, ContinuityMask<Real>{0});
     fill(batch->branches, batch->size, ContinuityMask<Real>{0});
 }
@@ -40,12 +40,12 @@ void know_nothing(const void*, const FormBatchOf<Real>* batch) {
     for (Real* const k : batch->k)
         fill(k, batch->size, Real{0});
     for (Real* const bound : {batch->e, batch->r, batch->slope_neg_lo, batch->slope_hi})
-        fill(bound, batch->size, unbounded<Real>);
+        fill(bound, batch->size, no_bound<Real>);
     fill(batch->continuous, batch->size, ContinuityMask<Real>{0});
     fill(batch->nowhere, batch->size, ContinuityMask<Real>{0});
     fill(batch->branches, batch->size, ContinuityMask<Real>{0});
-    fill(batch->cut_from, batch->size, unbounded<Real>);
-    fill(batch->cut_to, batch->size, -unbounded<Real>);
+    fill(batch->cut_from, batch->size, no_bound<Real>);
+    fill(batch->cut_to, batch->size, -no_bound<Real>);
 }
 
 template <class Real>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "engine/kernel/uniforms.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 
 // Parametric surfaces as polynomials: what the code of a patch tells of it over small boxes.
@@ -53,7 +53,6 @@ struct PatchModel {
     std::array<double, 3> error;
 
     [[nodiscard]] bool known() const {
-        constexpr double unbounded = std::numeric_limits<double>::infinity();
         return error[0] < unbounded && error[1] < unbounded && error[2] < unbounded;
     }
 };

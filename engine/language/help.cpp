@@ -51,7 +51,7 @@ constexpr Line statements[] = {
     {"# ...   // ...", marked("up to the end of the line, as % at its start; also /* a remark */")},
 };
 
-constexpr Line names[] = {
+constexpr Line name_lines[] = {
     {"x y z w", marked("the variables; t is another name of w")},
     {"r, rho", "sqrt(x^2 + y^2 + z^2), sqrt(x^2 + y^2)"},
     {"theta \u03b8, phi \u03c6", marked("the angles atan2(y, x) and acos(z/r)")},
@@ -171,7 +171,7 @@ HelpSection section(std::string title, const Line (&lines)[size]) {
 std::vector<HelpSection> language_help() {
     std::vector<HelpSection> help{
         section(marked("Statements"), statements),
-        section(marked("Names"), names),
+        section(marked("Names"), name_lines),
         section(marked("Expressions"), expressions),
         section(marked("Vectors"), vectors),
         section(marked("Texts from elsewhere"), elsewhere),

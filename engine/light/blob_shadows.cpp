@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t blocks_across = tile_size / ball_block_side;
 
-bool is_set(const TileBits& bits, std::size_t pixel) {
-    return (bits[pixel / tile_size] >> pixel % tile_size & 1U) != 0;
-}
-
 /// One item for each pixel of a tile.
 struct Room {
     std::vector<BlobRays> blocks, ends;

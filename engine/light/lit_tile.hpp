@@ -15,6 +15,11 @@ static_assert(tile_size <= 64);
 /// A bit for each pixel of a tile: a word for each row, the first pixel lowest.
 using TileBits = std::array<std::uint64_t, tile_size>;
 
+/// Whether the bit of a pixel is set; `pixel` is an index into a tile.
+inline bool is_set(const TileBits& bits, std::size_t pixel) {
+    return (bits[pixel / tile_size] >> pixel % tile_size & 1U) != 0;
+}
+
 /// Hits in the shadow.
 struct ShadowBits {
     TileBits dark{};

@@ -15,10 +15,6 @@ struct PatchRoom {
     std::vector<PatchBlock> blocks;
 };
 
-bool is_set(const TileBits& bits, std::size_t pixel) {
-    return (bits[pixel / tile_size] >> pixel % tile_size & 1U) != 0;
-}
-
 }  // namespace
 
 void find_patch_shadows(const ShadowSearch& search, ShadowBits& found, Counters& counters) {

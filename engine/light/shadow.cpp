@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
@@ -238,7 +239,8 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
     ShadowBits found;
     if (layers.empty()) return found;
     if (way == ShadowWay::Beams && tile.places != nullptr) way = ShadowWay::Apart;
-    thread_local LightPlaces places;
+    thread_local const auto kept = std::make_unique<LightPlaces>();
+    LightPlaces& places = *kept;
     thread_local std::vector<TileBits> turned;  // to the light, of each layer
     places.error = 0.0;
     places.outside = {};

@@ -17,7 +17,7 @@ namespace zeroset {
 namespace {
 
 /// Cells that are no longer than this part of what is found are not halved any more.
-constexpr double finest = 1.0 / 64.0;
+constexpr double finest_share = 1.0 / 64.0;
 constexpr std::size_t most_cells = 200'000;
 /// Cells of one face that are halved at a time: those are enough to settle most faces.
 constexpr std::size_t cells_at_once = 64;
@@ -114,7 +114,7 @@ private:
 
     /// Marks cells to be halved; none where one of the face's cells is small.
     void pick_from_face(const Box& all, int axis, bool upper, std::vector<bool>& picked) const {
-        const double small = finest * all.size();
+        const double small = finest_share * all.size();
         std::vector<std::size_t> at_face;
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             const Box& cell = cells_[i];

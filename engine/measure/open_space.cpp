@@ -14,8 +14,8 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t cells_at_once = 32;
-constexpr std::size_t boxes_at_once = 8 * cells_at_once;
+constexpr std::size_t parents_at_once = 32;
+constexpr std::size_t boxes_at_once = 8 * parents_at_once;
 
 /// The planes between the cells of a grid, by axis, rounded to floats outward.
 struct GridPlanes {
@@ -98,12 +98,13 @@ OpenSpaceSearch find_open_space(const Kernel& surface, const Box& box, const Uni
         search.ranges += 8 * parents.size();
         search.space.side = 1 << level;
         const GridPlanes planes(box, search.space.side);
-        std::vector<std::vector<std::uint32_t>> parts((parents.size() + cells_at_once - 1) /
-                                                      cells_at_once);
+        std::vector<std::vector<std::uint32_t>> parts((parents.size() + parents_at_once - 1) /
+                                                      parents_at_once);
         parallel_for(parts.size(), threads, [&](std::size_t i) {
             const UpwardRegisters upward;
             const auto some = std::span(parents).subspan(
-                i * cells_at_once, std::min(cells_at_once, parents.size() - i * cells_at_once));
+                i * parents_at_once,
+                std::min(parents_at_once, parents.size() - i * parents_at_once));
             Octants octants(surface, uniforms, planes,
                             static_cast<std::uint32_t>(search.space.side), jumps);
             parts[i] = octants.open(some);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t points_at_once = 512;
 // A level where the gradient vanishes: farther than anything.
-constexpr double far = 1e30;
+constexpr double far_level = 1e30;
 
 SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
     SolidValue value{.part = static_cast<std::uint32_t>(part)};
@@ -21,7 +21,7 @@ SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
         value.level = f / slope;
         value.normal = gradient / slope;
     } else {
-        value.level = f == 0.0 ? 0.0 : std::copysign(far, f);
+        value.level = f == 0.0 ? 0.0 : std::copysign(far_level, f);
     }
     return value;
 }

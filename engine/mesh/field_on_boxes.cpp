@@ -1,17 +1,17 @@
 #include "engine/mesh/field_on_boxes.hpp"
 
 #include "engine/kernel/range_boxes.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+#include <memory>
 
 namespace zeroset {
 namespace {
 
 constexpr std::size_t boxes_at_once = 256;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Boxes : RangeBoxes<double, boxes_at_once> {
     alignas(64) ContinuityMask<double> branches[boxes_at_once];
@@ -33,7 +33,8 @@ struct Boxes : RangeBoxes<double, boxes_at_once> {
 
 /// Boxes for a thread's work, as they are too large for a stack.
 Boxes& boxes_of_thread() {
-    static thread_local Boxes boxes;
+    thread_local const auto kept = std::make_unique<Boxes>();
+    Boxes& boxes = *kept;
     return boxes;
 }
 
@@ -111,11 +112,11 @@ void FieldOnBoxes::find_ranges(std::span<const Box> boxes) {
             const double neg_lo = batch.f_neg_lo[i];
             const double hi = batch.f_hi[i];
             PartRange& range = ranges_[p * count_ + i];
-            range.nowhere = neg_lo == -infinity && hi == -infinity;
+            range.nowhere = neg_lo == -unbounded && hi == -unbounded;
             // Two stretches beside 0, or what is not known: anything.
             const bool known = !std::isnan(neg_lo) && !std::isnan(hi) && !(neg_lo < 0 && hi < 0);
-            range.lo = known ? -neg_lo : -infinity;
-            range.hi = known ? hi : infinity;
+            range.lo = known ? -neg_lo : -unbounded;
+            range.hi = known ? hi : unbounded;
             range.continuous = batch.continuous[i] != 0;
             range.kink = part.branches &&
                          BranchBits{static_cast<std::uint32_t>(batch.branches[i])}.may_hold_kink();

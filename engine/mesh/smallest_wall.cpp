@@ -3,10 +3,10 @@
 #include "engine/mesh/collapsible_mesh.hpp"
 #include "engine/mesh/parallel.hpp"
 #include "engine/mesh/triangle_tree.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 namespace zeroset {
@@ -14,7 +14,6 @@ namespace {
 
 // Rays take a microsecond or two.
 constexpr std::size_t most_triangles = 40'000;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // The cosine between the way inwards and the normal of the side that it meets.
 constexpr double least_facing = 0.5;
 // The direction of narrower triangles is not to be trusted.
@@ -36,7 +35,7 @@ double shape(const TriangleMesh& mesh, const Triangle& t) {
 
 /// The thinnest wall behind one triangle.
 SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uint32_t triangle) {
-    SmallestWall least{.thickness = infinity};
+    SmallestWall least{.thickness = unbounded};
     const Triangle& t = mesh.triangles[triangle];
     if (shape(mesh, t) < least_shape) return least;
     const glm::dvec3 inward = -glm::normalize(across(mesh, t));
@@ -69,13 +68,13 @@ std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWo
         for (std::size_t i = first; i < last; ++i)
             found[i] = behind(mesh, tree, static_cast<std::uint32_t>(i * every));
     });
-    SmallestWall least{.thickness = infinity};
+    SmallestWall least{.thickness = unbounded};
     for (const SmallestWall& wall : found) {
         const std::size_t places_before = least.places;
         if (wall.thickness < least.thickness) least = wall;
         least.places = places_before + wall.places;
     }
-    if (least.thickness == infinity) return std::nullopt;
+    if (least.thickness == unbounded) return std::nullopt;
     return least;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/mesh/collapsible_mesh.hpp"
 #include "engine/mesh/field_at_points.hpp"
 #include "engine/mesh/parallel.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,8 @@
 namespace zeroset {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // The least shape of new triangles, unless the old ones were worse.
-constexpr double least_shape = 0.15;
+constexpr double least_shape_kept = 0.15;
 // Normals of a new triangle and of its smooth vertices, of it and of the one before at features.
 constexpr double least_turn = 0.6;
 
@@ -44,7 +44,7 @@ struct Quadric {
 /// A vertex that may go into a neighbour.
 struct Move {
     std::uint32_t from = 0, into = 0;
-    double cost = infinity;
+    double cost = unbounded;
 };
 
 class Thinner {
@@ -153,7 +153,7 @@ bool Thinner::keeps_shape(const std::vector<Change>& changes) const {
         before = std::min(before, shape(change.before));
         after = std::min(after, shape(change.after));
     }
-    return after > std::min(before, least_shape);
+    return after > std::min(before, least_shape_kept);
 }
 
 double Thinner::cost_of(std::uint32_t from, std::uint32_t into) const {
@@ -199,7 +199,7 @@ void Thinner::find_moves() {
 std::vector<Move> Thinner::found_moves() const {
     std::vector<Move> found;
     for (const Move& move : moves_) {
-        if (move.cost != infinity) found.push_back(move);
+        if (move.cost != unbounded) found.push_back(move);
     }
     return found;
 }
@@ -228,7 +228,7 @@ void Thinner::add_samples(const Triangle& triangle, std::vector<glm::dvec3>& poi
     const glm::dvec3 ab = mesh_.point(triangle[1]) - a;
     const glm::dvec3 ac = mesh_.point(triangle[2]) - a;
     const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-    double detail = infinity;
+    double detail = unbounded;
     for (const std::uint32_t v : triangle)
         detail = std::min(detail, double{detail_[v]});
     const double wanted = longest / std::max(detail, 0.02 * longest);
@@ -254,7 +254,7 @@ void Thinner::make(const Move& move) {
         // Whether these may go into v depends on what is about v.
         mesh_.ring(v, beyond);
         for (const std::uint32_t other : beyond) {
-            if (moves_[other].cost != infinity && moves_[other].into == v) changed_[other] = 1;
+            if (moves_[other].cost != unbounded && moves_[other].into == v) changed_[other] = 1;
         }
     }
     quadrics_[move.into].add(quadrics_[move.from]);

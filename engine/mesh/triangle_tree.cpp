@@ -1,16 +1,16 @@
 #include "engine/mesh/triangle_tree.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace zeroset {
 namespace {
 
 constexpr std::size_t most_in_leaf = 4;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Box box_of(const TriangleMesh& mesh, const Triangle& t) {
     const glm::dvec3& a = mesh.vertices[t[0]].point;
@@ -24,13 +24,13 @@ int longest_axis(const glm::dvec3& size) {
     return size.y >= size.z ? 1 : 2;
 }
 
-/// Where a ray enters a box; infinity: it misses it, or does so beyond `most`.
+/// Where a ray enters a box; unbounded: it misses it, or does so beyond `most`.
 double entry(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse, double most) {
     double near = 0.0;
     double far = most;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::isinf(inverse[axis])) {
-            if (from[axis] < box.lo[axis] || from[axis] > box.hi[axis]) return infinity;
+            if (from[axis] < box.lo[axis] || from[axis] > box.hi[axis]) return unbounded;
             continue;
         }
         const double a = (box.lo[axis] - from[axis]) * inverse[axis];
@@ -39,7 +39,7 @@ double entry(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse, 
         far = std::min(far, std::max(a, b));
     }
     constexpr double rounding = 1e-12;
-    return near <= far * (1.0 + rounding) ? near : infinity;
+    return near <= far * (1.0 + rounding) ? near : unbounded;
 }
 
 }  // namespace
@@ -115,8 +115,8 @@ std::optional<TriangleTree::Hit> TriangleTree::way_out(const glm::dvec3& from,
     while (count > 0) {
         const std::uint32_t number = open[--count];
         const Node& node = nodes_[number];
-        const double most = nearest ? nearest->distance : infinity;
-        if (entry(node.box, from, inverse, most) == infinity) continue;
+        const double most = nearest ? nearest->distance : unbounded;
+        if (entry(node.box, from, inverse, most) == unbounded) continue;
         for (std::uint32_t i = 0; i < node.count; ++i) {
             const std::uint32_t triangle = order_[node.first + i];
             if (triangle != own) meet(triangle, from, direction, nearest);

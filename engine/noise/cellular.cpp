@@ -1,13 +1,13 @@
 #include "engine/noise/cellular.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace zeroset {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// Bounds the rounding errors of distances below 8, amply counted.
 constexpr double distance_error = 0x1p-46;
 /// How far off cells are looked at: those beyond are at least 2 away, and two points nearer.

@@ -11,7 +11,7 @@ namespace zeroset {
 namespace {
 
 /// The most cells along an axis, and in all, that boxes are taken apart into.
-constexpr int most_cells_in_line = 4;
+constexpr int most_cells_on_axis = 4;
 constexpr int most_cells = 8;
 
 /// A part of a box in a cell.
@@ -25,7 +25,7 @@ bool for_each_part(const FieldBox& box, auto visit) {
     std::array<LatticeSpan, 3> spans;
     int cells = 1;
     for (std::size_t i = 0; i < 3; ++i) {
-        spans[i] = LatticeSpan::of(box.lo[i], box.hi[i], most_cells_in_line);
+        spans[i] = LatticeSpan::of(box.lo[i], box.hi[i], most_cells_on_axis);
         cells *= spans[i].cells;
     }
     if (cells == 0 || cells > most_cells) return false;
@@ -55,6 +55,8 @@ FadeOrders along(std::size_t axis) {
 
 constexpr ValueBounds nothing_yet{.lo = std::numeric_limits<double>::infinity(),
                                   .hi = -std::numeric_limits<double>::infinity()};
+
+}  // namespace
 
 /// Draws the corners of cells, those of the last one once.
 class CellDrawer {
@@ -103,8 +105,6 @@ private:
     std::array<std::uint32_t, 3> cell_{};
     CellHashes hashes_{};
 };
-
-}  // namespace
 
 void LatticeNoise::at(std::span<const std::array<double, 3>> points, PointAnswer* answers) const {
     CellDrawer drawer(kind_, start_);

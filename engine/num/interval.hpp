@@ -13,7 +13,7 @@
 //
 // The contract of every operation here, in elementary.hpp, periodic.hpp, odd_root.hpp, steps.hpp
 // and enclosure.hpp:
-//   proper     lo <= hi; members are numbers or +inf, which means unbounded: half lines and the
+//   proper     lo <= hi; members are numbers or +inf, which means has_no_bound: half lines and the
 //              whole line are proper, a point at infinity is not. Proper operands give a proper
 //              range wherever the function is defined somewhere.
 //   empty      lo > hi, as of a box that was cut to nothing; or a range beside a false
@@ -195,8 +195,8 @@ Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
     const Interval<Real> quotient{n.neg_lo / select_negative(n.neg_lo, d.hi, d_lo),
                                   n.hi / select_negative(n.hi, d.hi, d_lo)};
     // 0 is inside b, or b holds nothing but 0.
-    const auto unbounded = either(both(b.neg_lo > zero, b.hi > zero), d.hi <= zero);
-    return select(unbounded, whole_line(zero), without_nan(quotient));
+    const auto has_no_bound = either(both(b.neg_lo > zero, b.hi > zero), d.hi <= zero);
+    return select(has_no_bound, whole_line(zero), without_nan(quotient));
 }
 
 /// a / b for b >= 0.
@@ -206,8 +206,8 @@ Interval<Real> divide_by_nonnegative(const Interval<Real>& a, const Interval<Rea
     const Real b_lo = maximum(-b.neg_lo, zero);  // +0, never -0
     const Interval<Real> quotient{a.neg_lo / select_negative(a.neg_lo, b.hi, b_lo),
                                   a.hi / select_negative(a.hi, b.hi, b_lo)};
-    const auto unbounded = either(unordered(quotient.neg_lo, quotient.hi), b.hi <= zero);
-    return select(unbounded, whole_line(zero), quotient);
+    const auto has_no_bound = either(unordered(quotient.neg_lo, quotient.hi), b.hi <= zero);
+    return select(has_no_bound, whole_line(zero), quotient);
 }
 
 /// `gap` (enclosure.hpp) of a / b where 0 is inside b: every quotient is at most hi or at least

@@ -1,5 +1,6 @@
 #include "engine/real/sleef.hpp"
 
+#include "engine/real/processor.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/sleef_lanes.hpp"
 

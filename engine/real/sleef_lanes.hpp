@@ -7,14 +7,6 @@
 
 namespace zeroset {
 
-inline bool machine_has_avx2_fma() {
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-}
-inline bool machine_has_avx512() {
-    return machine_has_avx2_fma() && __builtin_cpu_supports("avx512f") &&
-           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
-
 template <class Real>
 const void* sleef_plain(Elementary function);
 template <class Real>

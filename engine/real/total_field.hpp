@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/real/field_answers.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,6 @@ private:
     /// The box of a lane from `column` on; NaN means that nothing is known of that end.
     template <class Real>
     static FieldBox box_of(const Real* in, std::size_t column, int lanes, int lane) {
-        constexpr double unbounded = std::numeric_limits<double>::infinity();
         FieldBox box{.lo = question_lane(in, column, lanes, lane, -1),
                      .hi = question_lane(in, column + 3, lanes, lane)};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -176,7 +176,6 @@ void TotalField<Function>::derivatives_of(int derivative, const Real* in, Real* 
 template <class Function>
 template <class Real>
 void TotalField<Function>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     const int order = order_of(derivative);
     const auto axes = axes_of(derivative);
     for_each_group(lanes, [&](int first, int count) {
@@ -206,7 +205,6 @@ void TotalField<Function>::ranges_of(int derivative, const Real* in, Real* out, 
 template <class Function>
 template <class Real>
 void TotalField<Function>::forms_of(const Real* in, Real* out, int lanes) const {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     for_each_group(lanes, [&](int first, int count) {
         std::array<FieldBox, most_asked> boxes;
         std::array<BoxAnswer, most_asked> answers;

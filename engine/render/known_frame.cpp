@@ -58,8 +58,12 @@ void KnownFrame::collect(const Tile& tile, const Framebuffer& known,
 void KnownFrame::evaluate(std::size_t surface, const Tile& tile, const Hits& known,
                           TileHits& hits) const {
     constexpr std::size_t most = static_cast<std::size_t>(tile_size) * tile_size;
-    thread_local std::array<std::array<float, most>, 3> gradient;
-    thread_local std::array<float, most> s, per_slope;
+    thread_local std::array<std::vector<float>, 3> gradient;
+    thread_local std::vector<float> s, per_slope;
+    for (std::vector<float>& column : gradient)
+        column.resize(most);
+    s.resize(most);
+    per_slope.resize(most);
     const TraceFrame& frame = surfaces_[surface];
     const std::size_t size = known.s.size();
     std::ranges::copy(known.s, s.begin());

@@ -14,7 +14,7 @@ constexpr std::size_t slow_step = scales.size() - 1;
 constexpr double growth = 0.8;
 
 /// A finer resolution must be sure to fit, a coarser one must be needed.
-constexpr double fits = 0.8;
+constexpr double share_that_fits = 0.8;
 constexpr double too_slow = 1.2;
 
 /// The weight of a cheaper picture; a dearer one counts at once.
@@ -43,7 +43,7 @@ double ResolutionGovernor::choose(std::size_t pixels) {
     };
     while (step_ + 1 < scales.size() && expected(step_) > too_slow * budget_ms_)
         ++step_;
-    while (step_ > 0 && expected(step_ - 1) < fits * budget_ms_)
+    while (step_ > 0 && expected(step_ - 1) < share_that_fits * budget_ms_)
         --step_;
     return scales[step_];
 }

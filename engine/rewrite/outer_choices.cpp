@@ -171,8 +171,7 @@ Expr Mover::move() {
             if (plain_[id] == plain) build(id);
         }
     }
-    return builder_.finish(built_[expr_.root()],
-                           {expr_.parameters().begin(), expr_.parameters().end()});
+    return builder_.finish(built_[expr_.root()], expr_.parameter_names());
 }
 
 }  // namespace

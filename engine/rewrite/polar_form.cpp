@@ -13,7 +13,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t max_summands = 32;
+constexpr std::size_t most_summands = 32;
 constexpr int max_depth = 16;           ///< of a product with an angle
 constexpr long long max_factor = 1024;  ///< of an angle
 
@@ -31,7 +31,7 @@ std::vector<NodeId> summands(const ExprBuilder& builder, NodeId sum) {
         } else {
             result.push_back(id);
         }
-        if (result.size() + open.size() > max_summands) return {};
+        if (result.size() + open.size() > most_summands) return {};
     }
     return result;
 }

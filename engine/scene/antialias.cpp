@@ -5,14 +5,14 @@
 namespace zeroset {
 namespace {
 
-constexpr auto names = enum_names<Antialias>("none", "iaa", "4", "9", "16", "64");
+constexpr auto antialias_names = enum_names<Antialias>("none", "iaa", "4", "9", "16", "64");
 
 }  // namespace
 
-std::string_view name_of(Antialias antialias) { return names.of(antialias); }
+std::string_view name_of(Antialias antialias) { return antialias_names.of(antialias); }
 
 std::optional<Antialias> antialias_named(std::string_view name) {
-    return name == "1" ? Antialias::None : names.named(name);
+    return name == "1" ? Antialias::None : antialias_names.named(name);
 }
 
 int rays_across(Antialias antialias) {

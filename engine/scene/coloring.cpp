@@ -5,16 +5,17 @@
 namespace zeroset {
 namespace {
 
-constexpr auto names = enum_names<ColorBy>("plain", "normal", "height", "depth", "mean-curvature",
-                                           "gaussian-curvature", "gradient", "expression");
+constexpr auto color_names =
+    enum_names<ColorBy>("plain", "normal", "height", "depth", "mean-curvature",
+                        "gaussian-curvature", "gradient", "expression");
 
 }  // namespace
 
-std::span<const ColorBy> color_modes() { return names.values(); }
+std::span<const ColorBy> color_modes() { return color_names.values(); }
 
-std::string_view name_of(ColorBy by) { return names.of(by); }
+std::string_view name_of(ColorBy by) { return color_names.of(by); }
 
-std::optional<ColorBy> color_by_named(std::string_view name) { return names.named(name); }
+std::optional<ColorBy> color_by_named(std::string_view name) { return color_names.named(name); }
 
 bool has_range(ColorBy by) { return by != ColorBy::Plain && by != ColorBy::Normal; }
 

@@ -44,11 +44,11 @@ std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
 }
 
 /// Lists kept from call to call: for small tapes allocations cost most.
-struct Room {
+struct TapeLists {
     std::vector<Index> last_use, place, place_of_node, unused;
 };
-Room& room() {
-    thread_local Room instance;
+TapeLists& tape_lists() {
+    thread_local TapeLists instance;
     return instance;
 }
 
@@ -65,9 +65,9 @@ public:
           uniform_(uniform),
           stands_for_(stands_for),
           switches_(switches),
-          last_use_(room().last_use),
-          place_(room().place),
-          unused_(room().unused) {
+          last_use_(tape_lists().last_use),
+          place_(tape_lists().place),
+          unused_(tape_lists().unused) {
         last_use_.assign(steps.size(), never);
         place_.resize(steps.size());
         unused_.clear();
@@ -166,7 +166,7 @@ Tape::Tape(const std::shared_ptr<const TapeGraph>& graph) : Tape(graph, graph->e
 
 Tape::Tape(std::shared_ptr<const TapeGraph> graph, NodeId root) {
     const std::vector<NodeId> order = in_order(*graph, root);
-    std::vector<Index>& place = room().place_of_node;
+    std::vector<Index>& place = tape_lists().place_of_node;
     place.resize(graph->expr.nodes().size());
     std::vector<Step> steps;
     steps.reserve(order.size());

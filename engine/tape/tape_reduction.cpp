@@ -28,13 +28,13 @@ std::optional<std::size_t> winner(const ChoiceRecord& record, Index choice,
 }
 
 /// Lists kept from call to call: for small tapes allocations cost most.
-struct Room {
+struct ReductionLists {
     std::vector<Index> stands_for;
     std::vector<SwitchIndex> switches;
     std::vector<std::uint8_t> zero;
 };
-Room& room() {
-    thread_local Room instance;
+ReductionLists& reduction_lists() {
+    thread_local ReductionLists instance;
     return instance;
 }
 
@@ -42,7 +42,10 @@ Room& room() {
 
 TapeReduction::TapeReduction(const Tape& tape, const ChoiceRecord& record,
                              std::span<const std::size_t> cells)
-    : tape_(tape), stands_for_(room().stands_for), switches_(room().switches), zero_(room().zero) {
+    : tape_(tape),
+      stands_for_(reduction_lists().stands_for),
+      switches_(reduction_lists().switches),
+      zero_(reduction_lists().zero) {
     const std::size_t size = tape.steps().size();
     stands_for_.resize(size);
     switches_.resize(size);

@@ -3,6 +3,8 @@
 
 #include "engine/taylor/patch_models.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/taylor/patch_models.cpp"
 #include <hwy/foreach_target.h>
@@ -166,8 +168,6 @@ namespace zeroset {
 HWY_EXPORT(make_all);
 
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Nothing is known of a coordinate whose numbers are not all finite.
 void check(PatchModel& model) {

@@ -1,10 +1,10 @@
 #include "engine/taylor/series.hpp"
 
 #include "engine/num/elementary.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 // Taylor's theorem: f(c + t) is the sum of f_k t^k up to the degree, and f_n(x) t^n with n one
 // above it and x between c and c + t. The f_k at c are enclosed by intervals, whose radii go to the
@@ -15,7 +15,6 @@ namespace {
 
 using Range = Interval<double>;
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::size_t degree = patch_degree;
 /// Angles larger than this are not worth a series.
 constexpr double large_angle = 0x1p30;

@@ -10,12 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 
 namespace zeroset {
 namespace {
-
-constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
 /// The signs of f in a box, as a range kernel tells them.
 enum class SignOf : std::uint8_t { Unknown, Nowhere, Negative, Positive };
@@ -171,7 +170,8 @@ bool CapFinder::Entry::settle(Sign found, int solid_sign, bool continuous) {
 
 template <class Real>
 void CapFinder::ask(const TraceFrame& surface, int sign, std::vector<Entry*>& open) {
-    static thread_local EntryBoxes<Real> boxes;
+    thread_local const auto memory = std::make_unique<EntryBoxes<Real>>();
+    EntryBoxes<Real>& boxes = *memory;
     std::size_t kept = 0;
     for (std::size_t first = 0; first < open.size(); first += boxes_at_once) {
         if (surface.stopped()) {

@@ -2,6 +2,7 @@
 
 #include "engine/kernel/form_cells.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 
 namespace zeroset {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Whether the clip box's faces are in the layers under those of the box that holds it.
 bool has_faces_in_layers(const Box& clip, const Box& domain, double spare) {

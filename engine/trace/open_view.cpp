@@ -1,15 +1,14 @@
 #include "engine/trace/open_view.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace zeroset {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Places in the image where rays surely are that belong to a pixel: half a pixel for those beside
 /// its centre, the rest for rounding.

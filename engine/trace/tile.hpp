@@ -7,6 +7,12 @@
 namespace zeroset {
 
 inline constexpr int tile_size = 64;
+inline constexpr std::size_t tile_pixels = std::size_t{tile_size} * tile_size;
+
+/// Index of a pixel of a tile in arrays that hold its rows one after the other.
+constexpr std::size_t pixel_index(int col, int row) {
+    return static_cast<std::size_t>(row * tile_size + col);
+}
 
 /// Where in the image rays go that pass pixels elsewhere than in their centres: for each pixel of a
 /// tile, in rows of tile_size, in pixels to the right of the centre of the tile's first pixel, and

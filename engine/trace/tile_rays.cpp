@@ -2,6 +2,7 @@
 
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace {
 /// The column and row of the middle of a tile.
 constexpr double from_first = 0.5 * (tile_size - 1);
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double flat = 1e-270;  // rays less steep than this stay where they are
 
 /// Where rays of slopes d0 to d1, from `eye`, are between the planes lo and hi: distances along

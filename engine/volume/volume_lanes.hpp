@@ -2,6 +2,7 @@
 
 #include "engine/real/field.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/real/unbounded.hpp"
 #include "engine/volume/lanes.hpp"
 #include "engine/volume/trilinear.hpp"
 
@@ -251,7 +252,6 @@ void VolumeLanes<Sample>::flush(Parts& parts) {
 template <class Sample>
 std::uint32_t VolumeLanes<Sample>::enclose(const BoxLanes& boxes, std::uint32_t wanted,
                                            Parts& parts) const {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     FormLanes& forms = parts.forms;
     std::ranges::fill(forms.lo, unbounded);
     std::ranges::fill(forms.hi, -unbounded);

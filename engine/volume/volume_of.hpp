@@ -2,6 +2,7 @@
 
 #include "engine/real/field_answers.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/real/unbounded.hpp"
 #include "engine/volume/spline.hpp"
 #include "engine/volume/trilinear.hpp"
 #include "engine/volume/volume.hpp"
@@ -262,7 +263,6 @@ ValueBounds VolumeOf<Between>::derivative_bounds(const IndexBox& box, const Seen
     const auto axes = axes_of(derivative);
     const int order = order_of(derivative);
     if (order == 1) return world_slope(over.range.slopes, axes[0]);
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (order > highest_order) return {.lo = -unbounded, .hi = unbounded};
     if (box.surely_outside() && outside_ != Outside::Edge) return {};
     Bends<ValueBounds> bends = between_.bends(box);
@@ -311,7 +311,6 @@ template <class Between>
 template <class Wide>
 ValueBounds VolumeOf<Between>::at_middle(const std::array<double, 3>& middle, const IndexBox& box,
                                          const Seen& over) const {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (!over.smooth) return {.lo = -unbounded, .hi = unbounded};
     const auto value = static_cast<double>(place<Wide>(middle, 0).value);
     if (std::isnan(value)) return {.lo = -unbounded, .hi = unbounded};

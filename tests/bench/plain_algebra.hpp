@@ -2,7 +2,7 @@
 
 #include "engine/algebra/operand.hpp"
 #include "engine/num/interval.hpp"
-#include "jit/lanes.hpp"
+#include "jit/llvm/lanes.hpp"
 
 // Interval arithmetic as it is without a promise: (lo, hi), each end rounded to nearest, and
 // nothing about domains or continuity. It is what the engine's kernels are measured against and has

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset::test {
+namespace zeroset::test::framing_test {
 namespace {
 
 Document document_with(double half) {
@@ -81,4 +81,4 @@ TEST(Framing, SaysThatThereIsNoSurface) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::framing_test

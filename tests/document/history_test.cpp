@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::history_test {
 namespace {
 
 /// A document being edited, with a clock and gestures that the test advances.
@@ -230,4 +230,4 @@ TEST_F(Undo, KeepsSoManySteps) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::history_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::look_test {
 namespace {
 
 Document marked_document() {
@@ -106,4 +106,4 @@ TEST(NumberText, HasAsManyDecimalsAsAreKnown) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::look_test

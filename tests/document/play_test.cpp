@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace zeroset::test {
+namespace zeroset::test::play_test {
 namespace {
 
 Slider slider(double value, Repeat repeat) { return {value, 0.0, 4.0, 0.0, 1.0, repeat}; }
@@ -61,4 +61,4 @@ TEST(SetValue, MovesTheEndsThatItPasses) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::play_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::sheet_test {
 namespace {
 
 class Sheets : public testing::Test {
@@ -194,4 +194,4 @@ TEST_F(Sheets, EndWithManyErrors) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::sheet_test

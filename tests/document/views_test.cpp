@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::views_test {
 namespace {
 
 const Camera some_camera{{5, -8, 4.5}, {0.1, 0, 1.0 / 3.0}, {0, 0, 1}, 0.733};
@@ -112,4 +112,4 @@ TEST(CameraText, IsToldFromOtherTexts) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::views_test

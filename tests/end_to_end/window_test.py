@@ -1,7 +1,7 @@
 """Tests of the real window, driven by keys and mouse on an X display of its own."""
 
 import json
-import os
+import re
 import signal
 import subprocess
 import time
@@ -345,17 +345,19 @@ class WindowTest(RealWindowTest):
         self.assertTrue(self.same(again, ball), "no axes at the next start")
         self.quit_by_key()
 
-    def cpu_s(self):
-        fields = Path(f"/proc/{self.started.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    def wakes(self):
+        """How often the thread that draws has begun to work again."""
+        status = Path(f"/proc/{self.started.pid}/status").read_text()
+        return int(re.search(r"^voluntary_ctxt_switches:\s*(\d+)", status, re.M).group(1))
 
     def test_sleeps_when_nothing_changes(self):
         self.start(BALL)
         self.display.xdotool("key", "Escape")
         self.rest(lambda _: True, "rest")
-        before, since = self.cpu_s(), time.monotonic()
+        before = self.wakes()
         time.sleep(1.0)
-        self.assertLess(self.cpu_s() - before, 0.2 * (time.monotonic() - since))
+        # A frame alone is more than one: the driver has threads of its own to wait for.
+        self.assertLess(self.wakes() - before, 10)
         self.started.send_signal(signal.SIGTERM)
         self.started.wait(5.0)
 

@@ -15,7 +15,7 @@
 
 // Tests of which code is compiled when, and which code is shared.
 
-namespace zeroset::test {
+namespace zeroset::test::compile_test {
 namespace {
 
 /// Returns the form's centres c and errors e over cells without width across the view, at depths
@@ -253,4 +253,4 @@ TEST(Jit, OutlivesTheCache) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::compile_test

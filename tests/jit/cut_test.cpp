@@ -18,7 +18,7 @@
 // Tests of the depths at which forms on rays report that a switch may change
 // (FormBatchOf::cut_from).
 
-namespace zeroset::test {
+namespace zeroset::test::cut_test {
 namespace {
 
 constexpr std::size_t cells = batch_multiple;
@@ -125,4 +125,4 @@ TYPED_TEST(Cuts, AreNowhereElse) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cut_test

@@ -15,7 +15,7 @@
 
 // Tests of Newton's method and of values along rays, in machine code and in the interpreter.
 
-namespace zeroset::test {
+namespace zeroset::test::ray_kernel_test {
 namespace {
 
 constexpr std::size_t pixels = batch_multiple;
@@ -225,4 +225,4 @@ TEST(RayValue, StepsNoFartherThanTheSlopesHold) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::ray_kernel_test

@@ -18,7 +18,7 @@
 // Machine code rounds upward before and after its calls, and never rejects a box of which nothing
 // is known.
 
-namespace zeroset::test {
+namespace zeroset::test::rounding_test {
 namespace {
 
 template <class Real>
@@ -119,4 +119,4 @@ TYPED_TEST(JitRounding, RejectsNoUnknownBoxOfRandomFormulas) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::rounding_test

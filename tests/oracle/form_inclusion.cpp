@@ -285,6 +285,7 @@ template <class Real>
 void check_forms(MakeKernel make, int depth, int batches, RandomNumbers& random,
                  InclusionTally& tally) {
     const Expr expr = random_expression(random, depth);
+    tally.note_operators(expr);
     const Kernel kernel = make(expr);
     for (int batch = 0; batch < batches; ++batch) {
         const auto cells = random_cells<Real>(random);

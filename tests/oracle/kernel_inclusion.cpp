@@ -12,7 +12,7 @@ namespace zeroset::test {
 namespace {
 
 constexpr int places_a_box = 4;
-constexpr mpfr_prec_t wide_bits = 256;
+constexpr mpfr_prec_t kernel_bits = 256;
 
 using Place = std::array<double, 4>;
 
@@ -49,7 +49,7 @@ std::string disproved_by(const MpfiEnclosure& part, const Outcome<Real>& outcome
 template <class Real>
 std::string disproved(const Expr& expr, const Box4<Real>& box, const Outcome<Real>& outcome,
                       InclusionTally& tally) {
-    const WorkingPrecision precision(wide_bits);
+    const WorkingPrecision precision(kernel_bits);
     MpfiEvaluator evaluator(expr);
     RandomNumbers random(9);
     Place last = random_place(box, random);
@@ -77,6 +77,7 @@ std::string disproved(MakeKernel make, const FormulaOnBox<Real>& on) {
 template <class Real>
 void check_kernel(MakeKernel make, int depth, RandomNumbers& random, InclusionTally& tally) {
     const Expr expr = random_expression(random, depth);
+    tally.note_operators(expr);
     const Boxes<Real> boxes = random_boxes<Real>(random);
     const Ranges<Real> ranges = in_tested_mode(ranges_of<Real>, make(expr), boxes);
     for (std::size_t i = 0; i < boxes_a_batch; ++i) {

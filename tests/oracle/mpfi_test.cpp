@@ -15,7 +15,7 @@
 
 // Checks of MPFI's enclosures against point values of MPFR, operator by operator.
 
-namespace zeroset::test {
+namespace zeroset::test::mpfi_test {
 namespace {
 
 constexpr mpfr_prec_t bits = 160;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(Op, MpfiOperator, ::testing::ValuesIn(operators()),
                          [](const auto& row) { return op_name(row); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::mpfi_test

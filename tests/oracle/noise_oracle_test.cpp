@@ -15,7 +15,7 @@
 // Tracers on noise and soft balls against each cell's and each piece's polynomial, solved exactly.
 // ZEROSET_FORMULAS says how many surfaces of a kind are made, each for some 500 rays.
 
-namespace zeroset::test {
+namespace zeroset::test::noise_oracle_test {
 namespace {
 
 AuditReport audit_of(const std::vector<std::string>& equations, double size,
@@ -47,7 +47,7 @@ void expect_sound(const AuditReport& total) {
 
 std::vector<std::string> noises(const std::string& word, const std::vector<std::string>& levels) {
     std::vector<std::string> equations;
-    for (int n = 0; n < formulas_to_try(6); ++n) {
+    for (int n = 0; n < formulas_to_try(2); ++n) {
         const auto& level = levels[static_cast<std::size_t>(n) % levels.size()];
         equations.push_back(word + "(x, y, z, " + std::to_string(n) + ") = " + level);
     }
@@ -105,13 +105,13 @@ void expect_no_root_missed(const AuditReport& total) {
 const AuditSettings by_balls{.tracer = "beams", .interpreted = true, .knows_fields = true};
 
 TEST(TracerOnBlobs, MissesNoRootByBeams) {
-    AuditReport total = audit_of(blob_equations("blobs", formulas_to_try(4)), 1.3);
+    AuditReport total = audit_of(blob_equations("blobs", formulas_to_try(2)), 1.3);
     EXPECT_EQ(total.failures.size(), 0U);
     EXPECT_GT(total.hit_certified, total.hit * 9 / 10);
 }
 
 TEST(TracerOnBlobs, MissesNoRootByTheBallsNearRays) {
-    expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(12)), 1.3, by_balls));
+    expect_no_root_missed(audit_of(blob_equations("blobs", formulas_to_try(4)), 1.3, by_balls));
 }
 
 TEST(TracerOnBlobs, MissesNoRootAtCoarseAndFineCells) {
@@ -124,7 +124,7 @@ TEST(TracerOnBlobs, MissesNoRootAtCoarseAndFineCells) {
 
 TEST(TracerOnBlobs, MissesNoRootWhereTheyAreCut) {
     std::vector<AuditSurface> surfaces;
-    for (const std::string& equation : blob_equations("blobs", formulas_to_try(8))) {
+    for (const std::string& equation : blob_equations("blobs", formulas_to_try(3))) {
         surfaces.push_back({.name = equation,
                             .equation = equation,
                             .clip = Box::cube(0.9),
@@ -139,7 +139,7 @@ TEST(TracerOnBlobs, MissesNoRootWhereTheyAreCut) {
 TEST(TracerOnBlobs, MissesNoRootFromAmongThem) {
     AuditReport total;
     RandomNumbers random(11);
-    for (const std::string& equation : blob_equations("blobs", formulas_to_try(4))) {
+    for (const std::string& equation : blob_equations("blobs", formulas_to_try(2))) {
         AuditSurface surface{.name = equation,
                              .equation = equation,
                              .clip = Box::cube(1.3),
@@ -153,4 +153,4 @@ TEST(TracerOnBlobs, MissesNoRootFromAmongThem) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::noise_oracle_test

@@ -14,7 +14,7 @@
 
 // Checks of the ray oracles on rays whose roots are known, and against each other.
 
-namespace zeroset::test {
+namespace zeroset::test::ray_oracles_test {
 namespace {
 
 constexpr std::array no_w{0.0};
@@ -157,4 +157,4 @@ TEST(RandomSurface, IsTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::ray_oracles_test

@@ -19,7 +19,7 @@
 
 // The proofs of find_shadows about single hits of random surfaces, against the oracles.
 
-namespace zeroset::test {
+namespace zeroset::test::shadow_oracle_test {
 namespace {
 
 struct Counts {
@@ -137,4 +137,4 @@ TEST(ShadowsAgainstOracles, ProofsHoldOfSingleRays) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::shadow_oracle_test

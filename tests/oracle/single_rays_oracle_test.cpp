@@ -16,7 +16,7 @@
 
 // The first roots on rays that go anywhere, on random surfaces, against the oracles.
 
-namespace zeroset::test {
+namespace zeroset::test::single_rays_oracle_test {
 namespace {
 
 struct Counts {
@@ -109,4 +109,4 @@ TEST(SingleRaysAgainstOracles, ProofsHoldOnRandomSurfaces) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::single_rays_oracle_test

@@ -12,7 +12,7 @@
 // Checks each tracer's claims about single rays against the oracles, on the gallery and on random
 // surfaces. `ray_checks` does the same at any size.
 
-namespace zeroset::test {
+namespace zeroset::test::tracer_oracle_test {
 namespace {
 
 class TracerAgainstOracles : public ::testing::TestWithParam<std::string> {
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, TracerAgainstOracles, ::testing::ValuesIn(p
                          });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::tracer_oracle_test

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::code_choice_test {
 namespace {
 
 std::optional<CodeUse> code_for(const std::string& text, int size, int threads = 0) {
@@ -94,4 +94,4 @@ TEST(CodeChoice, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::code_choice_test

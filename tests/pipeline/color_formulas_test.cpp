@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::color_formulas_test {
 namespace {
 
 /// Returns the number that determines the colour of a point.
@@ -115,4 +115,4 @@ TEST(Coloring, FollowsTheChoiceAndTheSurfacesShown) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::color_formulas_test

@@ -12,7 +12,7 @@
 
 // Steps between contour lines that are found by themselves.
 
-namespace zeroset::test {
+namespace zeroset::test::contour_step_test {
 namespace {
 
 double step_of(const std::string& surface, const std::string& number) {
@@ -49,4 +49,4 @@ TEST(ContourStep, IsThatOfTheBoxWhereNoSurfaceIsFound) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::contour_step_test

@@ -8,7 +8,7 @@
 
 // From a frame to the finished picture: what of the document is laid over it.
 
-namespace zeroset {
+namespace zeroset::finish_picture_test {
 namespace {
 
 class FinishPicture : public testing::Test {
@@ -87,4 +87,4 @@ TEST_F(FinishPicture, ChangesNothingButColours) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::finish_picture_test

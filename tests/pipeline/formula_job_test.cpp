@@ -12,7 +12,7 @@
 
 // Tests of background compilation: the newest text wins, nothing blocks or is lost at the end.
 
-namespace zeroset::test {
+namespace zeroset::test::formula_job_test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
@@ -169,4 +169,4 @@ TEST(FormulaJob, MakesTheFormulasOfColors) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::formula_job_test

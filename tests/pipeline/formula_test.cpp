@@ -11,7 +11,7 @@
 
 // Tests of making machine code of a text, and of the messages about a wrong text.
 
-namespace zeroset::test {
+namespace zeroset::test::formula_test {
 namespace {
 
 /// Returns the value for w = 0.
@@ -201,4 +201,4 @@ TEST(Describe, ShortensALongLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::formula_test

@@ -19,7 +19,7 @@
 // Draws formulas as people type them, from the text to the picture: one family of formulas for each
 // kind that was once drawn wrongly.
 
-namespace zeroset::test {
+namespace zeroset::test::formulas_as_typed_test {
 namespace {
 
 struct Drawn {
@@ -227,4 +227,4 @@ TEST(FormulasAsTyped, RootsOfRemaindersAreFound) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::formulas_as_typed_test

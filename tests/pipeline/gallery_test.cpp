@@ -11,7 +11,7 @@
 
 // Tests of the gallery's files, which are compiled into the program.
 
-namespace zeroset::test {
+namespace zeroset::test::gallery_test {
 namespace {
 
 TEST(Gallery, HasTheSuiteAndADozenMore) {
@@ -115,4 +115,4 @@ TEST(GalleryItem, NamesTheNearestOfAnUnknownName) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::gallery_test

@@ -19,7 +19,7 @@
 #include <span>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::level_set_document_test {
 namespace {
 
 PictureRequest request_of(const std::string& text, double half,
@@ -174,4 +174,4 @@ TEST(LevelSets, WhatTheyCannotSayIsRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::level_set_document_test

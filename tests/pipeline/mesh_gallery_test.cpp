@@ -17,7 +17,7 @@
 //   linked_tori and trefoil_knot, which take 15 to 50 s (they are right, too: 3 components of genus
 //   1 in all, 2 tori, 1 torus).
 
-namespace zeroset::test {
+namespace zeroset::test::mesh_gallery_test {
 namespace {
 
 struct KnownSurface {
@@ -83,4 +83,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::mesh_gallery_test

@@ -13,7 +13,7 @@
 
 // Rows that are given by a point, from their text to pixels.
 
-namespace zeroset::test {
+namespace zeroset::test::patches_test {
 namespace {
 
 Framebuffer picture(const PictureRequest& request, int side) {
@@ -82,4 +82,4 @@ TEST(PatchPictures, AreRefusedByWhatKnowsOnlyEquations) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patches_test

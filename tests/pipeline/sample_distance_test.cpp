@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::sample_distance_test {
 namespace {
 
 using Distance = std::function<double(const glm::dvec3&)>;
@@ -137,4 +137,4 @@ TEST(SampleDistance, SaysWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::sample_distance_test

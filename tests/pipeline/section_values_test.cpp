@@ -13,7 +13,7 @@
 
 // What sections show of typed surfaces: the colours of the function whose level they are.
 
-namespace zeroset::test {
+namespace zeroset::test::section_values_test {
 namespace {
 
 Document document_of(const std::string& text) {
@@ -113,4 +113,4 @@ TEST(SectionValues, AreNothingWhereNoSectionShowsThem) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::section_values_test

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::snap_point_test {
 namespace {
 
 std::optional<SpecialPoint> near(const std::string& text, const glm::dvec3& from,
@@ -106,4 +106,4 @@ TEST(SpecialPoint, IsNumericalAndSaysHowWell) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::snap_point_test

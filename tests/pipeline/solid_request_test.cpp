@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::solid_request_test {
 namespace {
 
 std::vector<SolidSide> sides_of(const char* text, SolidSide chosen = SolidSide::Automatic) {
@@ -44,4 +44,4 @@ TEST(SolidRequest, IsWhatWasChosen) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::solid_request_test

@@ -19,7 +19,7 @@
 
 // Things made of points, thickness and boxes of rows, from their text to pixels.
 
-namespace zeroset::test {
+namespace zeroset::test::things_test {
 namespace {
 
 constexpr int side = 128;
@@ -283,4 +283,4 @@ TEST(ShownPoints, AreWhereTheSlidersTakeThem) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::things_test

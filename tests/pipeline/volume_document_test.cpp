@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::volume_document_test {
 namespace {
 
 std::vector<std::string> isovalues_in(const std::string& text) {
@@ -36,4 +36,4 @@ TEST(Isovalues, AreNotThereWithoutAVolume) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::volume_document_test

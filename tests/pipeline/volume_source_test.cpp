@@ -16,7 +16,7 @@
 #include <fstream>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::volume_source_test {
 namespace {
 
 /// A folder with the volume of `sample_field` as sample.nrrd, from which texts are read.
@@ -312,4 +312,4 @@ TEST_F(VolumeTexts, ASampledFormulaIsTheFormulaAtTheSamples) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::volume_source_test

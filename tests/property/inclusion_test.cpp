@@ -15,7 +15,7 @@
 // enclose the real function: on random boxes, at random real points of them, against a reference of
 // 256 bits. `inclusion_checks` makes many more of these checks.
 
-namespace zeroset::test {
+namespace zeroset::test::inclusion_test {
 namespace {
 
 /// Counts the points that a suite checks and prints the sum at its end.
@@ -49,13 +49,13 @@ protected:
 };
 
 TEST_P(InclusionOfOperators, OfFloatsEnclosesRealValues) {
-    enclose_real_values<float>(scalar_range<float>, 20000, 1);
+    enclose_real_values<float>(scalar_range<float>, 4000, 1);
 }
 TEST_P(InclusionOfOperators, OfDoublesEnclosesRealValues) {
-    enclose_real_values<double>(block_range, 16000, 2);
+    enclose_real_values<double>(block_range, 3200, 2);
 }
 TEST_P(InclusionOfOperators, OfConstantsEnclosesRealValues) {
-    enclose_real_values<double>(scalar_range<double>, 4000, 6);
+    enclose_real_values<double>(scalar_range<double>, 1000, 6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Inclusion, InclusionOfOperators, ::testing::ValuesIn(operators()),
@@ -75,8 +75,8 @@ protected:
     }
 };
 
-TEST_F(InclusionOfHelpers, OfFloatsHolds) { enclose_real_values<float>(30000); }
-TEST_F(InclusionOfHelpers, OfDoublesHolds) { enclose_real_values<double>(10000); }
+TEST_F(InclusionOfHelpers, OfFloatsHolds) { enclose_real_values<float>(6000); }
+TEST_F(InclusionOfHelpers, OfDoublesHolds) { enclose_real_values<double>(2000); }
 
 /// Checks quotients over every divisor that contains 0: inside, at an end, as one point, of either
 /// sign.
@@ -121,10 +121,10 @@ protected:
 };
 
 TEST_F(InclusionOfExpressions, OfRandomGraphsInFloatHolds) {
-    enclose_random_graphs<float>(8000, 5);
+    enclose_random_graphs<float>(2000, 5);
 }
 TEST_F(InclusionOfExpressions, OfRandomGraphsInDoubleHolds) {
-    enclose_random_graphs<double>(8000, 7);
+    enclose_random_graphs<double>(2000, 7);
 }
 
 /// Iterations and their estimates of distances, whose values grow beyond the floats: with nothing
@@ -140,10 +140,10 @@ TEST_F(InclusionOfExpressions, OfIterationsHolds) {
              "distance_estimate(u, 5, x + y/3, u^3 - w)",
              "distance_estimate(q, 3, (x, y, z), bulb_power(q, 8) + (x, y, z))",
              "distance_estimate(q, 2, (x - 1, 2y, z), (exp(q.x), q.y q.z, abs(q.x) - q.z))"}) {
-        enclose_graph<float>(text, 50, 9);
-        enclose_graph<double>(text, 50, 10);
+        enclose_graph<float>(text, 12, 9);
+        enclose_graph<double>(text, 12, 10);
     }
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::inclusion_test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/expr/expr.hpp"
 #include "engine/num/interval.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/support/mpfr_number.hpp"
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <string>
 
 // Helpers of the inclusion tests. Intervals are computed inside `in_tested_mode` only, everything
@@ -72,7 +74,12 @@ struct InclusionTally {
     std::uint64_t checks = 0;    ///< points at which a claim was compared with the truth
     std::uint64_t failures = 0;  ///< claims that were found wrong
     std::string first;           ///< describes the first failure
+    std::set<Op> operators;      ///< in the formulas that were tried
 
+    void note_operators(const Expr& expr) {
+        for (const Node& node : expr.nodes())
+            operators.insert(node.op);
+    }
     /// Counts a failure unless `reason` is empty. `place()` describes where it is.
     void note(const std::string& reason, const auto& place) {
         if (reason.empty()) return;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/interpret/interpret_code.hpp"
-#include "engine/real/sleef_lanes.hpp"
+#include "engine/real/processor.hpp"
 
 #include <string>
 #include <utility>

@@ -3,6 +3,7 @@
 #include "engine/expr/op.hpp"
 
 #include <ostream>
+#include <set>
 #include <string>
 
 namespace zeroset {
@@ -21,6 +22,15 @@ inline bool takes_condition(const OpInfo& info, int operand) {
 /// Whether the operator's value is a condition.
 inline bool is_condition(const OpInfo& info) {
     return info.notation == Notation::Logic || info.notation == Notation::Compare;
+}
+
+/// The names of the operators that are not among these.
+inline std::string missing_operators(const std::set<Op>& those) {
+    std::string names;
+    for (const OpInfo& info : operators()) {
+        if (!those.contains(info.op)) names += std::string(info.name) + ' ';
+    }
+    return names;
 }
 
 /// The name of a test over a row of op.def.

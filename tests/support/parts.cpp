@@ -24,8 +24,7 @@ Expr beside_another(const Expr& expr) {
         add(own, 1.0);
         add(other, 0.75);
     }
-    return builder.finish(builder.apply(Op::Min, own.back(), other.back()),
-                          {expr.parameters().begin(), expr.parameters().end()});
+    return builder.finish(builder.apply(Op::Min, own.back(), other.back()), expr.parameter_names());
 }
 
 }  // namespace

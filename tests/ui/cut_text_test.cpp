@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::cut_text_test {
 namespace {
 
 /// Something that the window shows.
@@ -309,4 +309,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::cut_text_test

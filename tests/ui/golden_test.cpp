@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::golden_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Goldens, testing::ValuesIn(looked_at()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::golden_test

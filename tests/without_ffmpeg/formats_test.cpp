@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::formats_test {
 namespace {
 
 constexpr const char* reason = "this Zeroset was built without FFmpeg";
@@ -79,4 +79,4 @@ TEST(WithoutFfmpeg, AFilmThatIsBegunAnywayLeavesNoFile) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::formats_test

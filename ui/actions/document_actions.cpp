@@ -22,7 +22,7 @@ bool has_exports(const UiState& state) {
     return state.pages.exports.open && state.pages.exports.wish.kind == kind;
 }
 
-constexpr auto table = std::to_array<Action>({
+constexpr auto document_table = std::to_array<Action>({
     {.section = section::document,
      .name = "Undo",
      .keys = "Ctrl+Z",
@@ -112,6 +112,6 @@ constexpr auto table = std::to_array<Action>({
 
 }  // namespace
 
-std::span<const Action> document_actions() { return table; }
+std::span<const Action> document_actions() { return document_table; }
 
 }  // namespace zeroset::ui

@@ -6,7 +6,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr auto table = std::to_array<OtherWords>({
+constexpr auto word_table = std::to_array<OtherWords>({
     {.action = "Reset the view", .words = "camera, home view, start view, default view"},
     {.action = "Parallel rays", .words = "camera, orthographic, perspective, isometric projection"},
     {.action = "Mark undecided pixels", .words = "uncertain, unproved, certificate, certified"},
@@ -119,11 +119,11 @@ constexpr auto table = std::to_array<OtherWords>({
 
 }  // namespace
 
-std::span<const OtherWords> other_words() { return table; }
+std::span<const OtherWords> other_words() { return word_table; }
 
 std::string_view other_words_of(std::string_view action) {
-    const auto* const found = std::ranges::find(table, action, &OtherWords::action);
-    return found == table.end() ? std::string_view() : found->words;
+    const auto* const found = std::ranges::find(word_table, action, &OtherWords::action);
+    return found == word_table.end() ? std::string_view() : found->words;
 }
 
 }  // namespace zeroset::ui

@@ -142,7 +142,7 @@ constexpr Action choice(const char* name, void (*run)(UiState&), bool (*is_on)(c
     return {.section = section::picture, .name = name, .run = run, .is_on = is_on, .chooses = true};
 }
 
-constexpr auto table = std::to_array<Action>({
+constexpr auto picture_table = std::to_array<Action>({
     {.section = section::picture,
      .name = "Reset the view",
      .keys = "R",
@@ -295,6 +295,6 @@ constexpr auto table = std::to_array<Action>({
 
 }  // namespace
 
-std::span<const Action> picture_actions() { return table; }
+std::span<const Action> picture_actions() { return picture_table; }
 
 }  // namespace zeroset::ui

@@ -36,7 +36,7 @@ void save_view(UiState& state) {
     state.edited.layout.camera_open = true;
 }
 
-constexpr auto table = std::to_array<Action>({
+constexpr auto view_table = std::to_array<Action>({
     {.section = section::view,
      .name = "Frame the surface",
      .keys = "F, Home",
@@ -144,6 +144,6 @@ constexpr auto table = std::to_array<Action>({
 
 }  // namespace
 
-std::span<const Action> view_actions() { return table; }
+std::span<const Action> view_actions() { return view_table; }
 
 }  // namespace zeroset::ui

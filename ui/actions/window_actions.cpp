@@ -43,7 +43,7 @@ constexpr Action language_choice(const char* name, void (*run)(UiState&),
             .for_readers = true};
 }
 
-constexpr auto table =
+constexpr auto window_table =
     std::to_array<Action>(
         {
             {.section = section::window,
@@ -185,6 +185,6 @@ constexpr auto table =
 
 }  // namespace
 
-std::span<const Action> window_actions() { return table; }
+std::span<const Action> window_actions() { return window_table; }
 
 }  // namespace zeroset::ui

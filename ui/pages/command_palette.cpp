@@ -26,7 +26,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr const char* popup = "##command palette";
+constexpr const char* palette_popup = "##command palette";
 constexpr float line_em = 1.8F;
 
 /// The other words of an action, by which it is found, too; in another language also its English
@@ -211,7 +211,7 @@ std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& 
 
 void draw_command_palette(UiState& state) {
     CommandPalette& shown = state.pages.commands;
-    if (!follow_popup(shown, popup)) return;
+    if (!follow_popup(shown, palette_popup)) return;
     if (shown.frames == 1) {
         shown.typed.clear();
         shown.selected = 0;
@@ -226,7 +226,7 @@ void draw_command_palette(UiState& state) {
                       std::ceil(std::min({em(28.0F), 0.85F * window.y, needed})));
     ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.06F * window.y));
     ImGui::SetNextWindowSize(size);
-    draw_popup(shown, popup, [&] { draw_palette(state); });
+    draw_popup(shown, palette_popup, [&] { draw_palette(state); });
 }
 
 }  // namespace zeroset::ui

@@ -21,7 +21,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr const char* popup = "##gallery page";
+constexpr const char* gallery_popup = "##gallery page";
 /// Width of the picture from which the page covers only it; a narrower picture's page covers the
 /// window.
 constexpr float least_width_em = 34.0F;
@@ -221,7 +221,7 @@ void draw_page(UiState& state) {
 
 void draw_gallery_page(UiState& state) {
     GalleryPage& page = state.pages.gallery;
-    if (state.shown.gallery.empty() || !follow_popup(page, popup)) {
+    if (state.shown.gallery.empty() || !follow_popup(page, gallery_popup)) {
         state.wishes.thumbnails.items.clear();
         return;
     }
@@ -229,7 +229,7 @@ void draw_gallery_page(UiState& state) {
     state.wishes.thumbnails.size_px = glm::ivec2(glm::round(scale * picture_size));
     if (page.frames == 1) page.follow = true;
     place_page(state.edited.layout);
-    draw_popup(page, popup, [&] { draw_page(state); });
+    draw_popup(page, gallery_popup, [&] { draw_page(state); });
 }
 
 }  // namespace zeroset::ui

@@ -41,7 +41,7 @@ constexpr float card_gap_em = 0.3F;
 float card_height() { return std::ceil(em(picture_em.y + card_gap_em)); }
 
 /// Height of the list of saved views.
-float list_height(const Document& document) {
+float view_list_height(const Document& document) {
     const auto cards = static_cast<float>(document.views.size());
     return cards == 0.0F ? 2.0F * ImGui::GetTextLineHeightWithSpacing()
                          : std::min(cards, most_cards) * card_height();
@@ -56,7 +56,7 @@ void draw_button(UiState& state, const char* label, const char* name, float widt
     draw_tooltip(described(action) + (*tr(action.about) == '\0' ? "" : "\n") + tr(action.about));
 }
 
-void draw_buttons(UiState& state) {
+void draw_view_buttons(UiState& state) {
     constexpr std::array<std::pair<const char*, const char*>, 3> buttons{
         {{marked("Save view"), "Save view"},
          {marked("Copy"), "Copy the camera"},
@@ -219,13 +219,13 @@ void draw_error(UiState& state) {
 
 float camera_section_height(const UiState& state) {
     const float rows = state.input.camera_error.empty() ? 5.0F : 6.0F;
-    return list_height(state.edited.document) + ImGui::GetStyle().ItemSpacing.y +
+    return view_list_height(state.edited.document) + ImGui::GetStyle().ItemSpacing.y +
            rows * ImGui::GetFrameHeightWithSpacing();
 }
 
 void draw_camera_section(UiState& state) {
-    draw_buttons(state);
-    ImGui::BeginChild("##views", ImVec2(0.0F, list_height(state.edited.document)));
+    draw_view_buttons(state);
+    ImGui::BeginChild("##views", ImVec2(0.0F, view_list_height(state.edited.document)));
     draw_cards(state);
     ImGui::EndChild();
     draw_numbers(state);

@@ -166,7 +166,7 @@ void draw_list(Edited& edited, const ShownPicture& picture) {
 }
 
 /// Height of the list as far as it is shown without scrolling.
-float list_height(const Document& document) {
+float marker_list_height(const Document& document) {
     const auto rows = static_cast<float>(document.markers.size());
     if (rows == 0.0F) return 2.0F * ImGui::GetTextLineHeightWithSpacing();
     return std::clamp(rows, 1.0F, most_rows) * (std::ceil(em(row_em)) + row_gap()) + em(0.3F);
@@ -178,7 +178,7 @@ float marker_section_height(const UiState& state) {
     const Document& document = state.edited.document;
     const float field = ImGui::GetFrameHeightWithSpacing();
     const float wrong = state.pages.point.wrong ? ImGui::GetTextLineHeightWithSpacing() : 0.0F;
-    return field + wrong + list_height(document) + ImGui::GetStyle().ItemSpacing.y +
+    return field + wrong + marker_list_height(document) + ImGui::GetStyle().ItemSpacing.y +
            (document.markers.empty() ? 0.0F : field);
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using Caret = RowFocus::Caret;
 
-constexpr const char* hint = marked("type an equation, such as x^2 + y^2 + z^2 = 1");
+constexpr const char* long_hint = marked("type an equation, such as x^2 + y^2 + z^2 = 1");
 constexpr const char* short_hint = marked("type an equation");
 
 std::vector<Statement>& rows(UiState& state) { return state.edited.document.statements; }
@@ -138,7 +138,7 @@ void draw_adder(UiState& state) {
 const char* hint_for(const UiState& state) {
     if (state.edited.document.statements.size() > 1) return nullptr;
     const bool wide = ImGui::GetContentRegionAvail().x > em(32.0F);
-    return tr(wide ? hint : short_hint);
+    return tr(wide ? long_hint : short_hint);
 }
 
 }  // namespace

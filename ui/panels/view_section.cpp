@@ -57,7 +57,7 @@ void draw_wheel(WheelUse& use) {
     ImGui::EndCombo();
 }
 
-void draw_buttons(UiState& state) {
+void draw_space_buttons(UiState& state) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
     const bool dark = state.edited.theme == Theme::Dark;
@@ -85,7 +85,7 @@ void draw_view_section(UiState& state) {
     draw_projection(state.edited.document.camera);
     draw_light(state.edited.document);
     draw_wheel(state.edited.layout.wheel);
-    draw_buttons(state);
+    draw_space_buttons(state);
 }
 
 }  // namespace zeroset::ui

@@ -28,7 +28,7 @@ namespace {
 constexpr float rim_em = 2.9F;    ///< from the middle to where the balls are
 constexpr float ball_em = 0.68F;  ///< radius
 constexpr float margin_em = 0.7F;
-constexpr float least_picture_em = 11.0F;
+constexpr float least_for_gizmo_em = 11.0F;
 
 constexpr std::array<const char*, 6> names{
     "+x", "+y", "+z", "\xE2\x88\x92x", "\xE2\x88\x92y", "\xE2\x88\x92z"};
@@ -134,7 +134,7 @@ void draw_axis_gizmo(UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = window.x - side_panel_width(state.edited.layout);
     const float height = picture_height(state.edited.layout);
-    if (!state.edited.document.camera || std::min(width, height) < em(least_picture_em)) return;
+    if (!state.edited.document.camera || std::min(width, height) < em(least_for_gizmo_em)) return;
 
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |

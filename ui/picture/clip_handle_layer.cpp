@@ -22,7 +22,7 @@ namespace {
 
 constexpr float stem_em = 6.0F;
 constexpr double longest_stem = 0.15;  ///< in heights of the picture
-constexpr float reach_em = 0.75F;
+constexpr float handle_reach_em = 0.75F;
 constexpr float size_em = 0.36F;  ///< half of a square's edge, a ball's radius
 constexpr double hidden_part = 0.4;
 constexpr double outline_part = 0.85;  ///< opacity of what the pointer's handle moves
@@ -34,7 +34,7 @@ Clipping clipping_of(const Document& document) {
 
 DragKeys keys_held() { return {.shift = ImGui::GetIO().KeyShift, .ctrl = ImGui::GetIO().KeyCtrl}; }
 
-void take_over(Document& document, const Clipping& clipping) {
+void take_clipping(Document& document, const Clipping& clipping) {
     document.clip = clipping.clip;
     document.region = clipping.region;
 }
@@ -48,11 +48,11 @@ void follow_drag(UiState& state, const ViewPoint& cursor) {
     if (drag.given_up || !moved) return;
     if (is_pressed_once(ImGuiKey_Escape)) {
         drag.given_up = true;
-        return take_over(state.edited.document, drag.start);
+        return take_clipping(state.edited.document, drag.start);
     }
     drag.last = dragged(drag, ViewFrame(state.shown.picture.camera), cursor,
                         state.input.viewport_px.y, keys_held());
-    take_over(state.edited.document, drag.last);
+    take_clipping(state.edited.document, drag.last);
 }
 
 /// Across what moves; GLFW has no cursors for slanted directions.
@@ -216,8 +216,8 @@ std::optional<Handle> follow_clip_handles(UiState& state, const PictureArea& are
         if (now != handles.end()) found = *now;
         if (!ImGui::IsItemActive()) state.input.handle_drag.reset();
     } else {
-        found =
-            handle_under(handles, view, cursor, static_cast<double>(em(reach_em) / area.height()));
+        found = handle_under(handles, view, cursor,
+                             static_cast<double>(em(handle_reach_em) / area.height()));
         const bool pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
         if (found && pressed)
             state.input.handle_drag =

@@ -9,7 +9,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr float reach_em = 0.6F;
+constexpr float marker_reach_em = 0.6F;
 
 bool is_drag() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -23,7 +23,7 @@ PictureClick click_at(const UiState& state, const ViewPoint& cursor) {
     const auto height = static_cast<double>(ImGui::GetItemRectSize().y);
     if (height > 0.0)
         click.marker = marker_under(state.edited.document.markers, state.shown.picture, cursor,
-                                    static_cast<double>(em(reach_em)) / height);
+                                    static_cast<double>(em(marker_reach_em)) / height);
     return click;
 }
 

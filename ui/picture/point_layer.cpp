@@ -17,7 +17,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr float reach_em = 0.75F;
+constexpr float point_reach_em = 0.75F;
 
 /// The points of the picture that can be taken: those that nothing hides.
 std::vector<ShownPoint> open_points(const UiState& state, const ViewFrame& view) {
@@ -74,7 +74,7 @@ std::optional<ShownPoint> follow_points(UiState& state, const PictureArea& area,
     if (!free || state.shown.points.empty()) return std::nullopt;
     const std::vector<ShownPoint> points = open_points(state, view);
     const ShownPoint* const found =
-        point_under(points, view, cursor, static_cast<double>(em(reach_em) / area.height()));
+        point_under(points, view, cursor, static_cast<double>(em(point_reach_em) / area.height()));
     if (found == nullptr) return std::nullopt;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {

@@ -12,7 +12,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr float reach_em = 0.5F;  ///< of the pointer, to both sides of the divider
+constexpr float divider_reach_em = 0.5F;  ///< of the pointer, to both sides of the divider
 /// The parts of the width that each picture keeps.
 constexpr float least_part = 0.02F;
 
@@ -59,7 +59,7 @@ void draw_divider(UiState& state, const PictureArea& area) {
     if (!has_divider(state)) return;
     Inspection& wanted = state.edited.inspection;
     const float width = area.hi.x - area.lo.x;
-    const float reach = em(reach_em);
+    const float reach = em(divider_reach_em);
     const ImVec2 start = ImGui::GetCursorPos();
     ImGui::SetCursorScreenPos(ImVec2(divider_x(area, wanted) - reach, area.lo.y));
     ImGui::InvisibleButton("##divider", ImVec2(2.0F * reach, area.height()));

@@ -19,7 +19,7 @@ namespace zeroset::ui {
 namespace {
 
 /// Least width of the picture that has room for a notice.
-constexpr float least_picture_em = 11.0F;
+constexpr float least_for_notice_em = 11.0F;
 constexpr float widest_em = 26.0F;
 
 constexpr std::array<Example, 3> all_examples{
@@ -145,7 +145,7 @@ Emptiness emptiness_of(const UiState& state) {
 void draw_view_notice(UiState& state) {
     const PictureArea area = viewport_area(state.edited.layout);
     const float room = area.hi.x - area.lo.x;
-    if (room < em(least_picture_em)) return;
+    if (room < em(least_for_notice_em)) return;
     draw_framed(state.shown.status.framed, area);
     const Emptiness why = emptiness_of(state);
     if (why == Emptiness::None) return;

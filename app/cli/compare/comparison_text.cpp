@@ -1,4 +1,5 @@
 #include "app/cli/compare/compared_row.hpp"
+#include "app/cli/compare/formatted.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,14 +10,6 @@
 
 namespace zeroset {
 namespace {
-
-/// printf into a string.
-template <class... Values>
-std::string formatted(const char* format, const Values&... values) {
-    std::array<char, 400> text{};
-    const int size = std::snprintf(text.data(), text.size(), format, values...);
-    return {text.data(), std::min(static_cast<std::size_t>(size), text.size() - 1)};
-}
 
 std::string optional_text(const char* format, const std::optional<double>& value) {
     return value ? formatted(format, *value) : "-";

@@ -23,7 +23,7 @@ constexpr std::uint32_t soft_ink = rgb(104, 110, 122);
 constexpr std::uint32_t grid = rgb(226, 229, 234);
 constexpr std::uint32_t here = rgb(31, 101, 176);
 constexpr std::uint32_t beams = rgb(217, 95, 14);
-constexpr std::uint32_t printed = rgb(128, 134, 146);
+constexpr std::uint32_t printed_color = rgb(128, 134, 146);
 constexpr std::uint32_t wrong = rgb(190, 30, 45);
 
 constexpr double canvas_width = 920.0;
@@ -153,7 +153,7 @@ void PlotMaker::add_row(const ComparedRow& row, double y) {
                                   .width = 1.0,
                                   .color = grid});
         shapes_.emplace_back(
-            Circle{.middle = {ring, y}, .radius = dot - 0.6, .color = printed, .line = 1.4});
+            Circle{.middle = {ring, y}, .radius = dot - 0.6, .color = printed_color, .line = 1.4});
         std::string figure = time_text(*row.printed_ms);
         if (row.printed_times) figure += "  " + ratio_text(*row.printed_times);
         write_at(figure, ring + gap, y, soft_ink);
@@ -194,7 +194,7 @@ void PlotMaker::add_heading() {
     shapes_.emplace_back(Circle{.middle = {x + 24.0, y}, .radius = dot, .color = beams});
     x = write_at("beams", x + 34.0, y, ink);
     shapes_.emplace_back(
-        Circle{.middle = {x + 24.0, y}, .radius = dot - 0.6, .color = printed, .line = 1.4});
+        Circle{.middle = {x + 24.0, y}, .radius = dot - 0.6, .color = printed_color, .line = 1.4});
     x = write_at("as printed (" + std::string(table.machine) + ")", x + 34.0, y, ink);
     write_at("\u00d7  times the paper's first method", x + 20.0, y, ink);
 }

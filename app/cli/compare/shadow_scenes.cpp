@@ -3,7 +3,7 @@
 namespace zeroset {
 namespace {
 
-constexpr ShadowTable table{
+constexpr ShadowTable shadows{
     .name = "florez-figure-5.13",
     .source = "Florez 2008, section 5.4.4 and figure 5.13: shadows of a set of spheres",
     .note =
@@ -32,6 +32,6 @@ constexpr ShadowTable table{
 
 }  // namespace
 
-const ShadowTable& shadow_table() { return table; }
+const ShadowTable& shadow_table() { return shadows; }
 
 }  // namespace zeroset

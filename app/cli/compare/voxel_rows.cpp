@@ -1,5 +1,7 @@
 #include "app/cli/compare/voxel_rows.hpp"
 
+#include "app/cli/compare/formatted.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -51,13 +53,6 @@ double mean_of(const std::array<double, 3>& figures) {
 /// The figure that a plot shows: of tables of speeds the mean, of those of scenes that of all.
 double plotted_figure(const VoxelTable& table, const PrintedVoxels& printed) {
     return table.synthetic ? printed.millions[2] : mean_of(printed.millions);
-}
-
-template <class... Values>
-std::string formatted(const char* format, const Values&... values) {
-    std::array<char, 300> text{};
-    const int size = std::snprintf(text.data(), text.size(), format, values...);
-    return {text.data(), std::min(static_cast<std::size_t>(size), text.size() - 1)};
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ constexpr std::string_view scenes_note =
 constexpr std::array<std::string_view, 3> speeds{"min", "max", "avg"};
 constexpr std::array<std::string_view, 3> scans{"bonsai", "aneurism", "engine"};
 
-constexpr std::array tables{
+constexpr std::array voxels{
     VoxelTable{.name = "marmitt-table-1",
                .source = "Marmitt et al. 2004, table 1",
                .machine = opteron,
@@ -103,11 +103,11 @@ constexpr std::array scenes{
 
 }  // namespace
 
-std::span<const VoxelTable> voxel_tables() { return tables; }
+std::span<const VoxelTable> voxel_tables() { return voxels; }
 
 const VoxelTable* find_voxel_table(std::string_view name) {
-    const auto found = std::ranges::find(tables, name, &VoxelTable::name);
-    return found == tables.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(voxels, name, &VoxelTable::name);
+    return found == voxels.end() ? nullptr : &*found;
 }
 
 std::span<const VoxelScene> voxel_scenes() { return scenes; }

@@ -15,12 +15,12 @@ using Color = std::array<double, 3>;
 constexpr int rounds = 6;
 
 /// Weight of a difference in each channel, about as the eye sees it.
-constexpr Color weights{0.5, 1.0, 0.35};
+constexpr Color color_weights{0.5, 1.0, 0.35};
 
 double distance(const Color& a, const Color& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
-        sum += weights[i] * (a[i] - b[i]) * (a[i] - b[i]);
+        sum += color_weights[i] * (a[i] - b[i]) * (a[i] - b[i]);
     return sum;
 }
 
@@ -54,7 +54,7 @@ struct ColorBox {
         for (const Counted& c : colors) {
             for (std::size_t i = 0; i < 3; ++i)
                 squares[i] +=
-                    weights[i] * c.count * (c.color[i] - mean[i]) * (c.color[i] - mean[i]);
+                    color_weights[i] * c.count * (c.color[i] - mean[i]) * (c.color[i] - mean[i]);
         }
         axis = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
         error = squares[0] + squares[1] + squares[2];

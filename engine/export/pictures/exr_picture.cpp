@@ -61,7 +61,7 @@ struct Channel {
     std::size_t offset;  ///< in ExrPixel
 };
 
-constexpr std::size_t number = sizeof(float);
+constexpr std::size_t float_bytes = sizeof(float);
 constexpr Channel real(const char* name, std::size_t offset) {
     return {.name = name, .type = Imf::FLOAT, .offset = offset};
 }
@@ -69,19 +69,19 @@ constexpr Channel whole(const char* name, std::size_t offset) {
     return {.name = name, .type = Imf::UINT, .offset = offset};
 }
 
-constexpr std::array<Channel, 14> channels{
+constexpr std::array<Channel, 14> exr_channels{
     real("R", offsetof(ExrPixel, color)),
-    real("G", offsetof(ExrPixel, color) + number),
-    real("B", offsetof(ExrPixel, color) + 2 * number),
-    real("A", offsetof(ExrPixel, color) + 3 * number),
+    real("G", offsetof(ExrPixel, color) + float_bytes),
+    real("B", offsetof(ExrPixel, color) + 2 * float_bytes),
+    real("A", offsetof(ExrPixel, color) + 3 * float_bytes),
     real("opacity.A", offsetof(ExrPixel, opacity)),
     real("depth.Z", offsetof(ExrPixel, depth)),
     real("position.X", offsetof(ExrPixel, position)),
-    real("position.Y", offsetof(ExrPixel, position) + number),
-    real("position.Z", offsetof(ExrPixel, position) + 2 * number),
+    real("position.Y", offsetof(ExrPixel, position) + float_bytes),
+    real("position.Z", offsetof(ExrPixel, position) + 2 * float_bytes),
     real("normal.X", offsetof(ExrPixel, normal)),
-    real("normal.Y", offsetof(ExrPixel, normal) + number),
-    real("normal.Z", offsetof(ExrPixel, normal) + 2 * number),
+    real("normal.Y", offsetof(ExrPixel, normal) + float_bytes),
+    real("normal.Z", offsetof(ExrPixel, normal) + 2 * float_bytes),
     whole("certificate.id", offsetof(ExrPixel, certificate)),
     whole("surface.id", offsetof(ExrPixel, surface)),
 };
@@ -89,7 +89,7 @@ constexpr std::array<Channel, 14> channels{
 Imf::Header header_of(const PictureOptions& options) {
     Imf::Header header(options.size.width, options.size.height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const Channel& channel : channels)
+    for (const Channel& channel : exr_channels)
         header.channels().insert(channel.name, Imf::Channel(channel.type));
     header.insert("software", Imf::StringAttribute("Zeroset"));
     if (!options.document.empty())
@@ -152,7 +152,7 @@ std::expected<void, FileError> ExrPicture::add(const PictureBand& band) {
             pixels[frame.index(col, row)] = pixel(band, col, row, background);
     });
     Imf::FrameBuffer planes;
-    for (const Channel& channel : channels) {
+    for (const Channel& channel : exr_channels) {
         char* const first = reinterpret_cast<char*>(pixels.data()) + channel.offset;
         planes.insert(channel.name,
                       Imf::Slice::Make(channel.type, first, {0, band.row}, frame.width,

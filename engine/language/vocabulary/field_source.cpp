@@ -37,15 +37,15 @@ constexpr std::array quotes{std::pair<std::string_view, std::string_view>{"\"", 
                             std::pair<std::string_view, std::string_view>{"\u201E", "\u201C"}};
 
 /// The words before a file's name.
-constexpr std::array<std::string_view, 4> words{"volume", "blobs", "metaballs", "blinn"};
+constexpr std::array<std::string_view, 4> field_words{"volume", "blobs", "metaballs", "blinn"};
 
 }  // namespace
 
 FieldCallStart read_field_call(std::string_view text) {
     FieldCallStart start;
     const auto* const found = std::ranges::find_if(
-        words, [&](std::string_view candidate) { return text.starts_with(candidate); });
-    if (found == words.end()) return start;
+        field_words, [&](std::string_view candidate) { return text.starts_with(candidate); });
+    if (found == field_words.end()) return start;
     const std::string_view word = *found;
     start.call.word = word;
     std::size_t at = after_spaces(text, word.size());

@@ -22,7 +22,7 @@ enum class Composed : std::uint8_t {
 };
 
 /// The sections of the help for the rows of shapes.def and of noises.def.
-enum class WordSection : std::uint8_t { None, Vectors, Shapes, Moves, Blends, Things, Noise };
+enum class WordSection : std::uint8_t { None, Vectors, Bodies, Moves, Blends, Things, Noise };
 
 /// A function of the language. Exactly one of `op`, `composed` and `body` is set.
 struct Function {

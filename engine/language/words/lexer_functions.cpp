@@ -11,7 +11,7 @@ namespace zeroset {
 namespace {
 
 /// The tokens before a function's body.
-struct Header {
+struct ProgramHeader {
     std::span<const Token> name;  ///< one token, or empty
     std::span<const Token> arguments;
     std::size_t length;  ///< number of tokens before the body
@@ -97,51 +97,53 @@ private:
         add_point(volume.end());
     }
 
-    [[nodiscard]] std::optional<Header> header_at(std::size_t at) const {
+    [[nodiscard]] std::optional<ProgramHeader> header_at(std::size_t at) const {
         if (is_word(at, "def") && is_name(at + 1)) return python_header(at + 1);
         const bool assigns = is_name(at) && (is(at + 1, "=") || is(at + 1, ":="));
         const auto header = assigns ? unnamed_header(at + 2) : std::nullopt;
         if (!header && is_name(at) && is(at + 1, "(") && is(at + 2, ")") && is(at + 3, ":"))
-            return Header{.name = {}, .arguments = {}, .length = 4};  // K3DSurf's F():
+            return ProgramHeader{.name = {}, .arguments = {}, .length = 4};  // K3DSurf's F():
         if (!header) return handle_header(at, at);
-        return Header{
+        return ProgramHeader{
             .name = part(at, at + 1), .arguments = header->arguments, .length = header->length + 2};
     }
     /// Reads `def f(x, y): return`, from the name on.
-    [[nodiscard]] std::optional<Header> python_header(std::size_t name) const {
+    [[nodiscard]] std::optional<ProgramHeader> python_header(std::size_t name) const {
         const std::size_t end = end_of_names(name + 2);
         if (!is(name + 1, "(") || !is(end, ")") || !is(end + 1, ":")) return std::nullopt;
         std::size_t body = end + 2;
         while (body < tokens_.size() && tokens_[body].kind == TokenKind::Break)
             ++body;
         if (!is_word(body, "return")) return std::nullopt;
-        return Header{.name = part(name, name + 1),
-                      .arguments = part(name + 2, end),
-                      .length = body + 2 - name};
+        return ProgramHeader{.name = part(name, name + 1),
+                             .arguments = part(name + 2, end),
+                             .length = body + 2 - name};
     }
     /// Reads `@(x, y)`.
-    [[nodiscard]] std::optional<Header> handle_header(std::size_t at, std::size_t begin) const {
+    [[nodiscard]] std::optional<ProgramHeader> handle_header(std::size_t at,
+                                                             std::size_t begin) const {
         const std::size_t end = end_of_names(at + 2);
         if (!is(at, "@") || !is(at + 1, "(") || !is(end, ")")) return std::nullopt;
-        return Header{.name = {}, .arguments = part(at + 2, end), .length = end + 1 - begin};
+        return ProgramHeader{.name = {}, .arguments = part(at + 2, end), .length = end + 1 - begin};
     }
     /// Reads `@(x, y)`, `lambda x, y:`, `(x, y) ->` or `x ->`.
-    [[nodiscard]] std::optional<Header> unnamed_header(std::size_t at) const {
+    [[nodiscard]] std::optional<ProgramHeader> unnamed_header(std::size_t at) const {
         if (auto handle = handle_header(at, at)) return handle;
         if (is_word(at, "lambda")) {
             const std::size_t end = end_of_names(at + 1);
             if (is(end, ":"))
-                return Header{.name = {}, .arguments = part(at + 1, end), .length = end + 1 - at};
+                return ProgramHeader{
+                    .name = {}, .arguments = part(at + 1, end), .length = end + 1 - at};
         }
         if (is_name(at) && is_arrow(at + 1))
-            return Header{.name = {}, .arguments = part(at, at + 1), .length = 3};
+            return ProgramHeader{.name = {}, .arguments = part(at, at + 1), .length = 3};
         const std::size_t end = end_of_names(at + 1);
         if (!is(at, "(") || !is(end, ")") || !is_arrow(end + 1)) return std::nullopt;
-        return Header{.name = {}, .arguments = part(at + 1, end), .length = end + 3 - at};
+        return ProgramHeader{.name = {}, .arguments = part(at + 1, end), .length = end + 3 - at};
     }
 
     /// Writes `name(arguments) :=`, or nothing for a function without a name.
-    void write(const Header& header, std::size_t body) {
+    void write(const ProgramHeader& header, std::size_t body) {
         if (header.name.empty()) return;
         const auto symbol = [&](std::string_view text, std::size_t offset) {
             out_.push_back({.kind = TokenKind::Symbol, .text = text, .offset = offset});

@@ -62,15 +62,15 @@ std::size_t end_of_declaration(Tokens statement) {
 }
 
 /// The arguments of NAME(a, b) = ..., and the tokens after the "=".
-struct Header {
+struct FunctionHeader {
     std::vector<std::string> arguments;
     Tokens value;
 };
 
-std::optional<Header> function_header(Tokens from_bracket) {
+std::optional<FunctionHeader> function_header(Tokens from_bracket) {
     const Tokens tokens = from_bracket;
     if (tokens.empty() || !is_symbol(tokens[0], {"(", "["})) return std::nullopt;
-    Header header;
+    FunctionHeader header;
     for (std::size_t i = 1; i < tokens.size();) {
         i += type_words_before(tokens.subspan(i));
         if (i + 2 >= tokens.size() || !is_plain_name(tokens[i])) return std::nullopt;

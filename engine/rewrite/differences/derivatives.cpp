@@ -155,7 +155,7 @@ public:
     }
     [[nodiscard]] Expr finish(const std::optional<GraphNumber>& root) {
         const NodeId id = root ? root->id : builder_.constant(0.0);
-        return builder_.finish(id, {f_.parameters().begin(), f_.parameters().end()});
+        return builder_.finish(id, f_.parameter_names());
     }
 
 private:

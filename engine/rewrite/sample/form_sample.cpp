@@ -13,9 +13,9 @@
 namespace zeroset {
 namespace {
 
-constexpr int first_level = 2;  ///< cells of an edge of 2^-2 of the region's longest
-constexpr int last_level = 7;
-constexpr std::size_t first_side = std::size_t{1} << static_cast<unsigned>(first_level);
+constexpr int first_form_level = 2;  ///< cells of an edge of 2^-2 of the region's longest
+constexpr int last_form_level = 7;
+constexpr std::size_t first_side = std::size_t{1} << static_cast<unsigned>(first_form_level);
 
 constexpr double distance = 4;  ///< of the eye, in halves of the longest edge
 constexpr double right[] = {0.848, 0.530, 0.0};
@@ -70,7 +70,7 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
         level.cells.push_back({at(i), at(i / first_side), at(i / (first_side * first_side))});
     }
     double sum = 0;
-    for (int l = first_level;; ++l) {
+    for (int l = first_form_level;; ++l) {
         levels_.push_back(level);
         const std::vector<double> share = shares(kernel, level);
         sum += std::accumulate(share.begin(), share.end(), 0.0);
@@ -78,7 +78,7 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
         for (std::size_t i = 0; i < cells_a_level; ++i) {
             if (share[i] > 0) kept.push_back(level.cells[i]);
         }
-        if (l == last_level || kept.empty()) break;
+        if (l == last_form_level || kept.empty()) break;
         level.half /= 2;
         for (std::size_t i = 0; i < cells_a_level; ++i) {
             // An eighth of each in turn, no two of them the same.

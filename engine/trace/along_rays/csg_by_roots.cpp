@@ -204,7 +204,8 @@ void trace_tile_csg_by_roots(const TraceFrame& frame, const Tile& tile, TileHits
     if (frame.prepared == nullptr) return hits.leave_undecided(tile);
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
-        thread_local CsgMemory<Real> memory;
+        thread_local const auto kept = std::make_unique<CsgMemory<Real>>();
+        CsgMemory<Real>& memory = *kept;
         const TileRays rays(frame, tile);
         const std::vector<TraceFrame> parts = frames_of_parts(frame);
         memory.field.begin(frame, tile, rays, counters);

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
@@ -177,7 +178,8 @@ void PointSampler::step(std::size_t first, std::size_t count) {
 
 void trace_tile_point_sampling(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                                Counters& counters) {
-    thread_local RayField<double> field;
+    thread_local const auto kept = std::make_unique<RayField<double>>();
+    RayField<double>& field = *kept;
     const TileRays rays(frame, tile);
     field.begin(frame, tile, rays, counters);
     HitWriter writer(rays, field.lines, hits);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -136,7 +137,8 @@ void trace_along_rays(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                       Counters& counters) {
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
-        thread_local RayMemory<Real> memory;
+        thread_local const auto kept = std::make_unique<RayMemory<Real>>();
+        RayMemory<Real>& memory = *kept;
         const TileRays rays(frame, tile);
         memory.field.begin(frame, tile, rays, counters);
         Method<Real> method(memory.field);

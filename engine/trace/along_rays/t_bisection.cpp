@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -236,7 +237,8 @@ void trace_tile_t_bisection(const TraceFrame& frame, const Tile& tile, TileHits&
                             Counters& counters) {
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
-        thread_local PacketMemory<Real> memory;
+        thread_local const auto kept = std::make_unique<PacketMemory<Real>>();
+        PacketMemory<Real>& memory = *kept;
         const TileRays rays(frame, tile);
         memory.field.begin(frame, tile, rays, counters);
         PacketSearch<Real>(rays, hits, memory).run();

@@ -65,7 +65,7 @@ void RayMarcher<Real, Cell>::narrow_by_pieces(std::span<const RaySegment<Real>> 
     for (std::size_t i = 0; i < count; ++i) {
         if (is_open(i)) memory_.pieces.push(i, forms_.branches_of(i));
     }
-    SegmentCells<Real>& of = memory_.piece_cells;
+    SegmentCells<Real>& of = memory_.cells_of_pieces();
     constexpr Real nothing = std::numeric_limits<Real>::infinity();
     memory_.left_from.assign(count, nothing);
     memory_.left_to.assign(count, -nothing);

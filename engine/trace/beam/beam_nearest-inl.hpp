@@ -27,8 +27,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
-
 /// The nearest roots on a tile's rays so far, in the type of its cells.
 template <class Real>
 class NearestRoots {

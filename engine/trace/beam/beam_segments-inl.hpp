@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -73,9 +74,16 @@ struct MarchMemory {
     RangeMemory<Real> ranges, witness_ranges;
     SegmentCells<Real> cells{capacity};
     Pieces<Real> pieces;
-    SegmentCells<Real> piece_cells{most_pieces * capacity};
+    /// Made when first wanted, as few functions have pieces.
+    std::unique_ptr<SegmentCells<Real>> piece_cells;
     /// Where a root may be in some piece of each cell; empty where from > to.
     std::vector<Real> left_from, left_to;
+
+    SegmentCells<Real>& cells_of_pieces() {
+        if (piece_cells == nullptr)
+            piece_cells = std::make_unique<SegmentCells<Real>>(most_pieces * capacity);
+        return *piece_cells;
+    }
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

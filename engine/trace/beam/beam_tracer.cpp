@@ -46,6 +46,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -67,7 +68,8 @@ void trace_beam_tile(const TraceFrame& asked, const Tile& tile, TileHits& hits,
     const double asked_width = TileRays(asked, tile).tolerance();
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
-        thread_local BeamMemory<Real> memory;
+        thread_local const auto kept = std::make_unique<BeamMemory<Real>>();
+        BeamMemory<Real>& memory = *kept;
         BeamTile<Real>(frame, asked_width, tile, memory, hits, counters).trace();
     });
 }

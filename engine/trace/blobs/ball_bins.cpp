@@ -1,14 +1,14 @@
 #include "engine/trace/blobs/ball_bins.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <memory>
 
 namespace zeroset {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 void for_each_column(BinColumns<float>& a, BinColumns<double>& b, const auto& visit) {
     visit(a.x, b.x);
@@ -177,7 +177,8 @@ double BallBins::first_depth(int col, int row) {
 }
 
 BallBins& thread_ball_bins() {
-    thread_local BallBins bins;
+    thread_local const auto kept = std::make_unique<BallBins>();
+    BallBins& bins = *kept;
     return bins;
 }
 

@@ -2,6 +2,8 @@
 
 #include "engine/trace/blobs/ball_sums.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/trace/blobs/ball_sums.cpp"
 #include <hwy/foreach_target.h>
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -48,7 +49,6 @@ void values_at(const BallForms& of, const BallBin& bin, BallPoints& points, std:
     const auto number = [](double a) { return hn::Set(d<double>, a); };
     const std::size_t some = std::min(lanes<double>, points.count - first);
     // A lane that has no number takes no balls from the others.
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     double nearest = unbounded;
     double farthest = -unbounded;
     for (std::size_t i = first; i < first + some; ++i) {

@@ -7,6 +7,7 @@
 
 #include "engine/trace/blobs/blob_tile.hpp"
 
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/tile_costs.hpp"
 
 #include <glm/glm.hpp>
@@ -18,8 +19,6 @@
 
 namespace zeroset {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 struct Place {
     int col, row;

@@ -3,18 +3,17 @@
 
 #include "engine/trace/blobs/blob_ways.hpp"
 
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/blobs/blob_surface.hpp"
 #include "engine/trace/blobs/slab_balls.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// A rectangle of rays, and the depths that they look at.
 struct Reach {
@@ -227,7 +226,8 @@ bool follow_blob_rays(const TraceFrame& frame, const TileRays& rays, double brac
     if (!rays.axes().parallel() || !frame.union_members.empty()) return false;
     const auto surface = blob_surface(frame);
     if (!surface || !(bracket > 64 * rays.depth_error())) return false;
-    thread_local Room room;
+    thread_local const auto kept = std::make_unique<Room>();
+    Room& room = *kept;
     Follower(frame, rays, *surface, bracket, room, counters).run(blocks);
     return true;
 }

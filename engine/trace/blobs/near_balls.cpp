@@ -1,18 +1,18 @@
 #include "engine/trace/blobs/near_balls.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace zeroset {
 namespace {
 
 /// How many balls are taken for a slab at least, if there are.
 constexpr std::size_t balls_in_slab = 256;
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 glm::dvec3 vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 

@@ -36,6 +36,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
@@ -100,7 +101,8 @@ void trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Count
                 BoxTests tests) {
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
-        thread_local BoxMemory<Real> memory;
+        thread_local const auto kept = std::make_unique<BoxMemory<Real>>();
+        BoxMemory<Real>& memory = *kept;
         const TileRays rays(frame, tile);
         const auto start = std::chrono::steady_clock::now();
         const std::vector<ImageBox>& boxes = memory.boxes.find(frame, tile, rays, tests, counters);

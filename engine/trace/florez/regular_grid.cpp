@@ -242,7 +242,8 @@ void trace_tile_regular_grid(const TraceFrame& frame, const Tile& tile, TileHits
     if (frame.prepared == nullptr) return hits.leave_undecided(tile);
     in_precision(frame, [&](auto real) {
         using Real = decltype(real);
-        thread_local RayMemory<Real> memory;
+        thread_local const auto kept = std::make_unique<RayMemory<Real>>();
+        RayMemory<Real>& memory = *kept;
         const TileRays rays(frame, tile);
         const auto stretches =
             walked(static_cast<const CellGrid&>(*frame.prepared), frame, rays, tile);

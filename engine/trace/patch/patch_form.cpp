@@ -3,17 +3,16 @@
 #include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/point_batch.hpp"
 #include "engine/kernel/range_boxes.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace zeroset {
 namespace {
 
 constexpr std::size_t at_once = PatchForms::at_once;
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 using Cells = FormCells<double, at_once>;
 
 /// The distance of the eye whose cells boxes are: a cell of a frustum is

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "engine/kernel/patch_code.hpp"
+#include "engine/real/unbounded.hpp"
 #include "engine/view/box.hpp"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,7 +34,6 @@ struct PatchForm {
     [[nodiscard]] glm::dvec3 spread() const { return glm::abs(ku) + glm::abs(kv) + e; }
     /// Whether something is known of each coordinate.
     [[nodiscard]] bool known() const {
-        constexpr double unbounded = std::numeric_limits<double>::infinity();
         return e.x < unbounded && e.y < unbounded && e.z < unbounded;
     }
 };

@@ -8,6 +8,8 @@
 
 #include "engine/trace/patch/patch_leaf.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/trace/patch/patch_leaf.cpp"
 #include <hwy/foreach_target.h>
@@ -21,7 +23,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -217,7 +218,6 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
     put_normals(end.at_a, end.at_b, end.at_s, found);
     if (clip_.window != LeafWindow::Judged && rays_.to == nullptr)
         return put_found(found, s, lists_.pixels_at(at), hits);
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
         const std::size_t pixel = lists_.pixel(at + lane);
@@ -313,7 +313,6 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
     if (hits == 0) return;
     LeafFound found[2 * width];
     put_normals(end.a, end.b, end.s, found);
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
         const std::size_t pixel = lists_.pixel(at + lane);

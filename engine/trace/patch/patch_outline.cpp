@@ -1,10 +1,10 @@
 #include "engine/trace/patch/patch_outline.hpp"
 
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace zeroset {
 namespace {
@@ -13,8 +13,6 @@ namespace {
 constexpr double spare = 0x1p-10;
 /// Of edges: nearly level ones say no more than the rectangle.
 constexpr double steepest = 64.0;
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// The first pixel whose centre is not before a place, and the one behind the last that is not
 /// after it; of those from `from` to `end`.

@@ -17,17 +17,15 @@ constexpr int most_divisions = 600;
 constexpr double least_radius = 0x1p-46;
 /// Nor below this where S is not continuous: there is nothing to be certified.
 constexpr double least_of_jumps = 0x1p-30;
-/// How much of a box its form stands for.
-constexpr double inner = 1.0 / form_growth;
 
-/// The part of [-inner, inner] in which zeros may be, as middle and radius.
+/// The part of [-box_share, box_share] in which zeros may be, as middle and radius.
 struct Part {
     double middle, radius;
 };
 
 Part part_of(double middle, double radius) {
-    const double lo = std::max(-inner, middle - radius);
-    const double hi = std::min(inner, middle + radius);
+    const double lo = std::max(-box_share, middle - radius);
+    const double hi = std::min(box_share, middle + radius);
     return {.middle = 0.5 * lo + 0.5 * hi, .radius = std::max(0.5 * hi - 0.5 * lo, 0x1p-52)};
 }
 
@@ -110,7 +108,7 @@ void PatchSearch::push_parts(const PatchQuest& quest, PatchNode::Children& parts
         }
         const PatchSight sight = seen.sight(i);
         const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
-        if (!zeros.any || zeros.beyond(inner)) continue;
+        if (!zeros.any || zeros.beyond(box_share)) continue;
         open_.push_back({.box = part.box,
                          .form = part.form,
                          .sight = sight,
@@ -156,7 +154,8 @@ PatchSearch::Outcome PatchSearch::certify(const PatchQuest& quest, const Item& i
     for (int step = 0; step < most_steps; ++step) {
         const PatchPoint point = evaluate(item, p, q);
         const glm::dvec3 at = quest.axes.place(point.s);
-        const ZeroTest test = zero_test(sight, quest.axes, quest.ray, contraction, at, p, q, inner);
+        const ZeroTest test =
+            zero_test(sight, quest.axes, quest.ray, contraction, at, p, q, box_share);
         if (test.found == ZeroTest::Found::None) return Outcome::Done;
         const bool is_last = step + 1 == most_steps;
         if (test.found == ZeroTest::Found::One && 2.0 * test.s_radius <= quest.tolerance) {
@@ -200,8 +199,8 @@ void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchS
             keeps ? tree_.parts(*item.node) : item.node->children.load(std::memory_order_acquire);
         if (parts != nullptr) return push_parts(quest, *parts);
     }
-    const Part p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, inner);
-    const Part q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, inner);
+    const Part p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, box_share);
+    const Part q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, box_share);
     const UvBox whole = place_in(item.box, p.middle, q.middle, 0.0);
     const Division division = division_of(p.radius * glm::length(sight.kp + sight.dp),
                                           q.radius * glm::length(sight.kq + sight.dq));
@@ -243,7 +242,7 @@ PatchHit PatchSearch::search(const PatchQuest& quest, PatchNode& node, const Pat
         if (quest.any && best_.is_hit() && best_.is_proved) break;
         const PatchSight& sight = item.sight;
         const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
-        if (!zeros.any || zeros.beyond(inner)) continue;
+        if (!zeros.any || zeros.beyond(box_share)) continue;
         add_slopes(item.sight, item.form, quest.axes);
         add_value_error(item.sight, item.form);
         if (certify(quest, item, sight, zeros) == Outcome::Done) continue;

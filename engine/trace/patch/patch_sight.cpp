@@ -1,12 +1,11 @@
 #include "engine/trace/patch/patch_sight.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <algorithm>
-#include <limits>
 
 namespace zeroset {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 constexpr double rounding = sight_rounding;
 

@@ -1,18 +1,18 @@
 #include "engine/trace/patch/patch_tile.hpp"
 
+#include "engine/real/unbounded.hpp"
+
 #include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 
 namespace zeroset {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// Leaves are so flat that two or three steps of Newton's method find a zero.
 constexpr double flat_norm = 0.4;
 /// Leaves with a model need not be flatter than this: trace_leaf halves them.
@@ -37,8 +37,6 @@ void fetch(const PatchNode& node) {
     for (std::size_t i = 0; i < sizeof(PatchNode); i += line)
         hwy::Prefetch(bytes + i);
 }
-
-std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
 
 }  // namespace
 
@@ -113,7 +111,7 @@ void PatchTile::find_bounds() {
     blocks_.fill(none);
     for (int row = 0; row < rows_; ++row) {
         for (int col = 0; col < cols_; ++col) {
-            const std::size_t pixel = index_of(col, row);
+            const std::size_t pixel = pixel_index(col, row);
             if (room_.to[pixel] == -unbounded) continue;
             limit_ = std::max(limit_, room_.to[pixel]);
             const auto at =

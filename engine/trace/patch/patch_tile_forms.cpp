@@ -1,23 +1,18 @@
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 // The parts of a patch that are known by forms alone: hits by evaluating S itself.
 
 namespace zeroset {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
-/// How much of a box its form stands for.
-constexpr double inner = 1.0 / form_growth;
 /// Krawczyk's test says enough below this.
 constexpr double most_norm = 0.5;
 constexpr std::size_t candidates_at_once = 512;
 constexpr int most_steps = 4;
-
-std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
 
 }  // namespace
 
@@ -34,7 +29,7 @@ void PatchTile::scan(const Part& part, const Rect& rect) {
 void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
     for (int row = rect.row; row < rect.end_row; ++row) {
         for (int col = rect.col; col < rect.end_col; ++col)
-            scan_pixel(index_of(col, row), leaf, near);
+            scan_pixel(pixel_index(col, row), leaf, near);
     }
 }
 
@@ -43,7 +38,7 @@ void PatchTile::scan_pixel(std::size_t pixel, std::size_t leaf, double near) {
     const auto& [node, sight, contraction] = room_.leaves[leaf];
     const SightRay ray = ray_of(pixel);
     const LinearZeros zeros = linear_zeros(sight, axes_, ray);
-    if (!zeros.any || zeros.beyond(inner)) return;
+    if (!zeros.any || zeros.beyond(box_share)) return;
     const bool may_solve = node->model == nullptr && node->form.continuous;
     if (may_solve && zeros.known && contraction.norm < most_norm) {
         room_.candidates.push_back(
@@ -89,7 +84,7 @@ void PatchTile::advance(bool is_last) {
         const SightRay ray = ray_of(candidate.pixel);
         const glm::dvec3 at = axes_.place(point.s);
         const ZeroTest test = zero_test(leaf.sight, axes_, ray, leaf.contraction, at,
-                                        candidate.place.p, candidate.place.q, inner);
+                                        candidate.place.p, candidate.place.q, box_share);
         if (settle(candidate, test, point, is_last)) continue;
         const UvBox& box = leaf.node->box;
         candidate.place =

@@ -5,12 +5,6 @@
 // The parts of a patch that are known by their models.
 
 namespace zeroset {
-namespace {
-
-constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
-
-}  // namespace
-
 bool PatchTile::is_fine(const PatchNode& node, const PatchSight& sight) const {
     return node.model == nullptr || 6.0 * sight.value_error <= rays_.tolerance();
 }

@@ -1,22 +1,17 @@
 #include "engine/trace/patch/patch_tracer.hpp"
 
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/patch/patch_found.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace zeroset {
 
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
-
-std::size_t index_of(int col, int row) { return static_cast<std::size_t>(row * tile_size + col); }
 
 /// Sets the rays of a tile of the image.
 void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
@@ -36,13 +31,13 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
     }
     room.reach.assign(tile_pixels, -unbounded);
     for (int row = 0; row < tile.rows; ++row) {
-        const auto first = static_cast<std::ptrdiff_t>(index_of(0, row));
+        const auto first = static_cast<std::ptrdiff_t>(pixel_index(0, row));
         std::fill_n(room.reach.begin() + first, tile.cols, unbounded);
     }
     if (tile.limits == nullptr) return;
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col)
-            room.reach[index_of(col, row)] = rays.limit(index_of(col, row));
+            room.reach[pixel_index(col, row)] = rays.limit(pixel_index(col, row));
     }
     room.to = room.reach;
 }
@@ -114,7 +109,7 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
     if (!are_others) return;
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
-            const std::size_t pixel = index_of(col, row);
+            const std::size_t pixel = pixel_index(col, row);
             const LeafFound& found = room.found[pixel];
             const bool is_put = found.state != RayState::Kept && std::isfinite(found.normal[0]);
             if (found.state == RayState::Open || is_put) continue;

@@ -7,7 +7,7 @@
 namespace zeroset {
 namespace {
 
-constexpr int most_halvings = 60;
+constexpr int most_cubic_halvings = 60;
 
 /// f along a cubic, at a part t of the stretch.
 double value_at(const std::array<double, 4>& b, double t) {
@@ -196,7 +196,7 @@ bool FirstRoot::look_at(const RayPolynomial<count>& f, int halvings) {
     const Side last = side_of(f.b[count - 1]);
     const bool crosses = first != Side::Unknown && last != Side::Unknown && first != last;
     if (crosses && goes_one_way(f.b)) return meet(first, f.from) || find_monotone(f);
-    if (f.to - f.from <= 0.25 * finest_ || halvings == most_halvings) {
+    if (f.to - f.from <= 0.25 * finest_ || halvings == most_cubic_halvings) {
         if (!open_) open_from_ = f.from;
         open_ = true;
         open_to_ = f.to;

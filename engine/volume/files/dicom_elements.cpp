@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t preamble = 132;
 constexpr DicomTag syntax_tag = 0x00020010;
-constexpr DicomTag pixel_data = 0x7fe00010;
 constexpr DicomTag float_pixel_data = 0x7fe00008;
 constexpr DicomTag double_pixel_data = 0x7fe00009;
 constexpr DicomTag shared_groups = 0x52009229;
@@ -21,7 +20,7 @@ constexpr DicomTag frame_groups = 0x52009230;
 /// The groups that tell where a slice lies and what its numbers mean (part 3, C.7.6.16): measures
 /// of pixels, position, orientation, transformation of values.
 constexpr std::array<DicomTag, 4> wanted_groups{0x00289110, 0x00209113, 0x00209116, 0x00289145};
-constexpr DicomTag item = 0xfffee000;
+constexpr DicomTag item_tag = 0xfffee000;
 constexpr DicomTag item_end = 0xfffee00d;
 constexpr DicomTag sequence_end = 0xfffee0dd;
 constexpr std::uint32_t undefined_length = 0xffffffff;
@@ -154,7 +153,7 @@ private:
     template <class Take>
     bool for_each_item(const Head& sequence, const Encoding& encoding, const Take& take) {
         return for_each(sequence, encoding, sequence_end,
-                        [&](const Head& head) { return head.tag == item && take(head); });
+                        [&](const Head& head) { return head.tag == item_tag && take(head); });
     }
     /// Takes the elements of the wanted groups of a slice.
     bool take_groups(const Head& groups, const Encoding& encoding,
@@ -188,7 +187,7 @@ private:
             const auto head = next(encoding);
             if (!head) return false;
             if (head->tag == sequence_end) return true;
-            if (head->tag != item) return false;
+            if (head->tag != item_tag) return false;
             const bool passed =
                 head->length == undefined_length ? skip_item(encoding, depth) : skip(head->length);
             if (!passed) return false;

@@ -13,6 +13,7 @@ namespace zeroset {
 
 /// A tag of DICOM: its group in the upper half.
 using DicomTag = std::uint32_t;
+inline constexpr DicomTag pixel_data = 0x7fe00010;
 
 /// What a file of DICOM holds beside sequences, which are passed over but for what several slices
 /// in one file say of themselves.

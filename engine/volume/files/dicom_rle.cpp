@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t header_bytes = 64;
 
-std::unexpected<std::string> damaged() {
+std::unexpected<std::string> damaged_samples() {
     return std::unexpected(std::string("its packed samples are damaged or cut off"));
 }
 
@@ -76,7 +76,7 @@ bool unpack_slice(std::string_view fragment, std::size_t count, std::size_t byte
 Expected<std::string> unpacked_rle(std::string_view items, const GridSize& size,
                                    std::size_t bytes) {
     const auto fragments = fragments_of(items);
-    if (!fragments || fragments->empty()) return damaged();
+    if (!fragments || fragments->empty()) return damaged_samples();
     if (fragments->size() - 1 != size[2]) {
         return std::unexpected("it announces " + std::to_string(size[2]) + " slices, but has " +
                                std::to_string(fragments->size() - 1) + " packed ones");
@@ -85,13 +85,13 @@ Expected<std::string> unpacked_rle(std::string_view items, const GridSize& size,
     const std::uint64_t count = size[0] * size[1];
     const std::uint64_t slice = count * bytes;
     for (std::size_t k = 1; k < fragments->size(); ++k) {
-        if (slice > best_ratio * (*fragments)[k].size()) return damaged();
+        if (slice > best_ratio * (*fragments)[k].size()) return damaged_samples();
     }
     try {
         std::string samples(slice * size[2], '\0');
         for (std::size_t k = 0; k < size[2]; ++k) {
             if (!unpack_slice((*fragments)[k + 1], count, bytes, samples.data() + k * slice))
-                return damaged();
+                return damaged_samples();
         }
         return samples;
     } catch (const std::bad_alloc&) {

@@ -30,10 +30,9 @@ constexpr DicomTag rescale_intercept = 0x00281052;
 constexpr DicomTag rescale_slope = 0x00281053;
 constexpr DicomTag frame_offsets = 0x3004000c;
 constexpr DicomTag dose_scaling = 0x3004000e;
-constexpr DicomTag pixel_data = 0x7fe00010;
 
 /// The bytes of a file with its elements.
-struct Header {
+struct SliceHeader {
     std::string bytes;
     DicomElements elements;
     std::optional<std::size_t> frame = {};  ///< the slice of which it is asked
@@ -65,9 +64,9 @@ struct Header {
     }
 };
 
-Expected<Header> read_header(const std::filesystem::path& file) {
+Expected<SliceHeader> read_slice_header(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    Header header{.bytes = {std::istreambuf_iterator<char>(stream), {}}, .elements = {}};
+    SliceHeader header{.bytes = {std::istreambuf_iterator<char>(stream), {}}, .elements = {}};
     if (!stream) return std::unexpected("it cannot be read");
     auto elements = read_dicom_elements(header.bytes);
     if (elements && elements->deflated_from != 0) {
@@ -122,7 +121,7 @@ Expected<Samples> samples_from(std::string_view bytes, const SampleBlock& block,
 }
 
 /// How many slices a file has.
-Expected<std::uint64_t> frames_of(const Header& header) {
+Expected<std::uint64_t> frames_of(const SliceHeader& header) {
     constexpr double most = 1U << 24U;
     double frames = 1;
     const std::string problem = header.take(number_of_frames, "NumberOfFrames", frames);
@@ -134,7 +133,7 @@ Expected<std::uint64_t> frames_of(const Header& header) {
     return static_cast<std::uint64_t>(frames);
 }
 
-Expected<GridSize> grid_size(const Header& header) {
+Expected<GridSize> grid_size(const SliceHeader& header) {
     const auto frames = frames_of(header);
     if (!frames) return std::unexpected(frames.error());
     return GridSize{static_cast<std::uint64_t>(header.number(column_count, 0)),
@@ -147,17 +146,17 @@ std::unexpected<std::string> no_numbers() {
 }
 
 /// The type that the header tells of.
-std::optional<SampleType> told_type(const Header& header) {
+std::optional<SampleType> told_type(const SliceHeader& header) {
     return type_of(header.number(bits_allocated, 0), header.number(pixel_representation, 0) == 1);
 }
 
 /// From the first sample on, or from what they are packed in.
-std::string_view pixels_of(const Header& header) {
+std::string_view pixels_of(const SliceHeader& header) {
     const auto& pixels = header.elements.elements.at(pixel_data);
     return std::string_view(header.bytes).substr(pixels.offset, pixels.length);
 }
 
-Expected<Samples> plain_samples(const Header& header, const std::filesystem::path& file,
+Expected<Samples> plain_samples(const SliceHeader& header, const std::filesystem::path& file,
                                 const GridSize& size) {
     const auto type = told_type(header);
     if (!type) return no_numbers();
@@ -167,7 +166,7 @@ Expected<Samples> plain_samples(const Header& header, const std::filesystem::pat
         header.number(bits_stored, 0));
 }
 
-Expected<Samples> rle_samples(const Header& header, const std::filesystem::path& file,
+Expected<Samples> rle_samples(const SliceHeader& header, const std::filesystem::path& file,
                               const GridSize& size) {
     const auto type = told_type(header);
     if (!type) return no_numbers();
@@ -177,7 +176,7 @@ Expected<Samples> rle_samples(const Header& header, const std::filesystem::path&
                         header.number(bits_stored, 0));
 }
 
-Expected<Samples> packed_samples(const Header& header, const std::filesystem::path& file,
+Expected<Samples> packed_samples(const SliceHeader& header, const std::filesystem::path& file,
                                  const GridSize& size) {
     const auto told = [&](const std::string& problem) {
         return std::unexpected(problem + " (transfer syntax '" + header.elements.transfer_syntax +
@@ -200,7 +199,7 @@ Expected<Samples> packed_samples(const Header& header, const std::filesystem::pa
 }
 
 /// Takes what a header says of a slice; what is wrong with it, or nothing.
-std::string take_slice(const Header& header, DicomSlice& slice) {
+std::string take_slice(const SliceHeader& header, DicomSlice& slice) {
     std::string problem = header.take(rescale_slope, "RescaleSlope", slice.slope);
     if (problem.empty()) problem = header.take(dose_scaling, "DoseGridScaling", slice.slope);
     if (problem.empty()) problem = header.take(rescale_intercept, "RescaleIntercept", slice.shift);
@@ -241,7 +240,7 @@ void move_by(const std::vector<double>& offsets, std::vector<DicomSlice>& slices
 }  // namespace
 
 Expected<std::vector<DicomSlice>> read_dicom_header(const std::filesystem::path& file) {
-    auto header = read_header(file);
+    auto header = read_slice_header(file);
     if (!header) return std::unexpected(header.error());
     const auto frames = frames_of(*header);
     if (!frames) return std::unexpected(frames.error());
@@ -269,7 +268,7 @@ Expected<std::vector<DicomSlice>> read_dicom_header(const std::filesystem::path&
 }
 
 Expected<Samples> read_dicom_samples(const std::filesystem::path& file) {
-    const auto header = read_header(file);
+    const auto header = read_slice_header(file);
     if (!header) return std::unexpected(header.error());
     if (header->number(samples_per_pixel, 1) != 1) return no_numbers();
     const auto size = grid_size(*header);

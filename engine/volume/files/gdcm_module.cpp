@@ -30,8 +30,9 @@ GdcmOutcome unpack(std::span<const char> file, std::uint64_t count, GdcmReport& 
 }  // namespace
 }  // namespace zeroset
 
-extern "C" void zeroset_unpack_by_gdcm(const char* file, std::size_t size, std::uint64_t count,
-                                       zeroset::GdcmReport& report, char* samples) {
+extern "C" __attribute__((visibility("default"))) void zeroset_unpack_by_gdcm(
+    const char* file, std::size_t size, std::uint64_t count, zeroset::GdcmReport& report,
+    char* samples) {
     try {
         report.outcome = zeroset::unpack({file, size}, count, report, samples);
     } catch (const std::exception&) {

@@ -12,7 +12,7 @@
 namespace zeroset {
 namespace {
 
-struct Header {
+struct MetaHeader {
     std::map<std::string, std::string> fields;  ///< names in lower case
     std::string list;                           ///< the lines behind "ElementDataFile = LIST"
     std::size_t end = 0;                        ///< where the header's last line ends
@@ -30,8 +30,8 @@ struct Header {
     }
 };
 
-Expected<Header> read_header(const std::string& text) {
-    Header header;
+Expected<MetaHeader> read_meta_header(const std::string& text) {
+    MetaHeader header;
     std::size_t at = 0;
     while (at < text.size()) {
         const std::size_t end = text.find('\n', at);
@@ -55,7 +55,7 @@ Expected<Header> read_header(const std::string& text) {
 }
 
 /// The numbers of a field, `otherwise` where it is missing.
-Expected<std::vector<double>> numbers_of(const Header& header,
+Expected<std::vector<double>> numbers_of(const MetaHeader& header,
                                          std::initializer_list<const char*> names,
                                          std::vector<double> otherwise) {
     const std::string text = header.field(names);
@@ -68,7 +68,7 @@ Expected<std::vector<double>> numbers_of(const Header& header,
     return *numbers;
 }
 
-Expected<Geometry> geometry_of(const Header& header) {
+Expected<Geometry> geometry_of(const MetaHeader& header) {
     const auto spacing = numbers_of(header, {"elementspacing", "elementsize"}, {1, 1, 1});
     const auto origin = numbers_of(header, {"offset", "position", "origin"}, {0, 0, 0});
     const auto turn = numbers_of(header, {"transformmatrix", "orientation", "rotation"},
@@ -89,7 +89,7 @@ Expected<Geometry> geometry_of(const Header& header) {
     return geometry;
 }
 
-Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+Expected<SampleBlock> block_of(const MetaHeader& header, const std::filesystem::path& file) {
     SampleBlock block{.file = file, .offset = header.end};
     const auto sizes = numbers_in<std::uint64_t>(header.field({"dimsize"}));
     if (!sizes || sizes->size() != 3) {
@@ -114,7 +114,7 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
 }
 
 /// Where the samples begin in a file of their own.
-Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
+Expected<SampleBlock> at_start(const MetaHeader& header, SampleBlock block) {
     block.offset = 0;
     const std::string skip = header.field({"headersize"});
     if (skip.empty()) return block;
@@ -126,7 +126,7 @@ Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
     return block;
 }
 
-Expected<FoundSamples> samples_of(const Header& header, const std::filesystem::path& file,
+Expected<FoundSamples> samples_of(const MetaHeader& header, const std::filesystem::path& file,
                                   SampleBlock block) {
     const std::string data = header.field({"elementdatafile"});
     if (lower_case(data) == "local") return read_samples_of(file, block);
@@ -149,7 +149,7 @@ Expected<FoundSamples> samples_of(const Header& header, const std::filesystem::p
 Expected<VolumeFile> read_meta_image(const std::filesystem::path& file) {
     const auto text = first_bytes(file, longest_text_header);
     if (!text) return std::unexpected(text.error());
-    const auto header = read_header(*text);
+    const auto header = read_meta_header(*text);
     if (!header) return std::unexpected(header.error());
     const auto block = block_of(*header, file);
     if (!block) return std::unexpected(block.error());

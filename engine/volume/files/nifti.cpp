@@ -46,13 +46,15 @@ constexpr Layout version_2{.dim = 16,
                            .shift = 376,
                            .rows = 400};
 
-class Header {
+class NiftiHeader {
 public:
-    static Expected<Header> read(std::string bytes) {
+    static Expected<NiftiHeader> read(std::string bytes) {
         for (const bool big_endian : {false, true}) {
             const auto size = number_at<std::int32_t>(bytes, 0, big_endian);
-            if (size == 348 && bytes.size() >= 348) return Header(std::move(bytes), big_endian, 1);
-            if (size == 540 && bytes.size() >= 540) return Header(std::move(bytes), big_endian, 2);
+            if (size == 348 && bytes.size() >= 348)
+                return NiftiHeader(std::move(bytes), big_endian, 1);
+            if (size == 540 && bytes.size() >= 540)
+                return NiftiHeader(std::move(bytes), big_endian, 2);
         }
         return std::unexpected("it does not begin with a header of NIfTI");
     }
@@ -84,7 +86,7 @@ public:
     }
 
 private:
-    Header(std::string bytes, bool big_endian, int version)
+    NiftiHeader(std::string bytes, bool big_endian, int version)
         : bytes_(std::move(bytes)), big_endian_(big_endian), version_(version) {}
 
     std::string bytes_;
@@ -130,13 +132,13 @@ Matrix3 turn_of(double b, double c, double d) {
              {2 * (b * d - a * c), 2 * (c * d + a * b), a * a + d * d - b * b - c * c}}};
 }
 
-double spacing_of(const Header& header, std::size_t axis) {
+double spacing_of(const NiftiHeader& header, std::size_t axis) {
     const double size = std::abs(header.real(header.at().pixdim, axis + 1));
     return size > 0 && std::isfinite(size) ? size : 1.0;
 }
 
 /// Method 3 of the format: rows of a map.
-Geometry by_rows(const Header& header) {
+Geometry by_rows(const NiftiHeader& header) {
     Geometry geometry;
     for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -147,7 +149,7 @@ Geometry by_rows(const Header& header) {
 }
 
 /// Method 2: a quaternion and a shift.
-Geometry by_quaternion(const Header& header) {
+Geometry by_quaternion(const NiftiHeader& header) {
     const Layout& at = header.at();
     const Matrix3 turn = turn_of(header.real(at.quaternion, 0), header.real(at.quaternion, 1),
                                  header.real(at.quaternion, 2));
@@ -163,7 +165,7 @@ Geometry by_quaternion(const Header& header) {
 }
 
 /// Method 1: spacings alone.
-Geometry by_spacing(const Header& header) {
+Geometry by_spacing(const NiftiHeader& header) {
     Geometry geometry;
     for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -173,7 +175,7 @@ Geometry by_spacing(const Header& header) {
 }
 
 /// Method 3 (sform), else method 2 (qform), else method 1 of the format; in millimetres.
-Geometry geometry_of(const Header& header) {
+Geometry geometry_of(const NiftiHeader& header) {
     const Layout& at = header.at();
     Geometry geometry = header.whole(at.sform) > 0   ? by_rows(header)
                         : header.whole(at.qform) > 0 ? by_quaternion(header)
@@ -188,7 +190,7 @@ Geometry geometry_of(const Header& header) {
     return geometry;
 }
 
-Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+Expected<SampleBlock> block_of(const NiftiHeader& header, const std::filesystem::path& file) {
     SampleBlock block{.file = file};
     const bool packed = file.extension() == ".gz";
     if (packed) block.encoding = SampleEncoding::Gzip;
@@ -229,7 +231,7 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
 Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
     auto bytes = unpacked_start(file);
     if (!bytes) return std::unexpected(bytes.error());
-    const auto header = Header::read(std::move(*bytes));
+    const auto header = NiftiHeader::read(std::move(*bytes));
     if (!header) return std::unexpected(header.error());
     const auto block = block_of(*header, file);
     if (!block) return std::unexpected(block.error());

@@ -14,7 +14,7 @@
 namespace zeroset {
 namespace {
 
-struct Header {
+struct NrrdHeader {
     std::map<std::string, std::string> fields;  ///< names in lower case
     std::string list;                           ///< the lines behind "data file: LIST"
     std::size_t end = 0;                        ///< where the header's last line ends
@@ -27,9 +27,9 @@ struct Header {
     }
 };
 
-Expected<Header> read_header(const std::string& text) {
+Expected<NrrdHeader> read_nrrd_header(const std::string& text) {
     if (!text.starts_with("NRRD000")) return std::unexpected("it does not begin with NRRD000");
-    Header header;
+    NrrdHeader header;
     std::size_t at = text.find('\n');
     if (at == std::string::npos) return std::unexpected("its header ends in its first line");
     ++at;
@@ -115,7 +115,7 @@ Expected<std::array<std::size_t, 3>> grid_axes(const std::vector<std::uint64_t>&
 }
 
 /// The spacings and first places of axes without directions.
-void take_spacings(const Header& header, const std::array<std::size_t, 3>& axes,
+void take_spacings(const NrrdHeader& header, const std::array<std::size_t, 3>& axes,
                    std::size_t dimension, Geometry& geometry) {
     const std::string spacing_text = header.field("spacings");
     const std::string min_text = header.field("axis mins", "axismins");
@@ -147,7 +147,7 @@ bool take_directions(const std::string& directions, const std::array<std::size_t
     return true;
 }
 
-Expected<Geometry> geometry_of(const Header& header, const std::array<std::size_t, 3>& axes,
+Expected<Geometry> geometry_of(const NrrdHeader& header, const std::array<std::size_t, 3>& axes,
                                std::size_t dimension) {
     Geometry geometry;
     const std::string directions = header.field("space directions");
@@ -205,7 +205,7 @@ Expected<std::uint64_t> after_lines(const std::filesystem::path& file, std::uint
 }
 
 /// Where the samples begin in the block's file.
-Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
+Expected<SampleBlock> at_start(const NrrdHeader& header, SampleBlock block) {
     const std::uint64_t lines =
         number_from<std::uint64_t>(header.field("line skip", "lineskip")).value_or(0);
     const auto start = after_lines(block.file, block.offset, lines);
@@ -223,7 +223,7 @@ Expected<SampleBlock> at_start(const Header& header, SampleBlock block) {
 }
 
 /// How the samples are written, wherever they lie.
-Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path& file) {
+Expected<SampleBlock> block_of(const NrrdHeader& header, const std::filesystem::path& file) {
     SampleBlock block{.file = file, .offset = header.end};
     const auto encoding = encoding_of(header.field("encoding"));
     if (!encoding) return std::unexpected(encoding.error());
@@ -240,7 +240,7 @@ Expected<SampleBlock> block_of(const Header& header, const std::filesystem::path
     return block;
 }
 
-Expected<FoundSamples> samples_of(const Header& header, const std::filesystem::path& file,
+Expected<FoundSamples> samples_of(const NrrdHeader& header, const std::filesystem::path& file,
                                   SampleBlock block, const std::vector<std::uint64_t>& sizes) {
     const std::string data = header.field("data file", "datafile");
     const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
@@ -263,7 +263,7 @@ Expected<FoundSamples> samples_of(const Header& header, const std::filesystem::p
 Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
     const auto text = first_bytes(file, longest_text_header);
     if (!text) return std::unexpected(text.error());
-    const auto header = read_header(*text);
+    const auto header = read_nrrd_header(*text);
     if (!header) return std::unexpected(header.error());
     const std::string sizes_text = header->field("sizes");
     const auto sizes = numbers_in<std::uint64_t>(sizes_text);

@@ -36,7 +36,7 @@ std::unexpected<std::string> no_memory_for_samples(std::uint64_t bytes) {
 
 namespace {
 
-using Read = std::expected<Samples, std::string>;
+using ReadSamples = std::expected<Samples, std::string>;
 
 std::string of_bytes(std::uint64_t bytes) { return std::to_string(bytes) + " bytes"; }
 
@@ -60,8 +60,8 @@ bool is_native(const SampleBlock& block) {
            block.big_endian == (std::endian::native == std::endian::big);
 }
 
-Read raw(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file,
-         std::uint64_t needed) {
+ReadSamples raw(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file,
+                std::uint64_t needed) {
     const auto bytes = file->bytes();
     const std::uint64_t offset =
         block.at_end && bytes.size() >= needed ? bytes.size() - needed : block.offset;
@@ -132,8 +132,8 @@ private:
     bool ready_ = false;
 };
 
-Read unpacked(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file,
-              std::uint64_t needed) {
+ReadSamples unpacked(const SampleBlock& block, const std::shared_ptr<const MappedFile>& file,
+                     std::uint64_t needed) {
     const auto packed =
         file->bytes().subspan(std::min<std::uint64_t>(block.offset, file->bytes().size()));
     const std::uint64_t most = packed.size() * best_deflate_ratio;
@@ -169,7 +169,7 @@ bool read_number(std::string_view word, Sample& number) {
     return error == std::errc() && end == word.data() + word.size();
 }
 
-Read written_out(const SampleBlock& block, std::string_view text, std::uint64_t needed) {
+ReadSamples written_out(const SampleBlock& block, std::string_view text, std::uint64_t needed) {
     const std::uint64_t count = needed / size_of(block.type);
     // Each number takes a digit and what parts it from the next.
     if (text.size() + 1 < 2 * count) {
@@ -212,7 +212,7 @@ std::expected<std::uint64_t, std::string> needed_bytes(const SampleBlock& block)
 
 }  // namespace
 
-Read samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
+ReadSamples samples_of_bytes(std::string_view bytes, const SampleBlock& block) {
     const auto needed = needed_bytes(block);
     if (!needed) return std::unexpected(needed.error());
     if (block.encoding == SampleEncoding::Ascii) return written_out(block, bytes, *needed);
@@ -250,7 +250,7 @@ std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t
     return bytes.empty() ? std::nullopt : std::optional(std::move(bytes));
 }
 
-Read read_samples(const SampleBlock& block) {
+ReadSamples read_samples(const SampleBlock& block) {
     const auto needed = needed_bytes(block);
     if (!needed) return std::unexpected(needed.error());
     const auto file = MappedFile::open(block.file);
@@ -311,7 +311,7 @@ Samples rescaled_to(const Samples& samples, double slope, double shift, SampleTy
 
 }  // namespace
 
-Read rescaled(const Samples& samples, double slope, double shift) {
+ReadSamples rescaled(const Samples& samples, double slope, double shift) {
     const bool floats = fit_floats(samples, slope, shift);
     Samples result = floats ? rescaled_to<float>(samples, slope, shift, SampleType::Float)
                             : rescaled_to<double>(samples, slope, shift, SampleType::Double);

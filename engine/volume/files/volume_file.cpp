@@ -14,11 +14,11 @@
 namespace zeroset {
 namespace {
 
-using Read = std::expected<VolumeFile, std::string>;
+using ReadFile = std::expected<VolumeFile, std::string>;
 
 struct Format {
     std::string_view ending;
-    Read (*read)(const std::filesystem::path& file);
+    ReadFile (*read)(const std::filesystem::path& file);
 };
 constexpr std::array formats{Format{.ending = ".nrrd", .read = read_nrrd},
                              Format{.ending = ".nhdr", .read = read_nrrd},
@@ -36,7 +36,7 @@ const Format* format_of(const std::filesystem::path& file) {
     return found == formats.end() ? nullptr : found;
 }
 
-Read read_raw(const std::filesystem::path& file, const RawLayout& layout) {
+ReadFile read_raw(const std::filesystem::path& file, const RawLayout& layout) {
     SampleBlock block{.file = file, .offset = layout.skip};
     block.type = layout.type;
     block.big_endian = layout.big_endian;
@@ -126,7 +126,7 @@ bool is_volume_file(const std::filesystem::path& file) {
     return format_of(file) != nullptr || is_dicom_file(file) || is_dicom_folder(file);
 }
 
-Read read_volume_file(const std::filesystem::path& file, const RawLayout& layout) {
+ReadFile read_volume_file(const std::filesystem::path& file, const RawLayout& layout) {
     if (layout.size) return read_raw(file, layout);
     const Format* const format = format_of(file);
     if (format != nullptr) return format->read(file);

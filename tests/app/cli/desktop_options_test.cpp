@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::desktop_options_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(DocumentOfAText, RefusesParametersSolidsAndColorsThatItDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::desktop_options_test

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::import_command_test {
 namespace {
 
 std::string file_in(const TestFolder& folder, const std::string& name, const std::string& text) {
@@ -48,4 +48,4 @@ TEST(ImportCommand, NothingThatDrawsIsWrongInput) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::import_command_test

@@ -15,7 +15,7 @@
 
 // Tests of the page on the formula language, which is generated from the program's tables.
 
-namespace zeroset::test {
+namespace zeroset::test::language_test {
 namespace {
 
 TEST(Language, ThePageIsTheOneInTheDocuments) {
@@ -46,7 +46,7 @@ TEST(Language, TheHelpHasEveryFunction) {
 TEST(Language, ThePicturesOfShapesAreInTheDocuments) {
     std::size_t pictures = 0;
     for (const Function& function : functions()) {
-        if (function.section != WordSection::Shapes) continue;
+        if (function.section != WordSection::Bodies) continue;
         ++pictures;
         const std::string name = "shapes/" + std::string(function.name) + ".png";
         EXPECT_TRUE(std::ifstream(ZEROSET_SOURCE_DIR "/resources/docs/" + name).good()) << name;
@@ -66,4 +66,4 @@ TEST(Language, TheStatementsOfThePageAreRead) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::language_test

@@ -12,7 +12,7 @@
 
 // Tests of long commands: the progress they show and the message when their time budget is over.
 
-namespace zeroset::test {
+namespace zeroset::test::progress_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -99,4 +99,4 @@ TEST(RenderPicture, EndsWithItsBudget) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::progress_test

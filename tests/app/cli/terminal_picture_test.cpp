@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace zeroset {
+namespace zeroset::terminal_picture_test {
 namespace {
 
 constexpr std::uint32_t red = 0xFF0000FF;
@@ -44,4 +44,4 @@ TEST(TerminalPicture, AsksTheEnvironmentForColors) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::terminal_picture_test

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::ui_shot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,4 +128,4 @@ TEST_F(UiShot, RunsActionsByTheirNames) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::ui_shot_test

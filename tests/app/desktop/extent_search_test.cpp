@@ -10,7 +10,7 @@
 
 // The search for how far surfaces reach, as the window follows it.
 
-namespace zeroset::test {
+namespace zeroset::test::extent_search_test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
@@ -60,4 +60,4 @@ TEST(ExtentSearch, KeepsWhatAnotherViewDoesNotChange) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::extent_search_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::latency_log_test {
 namespace {
 
 using Kind = ui::InputEvent::Kind;
@@ -95,4 +95,4 @@ TEST_F(LatencyLogTest, LeavesOpenGlOut) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::latency_log_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace zeroset::test {
+namespace zeroset::test::marker_snap_test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
@@ -94,4 +94,4 @@ TEST(SnapText, NamesTheDirection) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::marker_snap_test

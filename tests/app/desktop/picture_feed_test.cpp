@@ -18,7 +18,7 @@
 
 // A document's pictures over time, without a window.
 
-namespace zeroset::test {
+namespace zeroset::test::picture_feed_test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
@@ -224,4 +224,4 @@ TEST_F(PictureFeedTest, HasCodeInDoubleMadeForADeepView) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::picture_feed_test

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::preferences_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST_F(PreferencesTest, AreLeftAloneWhereNothingHasChanged) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::preferences_test

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::recent_files_test {
 namespace {
 
 TEST(Recent, KeepsTheNewestFirst) {
@@ -24,4 +24,4 @@ TEST(Recent, KeepsTheNewestFirst) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::recent_files_test

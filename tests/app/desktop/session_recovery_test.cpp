@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::session_recovery_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(Sessions, TouchNoFilesWhenTheyShallNot) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::session_recovery_test

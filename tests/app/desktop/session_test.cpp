@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-namespace zeroset::test {
+namespace zeroset::test::session_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -312,4 +312,4 @@ TEST_F(Sessions, AFolderIsLookedThroughAndLosesNothing) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::session_test

@@ -14,7 +14,7 @@
 
 // The picture of another tracer beside the window's.
 
-namespace zeroset::test {
+namespace zeroset::test::tracer_comparison_test {
 namespace {
 
 class Comparison : public testing::Test {
@@ -121,4 +121,4 @@ TEST_F(Comparison, KeepsCostsAndEndsWithTheWish) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::tracer_comparison_test

@@ -4,7 +4,7 @@
 
 // Tests of the messages while a text is prepared, with a clock that the test sets.
 
-namespace zeroset::test {
+namespace zeroset::test::wait_notice_test {
 namespace {
 
 constexpr WaitNotice::Causes nothing{};
@@ -72,4 +72,4 @@ TEST(WaitNotice, WantsFramesWhereWhatIsSeenChanges) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::wait_notice_test

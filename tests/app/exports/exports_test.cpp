@@ -14,7 +14,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace zeroset {
+namespace zeroset::exports_test {
 namespace {
 
 ExportSubject subject_of(const std::string& text) {
@@ -232,4 +232,4 @@ TEST_F(Exports, FilmsGoThroughTheSavedViewsAsTheyAreNow) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::exports_test

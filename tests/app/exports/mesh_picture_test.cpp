@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::mesh_picture_test {
 namespace {
 
 /// A triangle across the view, at this height above the origin.
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(Projections, MeshPicture,
                          testing::Values(Projection::Perspective, Projection::Orthographic));
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::mesh_picture_test

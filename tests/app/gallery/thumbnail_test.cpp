@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::thumbnail_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ TEST_F(Thumbnails, WaitWhileTheyAreHeld) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::thumbnail_test

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace zeroset::test {
+namespace zeroset::test::folders_test {
 namespace {
 
 TEST(StateFolder, FollowsTheXdgSpecification) {
@@ -28,4 +28,4 @@ TEST(CacheAndConfigFolders, FollowTheXdgSpecification) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::folders_test

@@ -9,7 +9,7 @@
 
 // The connection to a portal is tested on a real bus: tests/end_to_end/portal_test.py.
 
-namespace zeroset::test {
+namespace zeroset::test::portal_test {
 namespace {
 
 TEST(Portal, FindsThePathInAUri) {
@@ -43,4 +43,4 @@ TEST(Portal, SaysWhereThereIsNoBus) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::portal_test

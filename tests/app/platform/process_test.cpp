@@ -15,7 +15,7 @@
 
 // What happens as another program makes a mapped file shorter.
 
-namespace zeroset::test {
+namespace zeroset::test::process_test {
 namespace {
 
 /// A mapped file whose second half has been cut off.
@@ -67,4 +67,4 @@ TEST_F(LostPagesDeathTest, EndTheProcessByTheSignalWhereNoOneKnowsThem) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::process_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::import_fuzz_test {
 namespace {
 
 void expect_an_answer(std::string_view file, const std::string& bytes) {
@@ -61,4 +61,4 @@ TEST(ImportFuzz, EachSampleUnderEachName) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::import_fuzz_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::import_test {
 namespace {
 
 TEST(Imports, FormatsAreFoundByName) {
@@ -312,4 +312,4 @@ TEST(Imports, NotesSayWhere) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::import_test

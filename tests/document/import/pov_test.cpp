@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::pov_test {
 namespace {
 
 TEST(Imports, PovScenePlacesItsSurfaces) {
@@ -377,4 +377,4 @@ TEST(Imports, PovMacrosEnd) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::pov_test

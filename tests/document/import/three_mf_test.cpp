@@ -12,7 +12,7 @@
 #include <random>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::three_mf_test {
 namespace {
 
 /// A package with this model, stored in memory.
@@ -300,4 +300,4 @@ TEST(ThreeMf, DamagedPackagesEnd) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::three_mf_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-namespace zeroset::test {
+namespace zeroset::test::collection_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ TEST_F(Collections, SayWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::collection_test

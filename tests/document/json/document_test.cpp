@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::document_test {
 namespace {
 
 Document rich_document() {
@@ -391,4 +391,4 @@ TEST(Colors, HaveABackThatDiffers) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::document_test

@@ -14,7 +14,7 @@
 
 // How tight beam forms are. That they hold is tested against MPFI (tests/oracle).
 
-namespace zeroset {
+namespace zeroset::beam_algebra_test {
 namespace {
 
 using Form = BeamValue<double>;
@@ -256,4 +256,4 @@ TEST(BeamForm, OfTheOrientedTakesTheSignOfTheDivisor) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::beam_algebra_test

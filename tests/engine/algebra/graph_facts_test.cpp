@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace zeroset {
+namespace zeroset::graph_facts_test {
 namespace {
 
 Facts root_facts(const char* text) {
@@ -123,4 +123,4 @@ TEST(Facts, LeavesTheRoundingMode) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::graph_facts_test

@@ -18,7 +18,7 @@
 
 // Axes, clip box and grid: where their lines are, what is hidden, and what is painted of them.
 
-namespace zeroset::test {
+namespace zeroset::test::axes_test {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -322,4 +322,4 @@ TEST(PaintedAxes, IsFaintBehindTheSurface) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::axes_test

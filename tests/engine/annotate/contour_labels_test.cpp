@@ -15,7 +15,7 @@
 
 // Numbers along contour lines, by where those must be.
 
-namespace zeroset::test {
+namespace zeroset::test::contour_labels_test {
 namespace {
 
 constexpr int side = 400;
@@ -114,4 +114,4 @@ TEST(ContourLabels, AreThereOnlyIfTheyAreWanted) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::contour_labels_test

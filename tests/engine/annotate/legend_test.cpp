@@ -8,7 +8,7 @@
 
 // The legend as shapes: its words, where it stands, and when there is no room for it.
 
-namespace zeroset::test {
+namespace zeroset::test::legend_test {
 namespace {
 
 /// Letters that are all half an em wide.
@@ -123,4 +123,4 @@ TEST(SwatchShapes, HaveStripesWithinTheirSquare) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::legend_test

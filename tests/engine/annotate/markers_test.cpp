@@ -9,7 +9,7 @@
 
 // Marked points as shapes: where their dots and tags are, and what is hidden.
 
-namespace zeroset::test {
+namespace zeroset::test::markers_test {
 namespace {
 
 CardStyle plain_style() {
@@ -71,4 +71,4 @@ TEST(TagShapes, StayOnTheCanvas) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::markers_test

@@ -10,7 +10,7 @@
 
 // Shapes in an image in memory, by what they cover.
 
-namespace zeroset::test {
+namespace zeroset::test::paint_shapes_test {
 namespace {
 
 constexpr std::uint32_t black = 0xFF000000U;
@@ -128,4 +128,4 @@ TEST_F(PaintShapes, ForgetWhichRowsWereBlank) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::paint_shapes_test

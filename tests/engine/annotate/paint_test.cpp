@@ -8,7 +8,7 @@
 
 // Lines with smooth edges, by what they cover.
 
-namespace zeroset::test {
+namespace zeroset::test::paint_test {
 namespace {
 
 constexpr std::uint32_t black = 0xFF000000U;
@@ -79,4 +79,4 @@ TEST(Line, MayLeaveThePicture) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::paint_test

@@ -6,7 +6,7 @@
 
 // Shapes as SVG: each kind, its place and its colour.
 
-namespace zeroset::test {
+namespace zeroset::test::shapes_svg_test {
 namespace {
 
 constexpr std::uint32_t red = 0xff0000ffU;
@@ -62,4 +62,4 @@ TEST(ShapesSvg, PlacesTexts) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::shapes_svg_test

@@ -6,7 +6,7 @@
 
 // The numbers along an axis.
 
-namespace zeroset::test {
+namespace zeroset::test::ticks_test {
 namespace {
 
 TEST(Ticks, AreRound) {
@@ -31,4 +31,4 @@ TEST(Ticks, AreRound) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::ticks_test

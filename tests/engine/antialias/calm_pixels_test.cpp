@@ -11,7 +11,7 @@
 
 // Pixels that look like those around them.
 
-namespace zeroset::test {
+namespace zeroset::test::calm_pixels_test {
 namespace {
 
 constexpr int side = 20;
@@ -131,4 +131,4 @@ TEST_F(CalmPixels, AreNoneWhereASurfaceIsSeenThrough) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::calm_pixels_test

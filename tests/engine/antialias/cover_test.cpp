@@ -17,7 +17,7 @@
 
 // The parts of pixels that surfaces cover, against closed forms.
 
-namespace zeroset::test {
+namespace zeroset::test::cover_test {
 namespace {
 
 constexpr int side = 40;              ///< of the pictures, in pixels
@@ -229,4 +229,4 @@ TEST_F(Cover, OfWhatIsNotThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cover_test

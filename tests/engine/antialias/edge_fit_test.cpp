@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace zeroset::test {
+namespace zeroset::test::edge_fit_test {
 namespace {
 
 using Five = std::array<RayStretch, square_ray_count>;
@@ -184,4 +184,4 @@ TEST(EdgeFit, ASlopeIsOneWhereItIsNearlyTheSameAtAllRays) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::edge_fit_test

@@ -14,7 +14,7 @@
 
 // Lines of edges in many squares, against the fit of one square after the other.
 
-namespace zeroset::test {
+namespace zeroset::test::edge_lines_test {
 namespace {
 
 constexpr Camera aslant{
@@ -157,4 +157,4 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, EdgeLinesTest,
                                          "x + 0.2 y = 0.1 z^2"));              // one sheet
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::edge_lines_test

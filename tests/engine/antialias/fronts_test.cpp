@@ -18,7 +18,7 @@
 
 // Fronts, in floats and in doubles: all rays of their pixels against closed forms.
 
-namespace zeroset::test {
+namespace zeroset::test::fronts_test {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
@@ -203,4 +203,4 @@ TEST(SquareDepths, OfHitsAreThoseOfTheirDistances) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::fronts_test

@@ -7,7 +7,7 @@
 
 // Parts of a square on one side of a line.
 
-namespace zeroset::test {
+namespace zeroset::test::half_square_test {
 namespace {
 
 /// The part by counting places of a fine grid.
@@ -82,4 +82,4 @@ TEST(HalfSquare, IsAllOrNothing) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::half_square_test

@@ -13,7 +13,7 @@
 
 // Which pixels show the edge of a shadow on one sheet.
 
-namespace zeroset::test {
+namespace zeroset::test::light_edges_test {
 namespace {
 
 /// Planes z = rise x + height below an eye, in a tile of its own.
@@ -86,4 +86,4 @@ TEST_F(LightEdges, SheetsShowTheEyeTheSideThatTheyShowTheLight) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::light_edges_test

@@ -14,7 +14,7 @@
 // f on rays beside pixels' centres, against closed forms, and where squares enter the clip box
 // against one square after the other.
 
-namespace zeroset::test {
+namespace zeroset::test::ray_stretches_test {
 namespace {
 
 constexpr Camera aslant{.eye = {3, -4, 2.5}, .look_at = {0.1, 0, -0.1}, .up = {0, 0, 1}};
@@ -193,4 +193,4 @@ TEST_F(RayStretches, AreClippedAsEachIs) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::ray_stretches_test

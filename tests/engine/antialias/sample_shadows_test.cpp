@@ -14,7 +14,7 @@
 
 // What pixels around a sample tell of its shadow.
 
-namespace zeroset::test {
+namespace zeroset::test::sample_shadows_test {
 namespace {
 
 constexpr float distance = 4.0F;
@@ -115,4 +115,4 @@ TEST_F(SampleShadows, AreNotToldByASingleHit) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::sample_shadows_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace zeroset {
+namespace zeroset::wall_line_test {
 namespace {
 
 constexpr SquareRay from{.x = -1.0, .y = 0.5};
@@ -100,4 +100,4 @@ TEST(WallBetween, TakesWaysThatAreFarApart) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::wall_line_test

@@ -20,7 +20,7 @@
 
 // Mirrors, translucent surfaces and lights, in pictures.
 
-namespace zeroset::test {
+namespace zeroset::test::light_paths_test {
 namespace {
 
 constexpr int side = 64;
@@ -328,4 +328,4 @@ TEST(Looks, StayAsTheyWereSeenToBeRight) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::light_paths_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset {
+namespace zeroset::enum_names_test {
 namespace {
 
 enum class Fruit : unsigned char { Apple, Pear, Plum };
@@ -25,4 +25,4 @@ TEST(EnumNames, OthersAreNone) {
 static_assert(names.named("plum") == Fruit::Plum);
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::enum_names_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace zeroset::test {
+namespace zeroset::test::file_stamp_test {
 namespace {
 
 TEST(FileStamps, TellAChangeOfSizeOfTimeAndOfAFolder) {
@@ -37,4 +37,4 @@ TEST(FileStamps, TellAChangeOfSizeOfTimeAndOfAFolder) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::file_stamp_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset {
+namespace zeroset::language_test {
 namespace {
 
 TEST(Languages, AreNamedByTheirCodes) {
@@ -44,4 +44,4 @@ TEST(Languages, WriteNumbersWithAMark) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::language_test

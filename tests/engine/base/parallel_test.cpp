@@ -13,7 +13,7 @@
 
 // The loop over tiles: each index once, on no more threads than asked for.
 
-namespace zeroset::test {
+namespace zeroset::test::parallel_test {
 namespace {
 
 TEST(ParallelFor, CallsEachIndexOnce) {
@@ -62,4 +62,4 @@ TEST(ParallelFor, RunsWithinItself) {
 TEST(CoreCount, IsAtLeastOne) { EXPECT_GE(core_count(), 1); }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::parallel_test

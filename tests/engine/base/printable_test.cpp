@@ -6,7 +6,7 @@
 
 // Bytes that others wrote, as a terminal may be shown them.
 
-namespace zeroset::test {
+namespace zeroset::test::printable_test {
 namespace {
 
 TEST(Printable, KeepsWords) {
@@ -34,4 +34,4 @@ TEST(Printable, MarksBytesThatAreNotUtf8) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::printable_test

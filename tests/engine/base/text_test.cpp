@@ -6,7 +6,7 @@
 
 // Places in a text, counted in characters, of any number of bytes each.
 
-namespace zeroset::test {
+namespace zeroset::test::text_test {
 namespace {
 
 TEST(ColumnOf, CountsCharactersFromOne) {
@@ -100,4 +100,4 @@ TEST(ShortNumber, IsAsAPersonWritesIt) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::text_test

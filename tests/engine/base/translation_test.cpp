@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-namespace zeroset {
+namespace zeroset::translation_test {
 namespace {
 
 /// Speaks English again when a test is over.
@@ -73,4 +73,4 @@ TEST_F(Translations, WriteNumbersWithTheMarkOfTheLanguage) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::translation_test

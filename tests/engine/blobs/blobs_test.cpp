@@ -17,7 +17,7 @@
 
 // Soft balls against the papers' formulas in 256 bits: values, derivatives, enclosures, the tree.
 
-namespace zeroset::test {
+namespace zeroset::test::blobs_test {
 namespace {
 
 constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
@@ -203,4 +203,4 @@ TEST(BlobFile, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::blobs_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace zeroset::test {
+namespace zeroset::test::surface_piece_test {
 namespace {
 
 glm::dvec3 random_point(RandomNumbers& random, double reach) {
@@ -89,4 +89,4 @@ TEST(SurfacePiece, WithoutASlabIsItsBox) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::surface_piece_test

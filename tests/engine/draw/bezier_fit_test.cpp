@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace zeroset::test {
+namespace zeroset::test::bezier_fit_test {
 namespace {
 
 std::vector<PagePoint> circle(double radius, std::size_t points) {
@@ -65,4 +65,4 @@ TEST(BezierFit, TwoPointsMakeALine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::bezier_fit_test

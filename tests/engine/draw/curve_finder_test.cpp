@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::curve_finder_test {
 namespace {
 
 struct Finding {
@@ -200,4 +200,4 @@ TEST(Symmetric, EigenvectorsMakeTheMatrixAgain) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::curve_finder_test

@@ -7,7 +7,7 @@
 
 // Drawings against closed forms: circles, lines, hidden arcs.
 
-namespace zeroset::test {
+namespace zeroset::test::draw_scene_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -338,4 +338,4 @@ TEST(DrawScene, ABudgetEndsTheSearch) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::draw_scene_test

@@ -7,7 +7,7 @@
 
 // Hidden parts of silhouettes against the roots on their rays, counted by many samples.
 
-namespace zeroset::test {
+namespace zeroset::test::hidden_points_test {
 namespace {
 
 /// A closed surface of degree four with holes and random bumps.
@@ -87,4 +87,4 @@ TEST(HiddenPoints, AreBehindRootsOfTheirRays) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::hidden_points_test

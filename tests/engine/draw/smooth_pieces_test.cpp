@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace zeroset::test {
+namespace zeroset::test::smooth_pieces_test {
 namespace {
 
 double value(const Expr& f, const std::array<double, 4>& at) { return value_at(f, at).value; }
@@ -66,4 +66,4 @@ TEST(RestrictionBorders, AreTheDifferencesOfComparedSides) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::smooth_pieces_test

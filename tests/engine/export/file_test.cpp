@@ -19,7 +19,7 @@
 
 // Files are whole or not there, and their bytes are what the formats say.
 
-namespace zeroset::test {
+namespace zeroset::test::file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST(CountCertificates, CountsEachKind) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::file_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::png_writer_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -162,4 +162,4 @@ TEST(PngWriter, DamagedTextsAreNotFound) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::png_writer_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::copy_test {
 namespace {
 
 /// A graph of each kind of leaf and of operators with one to three operands, one of them used
@@ -78,4 +78,4 @@ TEST(Rebuilt, PutsOtherOperatorsInPlace) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::copy_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::number_test {
 namespace {
 
 /// Rounds a decimal number to a double in the given direction.
@@ -98,4 +98,4 @@ TEST(NumberText, IsShort) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::number_test

@@ -10,7 +10,7 @@
 
 // Tests of the canonical form of a formula, which parses to the same graph.
 
-namespace zeroset {
+namespace zeroset::print_test {
 namespace {
 
 std::string canonical(const std::string& text) {
@@ -153,4 +153,4 @@ TEST(Expr, SharesEqualParts) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::print_test

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace zeroset {
+namespace zeroset::simplify_test {
 namespace {
 
 Op root_op(const char* text) {
@@ -113,4 +113,4 @@ TEST(ExactValue, FoldsFractions) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::simplify_test

@@ -8,7 +8,7 @@
 
 // Pixels mixed from finer ones.
 
-namespace zeroset::test {
+namespace zeroset::test::blend_test {
 namespace {
 
 constexpr std::uint32_t black = 0xFF000000U;
@@ -105,4 +105,4 @@ TEST(Blend, ChangesOnlyColoursOfTheRect) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::blend_test

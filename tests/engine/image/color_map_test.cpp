@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::color_map_test {
 namespace {
 
 /// OKLab of what a screen shows (gamma 2 of the reflectance, as sRGB).
@@ -90,4 +90,4 @@ TEST(ColorMaps, EndAtTheirEnds) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::color_map_test

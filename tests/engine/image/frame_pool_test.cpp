@@ -7,7 +7,7 @@
 
 // Framebuffers that come back.
 
-namespace zeroset::test {
+namespace zeroset::test::frame_pool_test {
 namespace {
 
 TEST(FramePool, GivesFramesOfTheSizeAskedFor) {
@@ -39,4 +39,4 @@ TEST(FramePool, ItsFramesOutliveIt) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::frame_pool_test

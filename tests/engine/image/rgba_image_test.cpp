@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::rgba_image_test {
 namespace {
 
 /// 8x2: four drawn pixels of two colours, then three, then none twice.
@@ -54,4 +54,4 @@ TEST(RgbaImage, IsNotReadFromWhatIsNoPicture) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::rgba_image_test

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace zeroset::test {
+namespace zeroset::test::interpret_test {
 namespace {
 
 constexpr std::size_t items = batch_multiple;
@@ -359,4 +359,4 @@ TEST(Uniforms, EncloseTheirNumber) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::interpret_test

@@ -7,7 +7,7 @@
 
 // Batches that are filled by count: what is beyond it repeats an item, so that kernels may run on.
 
-namespace zeroset {
+namespace zeroset::batches_test {
 namespace {
 
 TEST(Padded, IsTheNextMultiple) {
@@ -65,4 +65,4 @@ TEST(PointBatch, AsksForValuesOnly) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::batches_test

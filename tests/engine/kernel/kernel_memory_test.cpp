@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace zeroset::test {
+namespace zeroset::test::kernel_memory_test {
 namespace {
 
 struct One {
@@ -39,4 +39,4 @@ TEST(KernelMemory, GoesWithTheLastCopy) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::kernel_memory_test

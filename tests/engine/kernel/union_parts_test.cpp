@@ -17,7 +17,7 @@
 
 // Unions as functions of which f is the least, and where each may be at most 0.
 
-namespace zeroset::test {
+namespace zeroset::test::union_parts_test {
 namespace {
 
 constexpr ReachBox cube{{-1, -1, -1}, {1, 1, 1}};
@@ -172,4 +172,4 @@ TEST(UnionParts, RemembersReachesOfTheLastBoxAndUniforms) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::union_parts_test

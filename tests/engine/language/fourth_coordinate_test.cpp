@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset {
+namespace zeroset::fourth_coordinate_test {
 namespace {
 
 bool calls_w_t(const char* text) {
@@ -24,4 +24,4 @@ TEST(FourthCoordinate, IsCalledAsItIsTyped) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::fourth_coordinate_test

@@ -15,7 +15,7 @@
 #include <complex>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::iteration_test {
 namespace {
 
 std::string estimate(int steps, const std::string& constant, const std::string& start = "x, y, z") {
@@ -165,4 +165,4 @@ TEST(DistanceEstimate, WhatIsWrongIsToldInOneLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::iteration_test

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::names_property_test {
 namespace {
 
 constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -183,4 +183,4 @@ TEST(Names, OfBuiltInFunctionsCanBeDefined) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::names_property_test

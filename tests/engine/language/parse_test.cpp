@@ -13,7 +13,7 @@
 #include <string_view>
 #include <thread>
 
-namespace zeroset {
+namespace zeroset::parse_test {
 namespace {
 
 /// Returns f at (x, y, z, w) = (2, 3, 5, 7); NaN, and a test failure, if the text is wrong.
@@ -324,4 +324,4 @@ TEST(Parse, SurvivesNul) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::parse_test

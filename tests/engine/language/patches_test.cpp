@@ -12,7 +12,7 @@
 
 // Rows that are given by a point: parametric surfaces, curves and points.
 
-namespace zeroset::test {
+namespace zeroset::test::patches_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -166,4 +166,4 @@ TEST(Patches, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patches_test

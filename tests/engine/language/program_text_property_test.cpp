@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::program_text_property_test {
 namespace {
 
 /// One formula in two spellings: `plain` uses words and functions with all parentheses.
@@ -181,4 +181,4 @@ TEST(ProgramText, TakesDecimalCommasWhereNoListCanBeMeant) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::program_text_property_test

@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::readings_test {
 namespace {
 
 struct Case {
@@ -163,4 +163,4 @@ INSTANTIATE_TEST_SUITE_P(Files, Readings,
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::readings_test

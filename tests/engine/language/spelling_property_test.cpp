@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace zeroset {
+namespace zeroset::spelling_property_test {
 namespace {
 
 enum class Binding { Loose, Power, Atom };
@@ -180,4 +180,4 @@ TEST(Spelling, HoweverTypedReadsTheSame) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::spelling_property_test

@@ -12,7 +12,7 @@
 
 // Rows that are made of points, points with names, and boxes of rows.
 
-namespace zeroset::test {
+namespace zeroset::test::things_test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -227,4 +227,4 @@ TEST(RowBoxes, TravelWithPoints) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::things_test

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::blob_shadows_test {
 namespace {
 
 constexpr glm::ivec2 size_px(192, 192);
@@ -143,4 +143,4 @@ TEST(BlobShadows, FallOnOtherSurfaces) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::blob_shadows_test

@@ -11,7 +11,7 @@
 
 // Lines on surfaces, by where they must be.
 
-namespace zeroset::test {
+namespace zeroset::test::draw_lines_test {
 namespace {
 
 constexpr int side = 200;
@@ -164,4 +164,4 @@ TEST(Lines, OfTheTechnicalLookFollowTheSilhouette) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::draw_lines_test

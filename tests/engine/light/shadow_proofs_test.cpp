@@ -18,7 +18,7 @@
 // Shadows on a plane, pixel by pixel, against what throws them in closed form: proved lit and
 // proved dark hits are, and only hits beside the shadow's edge are left unproved.
 
-namespace zeroset::test {
+namespace zeroset::test::shadow_proofs_test {
 namespace {
 
 /// A point of the plane and the direction to the light, to how far the ray between them is from
@@ -175,4 +175,4 @@ INSTANTIATE_TEST_SUITE_P(All, ShadowProofs,
                          [](const auto& given) { return given.param.name; });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::shadow_proofs_test

@@ -16,7 +16,7 @@
 
 // Shadows, against the known shadows of spheres and cylinders.
 
-namespace zeroset::test {
+namespace zeroset::test::shadow_test {
 namespace {
 
 constexpr int side = 96;
@@ -196,4 +196,4 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, Shadow, testing::ValuesIn(tracer_names()),
                          [](const auto& name) { return test_name(name.param); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::shadow_test

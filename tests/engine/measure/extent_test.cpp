@@ -9,7 +9,7 @@
 
 // How far surfaces reach, found by enclosures.
 
-namespace zeroset::test {
+namespace zeroset::test::extent_test {
 namespace {
 
 /// Expects `found` to hold `exact` and to be no larger than by some of its smallest cells.
@@ -84,4 +84,4 @@ TEST(Extent, OfSeveralSurfacesHoldsAll) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::extent_test

@@ -12,7 +12,7 @@
 
 // Where a surface may be while parameters change, against points that surely are on it.
 
-namespace zeroset::test {
+namespace zeroset::test::open_space_test {
 namespace {
 
 constexpr int levels = 5;
@@ -115,4 +115,4 @@ TEST(OpenSpace, HoldsJumpsWhereTheyAreWanted) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::open_space_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::probe_test {
 namespace {
 
 constexpr int side = 64;
@@ -100,4 +100,4 @@ TEST(Probe, FindsNothingOutside) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::probe_test

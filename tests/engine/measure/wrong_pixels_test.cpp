@@ -7,7 +7,7 @@
 
 // Pixels unlike those that are proved, kind by kind.
 
-namespace zeroset::test {
+namespace zeroset::test::wrong_pixels_test {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
@@ -83,4 +83,4 @@ TEST(WrongPixels, AreMarkedInAPictureInGrey) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::wrong_pixels_test

@@ -9,7 +9,7 @@
 
 // The octree of a mesh and what enclosures tell of its cells.
 
-namespace zeroset::test {
+namespace zeroset::test::cells_test {
 namespace {
 
 /// The least and the greatest distance of a box's points from the origin.
@@ -145,4 +145,4 @@ TEST(GradientCone, FindsADirectionOrNone) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cells_test

@@ -17,7 +17,7 @@
 
 // Tetrahedra between cells, the proof held against them, and the triangles in them.
 
-namespace zeroset::test {
+namespace zeroset::test::lattice_test {
 namespace {
 
 struct Stages {
@@ -186,4 +186,4 @@ TEST(Features, GiveACubeItsEdgesAndCorners) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::lattice_test

@@ -11,7 +11,7 @@
 
 // Whatever ends the work, what comes out is closed or nothing.
 
-namespace zeroset::test {
+namespace zeroset::test::make_mesh_test {
 namespace {
 
 TEST(MakeMesh, IsClosedAndSaysSoWhereThereIsNoTimeAtAll) {
@@ -83,4 +83,4 @@ TEST(MakeMesh, IsNothingWhereItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::make_mesh_test

@@ -18,7 +18,7 @@
 
 // What is counted, measured and changed of triangles, on meshes made by hand.
 
-namespace zeroset::test {
+namespace zeroset::test::triangles_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -307,4 +307,4 @@ TEST(CollapsibleMesh, KeepsATetrahedron) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::triangles_test

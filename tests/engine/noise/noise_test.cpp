@@ -21,7 +21,7 @@
 
 // Noise against its documentation in 256 bits: values, exact derivatives, enclosures.
 
-namespace zeroset::test {
+namespace zeroset::test::noise_test {
 namespace {
 
 std::vector<std::shared_ptr<const Field>> all_noise() {
@@ -284,4 +284,4 @@ TEST(Noise, IsOneObjectForEachSeed) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::noise_test

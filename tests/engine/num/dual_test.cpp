@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace zeroset::test {
+namespace zeroset::test::dual_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -160,4 +160,4 @@ INSTANTIATE_TEST_SUITE_P(All, DualOperator, ::testing::ValuesIn(operators()),
                          [](const auto& row) { return op_name(row); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::dual_test

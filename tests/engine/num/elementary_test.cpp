@@ -23,7 +23,7 @@
 // enclosures are widened; they give the same bits in any rounding mode of the caller and at any
 // width.
 
-namespace zeroset::test {
+namespace zeroset::test::elementary_test {
 namespace {
 
 /// Calls `visit(a, b)` for about two million operands in float, one million in double: evenly over
@@ -256,4 +256,4 @@ TYPED_TEST(ElementaryCode, IsThereForTheLeastRegistersEverywhere) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::elementary_test

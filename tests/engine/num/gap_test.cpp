@@ -12,7 +12,7 @@
 // The two sides of a jump or a pole: what lies between them is no value. That they hold is checked
 // in tests/property; here, that they are as far apart as they are.
 
-namespace zeroset {
+namespace zeroset::gap_test {
 namespace {
 
 using Range = Interval<float>;
@@ -118,4 +118,4 @@ TEST_F(GapCases, AnswersLeaveOutZero) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::gap_test

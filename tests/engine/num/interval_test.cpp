@@ -14,7 +14,7 @@
 // Hand-picked cases in which the enclosure is known exactly. tests/property checks that the
 // functions enclose at all.
 
-namespace zeroset {
+namespace zeroset::interval_test {
 namespace {
 
 constexpr float unbounded = std::numeric_limits<float>::infinity();
@@ -324,4 +324,4 @@ TEST_F(IntervalCases, RestrictionsLeaveTheValue) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::interval_test

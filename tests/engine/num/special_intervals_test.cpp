@@ -17,7 +17,7 @@
 // unbounded, give a proper range and consistent masks; with an unknown operand (NaN), the range
 // rejects only what no operand could give.
 
-namespace zeroset::test {
+namespace zeroset::test::special_intervals_test {
 namespace {
 
 template <class Real>
@@ -172,4 +172,4 @@ TYPED_TEST(SpecialIntervals, OfUnknownOperandsAreAsOfTheWholeLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::special_intervals_test

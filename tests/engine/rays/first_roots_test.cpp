@@ -12,7 +12,7 @@
 
 // First roots on single rays, by closed forms.
 
-namespace zeroset::test {
+namespace zeroset::test::first_roots_test {
 namespace {
 
 /// A scene of texts, one surface each, as frames.
@@ -226,4 +226,4 @@ TEST(FirstRoots, AreOnlyInTheRegion) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::first_roots_test

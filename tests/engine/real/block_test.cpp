@@ -15,7 +15,7 @@
 // Tests that enclosures over blocks are as narrow as their number type allows, so that no constant
 // in them was chosen for a narrower type.
 
-namespace zeroset::test {
+namespace zeroset::test::block_test {
 namespace {
 
 template <class Real>
@@ -86,4 +86,4 @@ TEST_F(DoubleBlockEnclosures, TellPolesFromTheirNeighbours) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::block_test

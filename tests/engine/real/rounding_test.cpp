@@ -12,7 +12,7 @@
 #include <limits>
 #include <thread>
 
-namespace zeroset::test {
+namespace zeroset::test::rounding_test {
 namespace {
 
 /// -1/3 in the current mode; the nearest float is the one below. The volatile numbers keep the
@@ -175,4 +175,4 @@ TEST(Maximum, TakesTheSecondOfUnordered) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::rounding_test

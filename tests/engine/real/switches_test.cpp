@@ -16,7 +16,7 @@
 // are rounded upward, though the compiler sees the same operands on both sides. The values tested
 // differ in the two modes.
 
-namespace zeroset::test {
+namespace zeroset::test::switches_test {
 namespace {
 
 /// Enclosure of 1/3 in upward rounding, as (-lo, hi).
@@ -116,4 +116,4 @@ TEST(KernelDeathTest, RefusesOtherModes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::switches_test

@@ -12,7 +12,7 @@
 
 // Smooth edges: more rays for the colours, and nothing else.
 
-namespace zeroset::test {
+namespace zeroset::test::antialias_test {
 namespace {
 
 Framebuffer picture_of(const std::string& text, Antialias antialias) {
@@ -231,4 +231,4 @@ TEST(Antialias, LeavesASceneWithoutSurfacesAsItIs) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::antialias_test

@@ -14,7 +14,7 @@
 
 // Parts of an image, and its light beside its colours.
 
-namespace zeroset::test {
+namespace zeroset::test::band_test {
 namespace {
 
 constexpr int width = 150;
@@ -95,4 +95,4 @@ TEST(Band, NormalsAreOfLengthOne) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::band_test

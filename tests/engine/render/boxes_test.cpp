@@ -12,7 +12,7 @@
 // The boxes that the tracer asks a kernel about are finite, however far the eye and however large
 // or small the clip box. Some are cut to nothing: their lower end is above the upper one.
 
-namespace zeroset::test {
+namespace zeroset::test::boxes_test {
 namespace {
 
 /// A kernel that looks at its boxes first.
@@ -65,4 +65,4 @@ TEST(TracersBoxes, AreFinite) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::boxes_test

@@ -11,7 +11,7 @@
 // subtracted: float loses all of f, for large numbers double does, too. A tracer may give up on
 // that, but must never be wrong.
 
-namespace zeroset::test {
+namespace zeroset::test::cancellation_test {
 namespace {
 
 constexpr int image_size = 33;
@@ -95,4 +95,4 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, CancellationTest, ::testing::ValuesIn(trace
                          [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cancellation_test

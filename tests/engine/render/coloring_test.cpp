@@ -17,7 +17,7 @@
 
 // Colours, pixel by pixel: as bright as a plain surface whose sides have that colour.
 
-namespace zeroset::test {
+namespace zeroset::test::coloring_test {
 namespace {
 
 constexpr int side = 72;
@@ -198,4 +198,4 @@ TEST(SteadyRange, StaysUntilItNoLongerFits) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::coloring_test

@@ -13,7 +13,7 @@
 
 // What pixels cost a tracer.
 
-namespace zeroset::test {
+namespace zeroset::test::cost_test {
 namespace {
 
 struct Drawn {
@@ -96,4 +96,4 @@ TEST(CostColors, AreThoseOfAScaleEvenInLogarithms) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cost_test

@@ -14,7 +14,7 @@
 
 // Pictures of solids made of parts: with kernels specialized down the tiles and without.
 
-namespace zeroset::test {
+namespace zeroset::test::csg_test {
 namespace {
 
 constexpr int image_size = 160;
@@ -163,4 +163,4 @@ TEST(Solid, IsTheSameDeepInTheView) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::csg_test

@@ -24,7 +24,7 @@
 // A walk from the whole surface down to a point of it, by smaller and smaller boxes and by a camera
 // that comes nearer and nearer: what is said of each ray, against f in 256 bits along the ray.
 
-namespace zeroset::test {
+namespace zeroset::test::deep_zoom_test {
 namespace {
 
 constexpr int image_size = 12;
@@ -269,4 +269,4 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(proving_tr
                          [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::deep_zoom_test

@@ -13,7 +13,7 @@
 // Poles, jumps, kinks and ends of domains: what each tracer draws there, where, and what it claims
 // to have proved, at coarse and fine d_stop, along and across the discontinuity.
 
-namespace zeroset::test {
+namespace zeroset::test::domain_test {
 namespace {
 
 constexpr int image_size = 25;
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, DomainTest, ::testing::ValuesIn(tracer_name
                          [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::domain_test

@@ -15,7 +15,7 @@
 // Functions that leave the range of floats, or of doubles, jump where they are 0, or are 0 in a
 // wall of the clip box: their pictures are those of plain functions with the same zeros.
 
-namespace zeroset::test {
+namespace zeroset::test::extreme_values_test {
 namespace {
 
 struct Lights {
@@ -136,4 +136,4 @@ TEST(ExtremeValues, CloseWhereASignTimesARootIsZero) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::extreme_values_test

@@ -14,7 +14,7 @@
 
 // Places where f changes its sign in a jump (Scene::jumps).
 
-namespace zeroset::test {
+namespace zeroset::test::jumps_test {
 namespace {
 
 constexpr int size = 96;
@@ -149,4 +149,4 @@ TEST(JumpNormals, FaceTheEyeWhereNothingIsAcross) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::jumps_test

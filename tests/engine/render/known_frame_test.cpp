@@ -10,7 +10,7 @@
 
 // The frame that tracers are measured against is the one they draw.
 
-namespace zeroset::test {
+namespace zeroset::test::known_frame_test {
 namespace {
 
 TEST(KnownFrame, DrawsTheSameFrame) {
@@ -36,4 +36,4 @@ TEST(KnownFrame, DrawsTheSameFrame) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::known_frame_test

@@ -12,7 +12,7 @@
 
 // Pictures drawn with the knowledge of where the surface is not, against those without.
 
-namespace zeroset::test {
+namespace zeroset::test::open_space_pictures_test {
 namespace {
 
 constexpr int usual_size = 160;
@@ -119,4 +119,4 @@ TEST(OpenSpacePictures, AreTheSameOfRandomFormulas) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::open_space_pictures_test

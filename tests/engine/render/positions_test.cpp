@@ -25,7 +25,7 @@
 // never lost, with every instruction set of this machine. The kernel of these tests has its zero at
 // one point alone, known to 256 bits.
 
-namespace zeroset::test {
+namespace zeroset::test::positions_test {
 namespace {
 
 /// A point between two doubles in each coordinate, the same where it is one.
@@ -264,4 +264,4 @@ TYPED_TEST(PositionsTest, HoldTheExactRaysFarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::positions_test

@@ -12,7 +12,7 @@
 
 // A picture that is drawn where another one was shows nothing of that one.
 
-namespace zeroset::test {
+namespace zeroset::test::redraw_test {
 namespace {
 
 constexpr int width = 205;
@@ -82,4 +82,4 @@ TEST(Redraw, ShowsNothingOfAFrameThatWasDrawnFromItsDepths) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::redraw_test

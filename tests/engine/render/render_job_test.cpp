@@ -19,7 +19,7 @@
 // Pictures in the background: a quick one, then the full one; the newest request only, and an end
 // at any time.
 
-namespace zeroset::test {
+namespace zeroset::test::render_job_test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
@@ -301,4 +301,4 @@ TEST(RenderJob, EndsWhileItDraws) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::render_job_test

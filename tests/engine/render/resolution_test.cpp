@@ -7,7 +7,7 @@
 
 // How fine pictures are while something moves.
 
-namespace zeroset::test {
+namespace zeroset::test::resolution_test {
 namespace {
 
 constexpr std::size_t pixels = 1'000'000;
@@ -78,4 +78,4 @@ TEST(Resolution, DependsOnTheSizeOfThePicture) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::resolution_test

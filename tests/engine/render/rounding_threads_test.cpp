@@ -24,7 +24,7 @@
 #undef parallel_for
 #undef core_count
 
-namespace zeroset::test {
+namespace zeroset::test::rounding_threads_test {
 namespace {
 
 using Loop = void (*)(std::size_t, int, const std::function<void(std::size_t)>&);
@@ -122,4 +122,4 @@ TEST(RenderedFrame, IsTheSameInEveryModeOfTheCaller) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::rounding_threads_test

@@ -19,7 +19,7 @@
 
 // Several surfaces in one scene: on each pixel the nearest one, and what is certain of it.
 
-namespace zeroset::test {
+namespace zeroset::test::several_surfaces_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -302,4 +302,4 @@ TEST(SeveralSurfaces, StopWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::several_surfaces_test

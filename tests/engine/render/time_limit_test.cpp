@@ -15,7 +15,7 @@
 
 // Frames that end before they are finished: what they say is what the whole frame says.
 
-namespace zeroset::test {
+namespace zeroset::test::time_limit_test {
 namespace {
 
 using Clock = TimeLimit::Clock;
@@ -190,4 +190,4 @@ TEST(RenderFrame, DrawsQuickTilesFirst) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::time_limit_test

@@ -18,7 +18,7 @@
 
 // Each tracer on surfaces of known form: certificates, depths and misses, ray by ray.
 
-namespace zeroset::test {
+namespace zeroset::test::tracer_test {
 namespace {
 
 /// A tracer may look for the opposite sign a few cells behind the one where it stopped.
@@ -321,4 +321,4 @@ TEST(FindTracer, KnowsItsNames) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::tracer_test

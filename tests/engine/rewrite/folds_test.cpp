@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace zeroset {
+namespace zeroset::folds_test {
 namespace {
 
 bool has_fold(const Expr& f) {
@@ -39,4 +39,4 @@ TEST(WithFolds, OtherRemaindersStay) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::folds_test

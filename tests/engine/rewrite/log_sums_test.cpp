@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace zeroset {
+namespace zeroset::log_sums_test {
 namespace {
 
 bool has_log_sum(const Expr& f) {
@@ -47,4 +47,4 @@ TEST(WithLogSums, KnowTheValueWhereExponentialsOverflow) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::log_sums_test

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::outer_choices_test {
 namespace {
 
 std::string moved(const char* text) { return with_outer_choices(parse(text).value()).canonical(); }
@@ -56,4 +56,4 @@ TEST(OuterChoices, KeepValues) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::outer_choices_test

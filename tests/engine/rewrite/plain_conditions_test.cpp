@@ -13,7 +13,7 @@
 #include <array>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::plain_conditions_test {
 namespace {
 
 std::string written(const std::string& text) {
@@ -109,4 +109,4 @@ TEST(Switches, AreOutermostConditions) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::plain_conditions_test

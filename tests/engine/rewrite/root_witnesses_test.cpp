@@ -9,7 +9,7 @@
 #include <array>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::root_witnesses_test {
 namespace {
 
 std::string domain_of(const std::string& text) {
@@ -85,4 +85,4 @@ TEST(Extremes, DoNotJumpWhereTheOtherOperandDoes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::root_witnesses_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::smooth_minima_test {
 namespace {
 
 std::size_t count_of(const Expr& f, Op op) {
@@ -86,4 +86,4 @@ TEST(WithSmoothMinima, OthersStay) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::smooth_minima_test

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::traceable_test {
 namespace {
 
 std::string cleared(const char* text) { return without_poles(*parse(text)).canonical(); }
@@ -237,4 +237,4 @@ TEST(Traceable, KeepsRandomGraphsZerosDomainsAndSigns) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::traceable_test

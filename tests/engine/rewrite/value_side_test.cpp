@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::value_side_test {
 namespace {
 
 /// The function whose level a typed surface is, as text.
@@ -32,4 +32,4 @@ TEST(ValueSide, IsFWhereNothingIsCompared) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::value_side_test

@@ -10,7 +10,7 @@
 
 // The colours of surfaces can be told apart, also by people without the cones for red or green.
 
-namespace zeroset::test {
+namespace zeroset::test::palette_test {
 namespace {
 
 /// The sight of a dichromat, in linear RGB: rows of the matrix (Machado, Oliveira, Fernandes 2009).
@@ -66,4 +66,4 @@ TEST(Palette, ShowsTheFrontInASwatch) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::palette_test

@@ -8,7 +8,7 @@
 
 // Which type a view is traced in, and how finely.
 
-namespace zeroset::test {
+namespace zeroset::test::precision_test {
 namespace {
 
 constexpr StopCriterion finest{StopRule::DStop, 22.0};
@@ -90,4 +90,4 @@ TEST(Precision, HasNames) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::precision_test

@@ -12,7 +12,7 @@
 
 // Where rays are inside a region: enclosures of tiles and pixels against the points themselves.
 
-namespace zeroset::test {
+namespace zeroset::test::region_test {
 namespace {
 
 TEST(Section, HasANormalOfLengthOne) {
@@ -144,4 +144,4 @@ TEST(TileRays, KnowsWhereARayEntersAndLeaves) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::region_test

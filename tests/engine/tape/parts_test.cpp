@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::parts_test {
 namespace {
 
 Parts parts_in(const std::string& text, std::size_t most_nodes = 1000) {
@@ -126,4 +126,4 @@ TEST(InterpretWithParts, GivesTheValuesOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::parts_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::shape_memory_test {
 namespace {
 
 std::vector<Expr> parsed(const std::vector<std::string>& texts) {
@@ -95,4 +95,4 @@ TEST(ShapeMemory, ShapesHaveTheGraphsBits) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::shape_memory_test

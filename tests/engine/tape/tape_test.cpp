@@ -15,7 +15,7 @@
 
 // Specialized kernels against whole ones, at points of the cells that they were specialized for.
 
-namespace zeroset::test {
+namespace zeroset::test::tape_test {
 namespace {
 
 constexpr std::size_t cells = batch_multiple;
@@ -372,4 +372,4 @@ TEST(Tape, KeepsWhatOthersRelyOn) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::tape_test

@@ -18,7 +18,7 @@
 // Models enclose functions of two variables, against closed forms in long double; what they do not
 // know they say.
 
-namespace zeroset::test {
+namespace zeroset::test::patch_models_test {
 namespace {
 
 using Wide = long double;
@@ -173,4 +173,4 @@ TEST(PatchModels, AreNotMadeOfStepsAndConditions) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patch_models_test

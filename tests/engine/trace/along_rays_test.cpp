@@ -14,7 +14,7 @@
 // The root finders of the papers: their steps, their stop rules, and what point sampling promises.
 // What the others promise is tested with all tracers (tests/engine/render).
 
-namespace zeroset::test {
+namespace zeroset::test::along_rays_test {
 namespace {
 
 /// The operator's outcome for f = x^2 - c on a stretch.
@@ -237,4 +237,4 @@ TEST(PointSampling, IsUndecidedWhenStopped) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::along_rays_test

@@ -17,7 +17,7 @@
 
 // Sections and their caps: where they are, what is proved of them, how they look.
 
-namespace zeroset::test {
+namespace zeroset::test::caps_test {
 namespace {
 
 /// Less than 0 inside.
@@ -310,4 +310,4 @@ INSTANTIATE_TEST_SUITE_P(Tracers, CapTest, ::testing::ValuesIn(tracer_names()),
                          [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::caps_test

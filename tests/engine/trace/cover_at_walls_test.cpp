@@ -15,7 +15,7 @@
 
 // What is known of whole pixels near the walls of the clip box, against planes.
 
-namespace zeroset::test {
+namespace zeroset::test::cover_at_walls_test {
 namespace {
 
 constexpr int side = 64;
@@ -126,4 +126,4 @@ INSTANTIATE_TEST_SUITE_P(Beams, CoverAtWalls,
                          testing::Values(Projection::Perspective, Projection::Orthographic));
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cover_at_walls_test

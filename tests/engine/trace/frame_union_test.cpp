@@ -15,7 +15,7 @@
 
 // The parts of a union in the tiles of an image, against spheres whose roots are known.
 
-namespace zeroset::test {
+namespace zeroset::test::frame_union_test {
 namespace {
 
 constexpr int image_size = 192;
@@ -128,4 +128,4 @@ TEST(FrameUnion, AreNotApartWhereTheEyeIsInOne) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::frame_union_test

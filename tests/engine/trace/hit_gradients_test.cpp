@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace zeroset::test {
+namespace zeroset::test::hit_gradients_test {
 namespace {
 
 /// f rises through 0 on a sphere, but its gradient vanishes on the circle z = 0, beside which the
@@ -40,4 +40,4 @@ TEST(HitGradients, AreThoseOfTheSurfaceWhereTheSlopeOfFVanishesOnALine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::hit_gradients_test

@@ -9,7 +9,7 @@
 
 // Open cells as views show them: each ray through one sees it.
 
-namespace zeroset::test {
+namespace zeroset::test::open_view_test {
 namespace {
 
 Camera random_camera(RandomNumbers& random) {
@@ -77,4 +77,4 @@ TEST(OpenView, LeavesOutTheRest) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::open_view_test

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace zeroset {
+namespace zeroset::pixel_cover_test {
 namespace {
 
 constexpr std::size_t size = tile_size;
@@ -92,4 +92,4 @@ TEST(PixelCover, ForgetsWhatWasMarkedWhereverThatWas) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::pixel_cover_test

@@ -9,7 +9,7 @@
 // Functions of which nothing can be proved in whole regions: 0 in all of them, up to rounding, or
 // defined nowhere. The rays end where the first such part begins.
 
-namespace zeroset::test {
+namespace zeroset::test::plateaus_test {
 namespace {
 
 constexpr int size = 64;
@@ -63,4 +63,4 @@ TEST(Plateaus, ThatAreDefinedNowhereAreUndecided) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::plateaus_test

@@ -9,7 +9,7 @@
 
 // The camera's rays, its first view, and what the mouse does to it.
 
-namespace zeroset::test {
+namespace zeroset::test::camera_test {
 namespace {
 
 constexpr double tolerance = 1e-12;
@@ -236,4 +236,4 @@ TEST(Box, KnowsItsMeasures) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::camera_test

@@ -8,7 +8,7 @@
 
 // Views from the axes, the trackball, and ways from one view to another.
 
-namespace zeroset::test {
+namespace zeroset::test::navigation_test {
 namespace {
 
 constexpr double tolerance = 1e-12;
@@ -166,4 +166,4 @@ TEST(Framed, ShowsTheWholeBoxAsLargeAsCanBe) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::navigation_test

@@ -6,7 +6,7 @@
 
 // The orthographic camera's rays, and what the mouse does to it.
 
-namespace zeroset::test {
+namespace zeroset::test::parallel_camera_test {
 namespace {
 
 constexpr double tolerance = 1e-12;
@@ -106,4 +106,4 @@ TEST(ParallelView, ZoomsAboutAPointAtAnyDepth) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::parallel_camera_test

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::histogram_test {
 namespace {
 
 template <class Sample>
@@ -93,4 +93,4 @@ TEST(DividingValue, LiesBetweenTwoKindsOfSamples) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::histogram_test

@@ -18,7 +18,7 @@
 // Questions in many lanes: they give the same as one by one, as the other tests of volumes ask; and
 // they enclose. Inside, at borders, beyond, near holes, in boxes of all sizes.
 
-namespace zeroset::test {
+namespace zeroset::test::lanes_test {
 namespace {
 
 template <class Real>
@@ -186,4 +186,4 @@ TYPED_TEST(VolumeLanesTest, EncloseTheValuesInTheirBoxes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::lanes_test

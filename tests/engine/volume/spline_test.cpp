@@ -16,7 +16,7 @@
 #include <numbers>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::spline_test {
 namespace {
 
 template <class Sample>
@@ -301,4 +301,4 @@ TEST(MadeVolume, CubicIsCloserToMarschnerAndLobbsSignalThanTrilinear) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::spline_test

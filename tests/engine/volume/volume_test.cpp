@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::volume_test {
 namespace {
 
 template <class Sample>
@@ -436,4 +436,4 @@ TYPED_TEST(VolumeEnclosures, TakeUnboundedAndUnknownBoxes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::volume_test

@@ -12,7 +12,7 @@
 // Tests of the way of a camera: that it goes through its cameras, always sees something, and
 // without a jerk.
 
-namespace zeroset::test {
+namespace zeroset::test::camera_path_test {
 namespace {
 
 constexpr double fov = 0.7;
@@ -104,4 +104,4 @@ TEST(CameraPath, OfOnePlaceStaysThere) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::camera_path_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace zeroset {
+namespace zeroset::export_formats_test {
 namespace {
 
 TEST(ExportFormats, HoldAllWritersOnce) {
@@ -58,4 +58,4 @@ TEST(ExportFormats, NameTheCommandOfAnotherKindsEnding) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::export_formats_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::film_plan_test {
 namespace {
 
 FilmPlan plan_with(FilmEnd end, int frames) {
@@ -107,4 +107,4 @@ TEST(FilmPlan, AWayHasConstantSpeedThroughItsCameras) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::film_plan_test

@@ -9,7 +9,7 @@
 
 // How many frames share a search for empty space.
 
-namespace zeroset::test {
+namespace zeroset::test::frame_ranges_test {
 namespace {
 
 FilmPlan sweep_of(int frames) {
@@ -108,4 +108,4 @@ TEST(FrameRanges, AreUsedWhereMeasurementSaysThatTheyPay) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::frame_ranges_test

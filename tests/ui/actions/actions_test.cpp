@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::actions_test {
 namespace {
 
 TEST(Chord, IsReadAsItIsWritten) {
@@ -115,4 +115,4 @@ TEST(Actions, HaveTheirKeysInTheReadme) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::actions_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace zeroset::ui {
+namespace zeroset::ui::other_words_test {
 namespace {
 
 TEST(OtherWords, AreOfActionsThatThereAre) {
@@ -29,4 +29,4 @@ TEST(OtherWords, AreOfActionsThatThereAre) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::other_words_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <string>
 
-namespace zeroset::ui {
+namespace zeroset::ui::export_page_test {
 namespace {
 
 constexpr const char* window_name = "Save as a file###export";
@@ -257,4 +257,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, ExportPages, testing::ValuesIn(different_looks()
                          [](const auto& look) { return name_of(look.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::export_page_test

@@ -12,7 +12,7 @@
 
 // Tests of the places of the clip region's handles and of dragging them.
 
-namespace zeroset::ui {
+namespace zeroset::ui::clip_handles_test {
 namespace {
 
 constexpr int height_px = 800;
@@ -242,4 +242,4 @@ INSTANTIATE_TEST_SUITE_P(Projections, ClipHandles,
                          });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::clip_handles_test

@@ -11,7 +11,7 @@
 
 // Tests of points that are dragged by their sliders.
 
-namespace zeroset::ui {
+namespace zeroset::ui::point_drag_test {
 namespace {
 
 constexpr int height_px = 800;
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(Projections, PointDrags,
                          testing::Values(Projection::Perspective, Projection::Orthographic));
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::point_drag_test

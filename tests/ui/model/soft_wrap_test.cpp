@@ -10,7 +10,7 @@
 
 // Long lines that go on in the next line of their field.
 
-namespace zeroset::ui {
+namespace zeroset::ui::soft_wrap_test {
 namespace {
 
 /// Ten characters a line.
@@ -129,4 +129,4 @@ TEST(SoftWrap, IsInvisibleToAnyTyping) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::soft_wrap_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace zeroset::ui {
+namespace zeroset::ui::steering_test {
 namespace {
 
 double half_width(const Camera& camera, double aspect) {
@@ -82,4 +82,4 @@ TEST(Scrolled, HasNamesForItsUses) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::steering_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset::ui {
+namespace zeroset::ui::text_match_test {
 namespace {
 
 TEST(TextMatch, NeedsNoAccents) {
@@ -42,4 +42,4 @@ TEST(TextMatch, KeepsLettersThatAreNotLatin) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::text_match_test

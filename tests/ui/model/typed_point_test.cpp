@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace zeroset::ui {
+namespace zeroset::ui::typed_point_test {
 namespace {
 
 TEST(TypedPoint, IsReadAsPeopleTypeIt) {
@@ -31,4 +31,4 @@ TEST(TypedPoint, IsNothingElse) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::typed_point_test

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::command_palette_test {
 namespace {
 
 TEST(TextMatch, FindsPartsWhateverTheCapitals) {
@@ -227,4 +227,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, CommandPalettes, testing::ValuesIn(different_loo
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::command_palette_test

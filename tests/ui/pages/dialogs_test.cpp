@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::dialogs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, DialogPanels, testing::ValuesIn(different_looks(
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::dialogs_test

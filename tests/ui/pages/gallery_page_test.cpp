@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::gallery_page_test {
 namespace {
 
 std::vector<GalleryEntry> three_groups() {
@@ -172,4 +172,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, GalleryPages, testing::ValuesIn(different_looks(
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::gallery_page_test

@@ -14,7 +14,7 @@
 
 #include <string>
 
-namespace zeroset::ui {
+namespace zeroset::ui::help_test {
 namespace {
 
 class Help : public Panels {
@@ -128,4 +128,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Help, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::help_test

@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace zeroset::ui {
+namespace zeroset::ui::tour_test {
 namespace {
 
 class TourOfTheWindow : public Panels {
@@ -84,4 +84,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, TourOfTheWindow, testing::ValuesIn(different_loo
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::tour_test

@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-namespace zeroset::ui {
+namespace zeroset::ui::advanced_test {
 namespace {
 
 class Advanced : public Panels {
@@ -149,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Advanced, testing::ValuesIn(different_looks()),
                          [](const auto& instance) { return name_of(instance.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::advanced_test

@@ -11,7 +11,7 @@
 
 // Tests of the section with saved views and the camera's numbers.
 
-namespace zeroset::ui {
+namespace zeroset::ui::camera_section_test {
 namespace {
 
 class CameraSection : public Panels {
@@ -173,4 +173,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, CameraSection, testing::ValuesIn(different_looks
                          [](const auto& look) { return name_of(look.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::camera_section_test

@@ -10,7 +10,7 @@
 
 // Tests of the section with clip box, sphere and section planes, and of the projection's key.
 
-namespace zeroset::ui {
+namespace zeroset::ui::clip_section_test {
 namespace {
 
 class ClipSection : public Panels {
@@ -176,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, ClipSection, testing::ValuesIn(different_looks()
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::clip_section_test

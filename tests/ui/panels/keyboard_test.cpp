@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::keyboard_test {
 namespace {
 
 class Keyboard : public Panels {
@@ -135,4 +135,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Keyboard, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::keyboard_test

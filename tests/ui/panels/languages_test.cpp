@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::languages_test {
 namespace {
 
 class Languages : public Panels {
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Languages, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::languages_test

@@ -9,7 +9,7 @@
 
 // Tests of the section with looks, mirrors, background and lights.
 
-namespace zeroset::ui {
+namespace zeroset::ui::light_section_test {
 namespace {
 
 constexpr int first_light = 4;  ///< its line in the section
@@ -121,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, LightSection, testing::ValuesIn(different_looks(
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::light_section_test

@@ -22,7 +22,7 @@
 #include <memory>
 #include <string>
 
-namespace zeroset::ui {
+namespace zeroset::ui::look_test {
 namespace {
 
 class Looking : public Panels {
@@ -242,4 +242,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Looking, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::look_test

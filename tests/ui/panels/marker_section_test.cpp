@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 
-namespace zeroset::ui {
+namespace zeroset::ui::marker_section_test {
 namespace {
 
 class MarkerSections : public Panels {
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, MarkerSections, testing::ValuesIn(different_look
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::marker_section_test

@@ -31,7 +31,7 @@
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
 
-namespace zeroset::ui {
+namespace zeroset::ui::panel_test {
 namespace {
 
 /// Height of what the panel scrolls through.
@@ -287,4 +287,4 @@ TEST(OffscreenContext, DrawsTheSameInOneProcess) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::panel_test

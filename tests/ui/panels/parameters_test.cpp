@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::parameters_test {
 namespace {
 
 class Parameters : public Panels {
@@ -234,4 +234,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Parameters, testing::ValuesIn(different_looks())
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::parameters_test

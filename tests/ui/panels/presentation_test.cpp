@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::presentation_test {
 namespace {
 
 class Presentations : public Panels {
@@ -184,4 +184,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, LargeLetters, testing::ValuesIn(all_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::presentation_test

@@ -2,7 +2,7 @@
 
 #include "tests/ui/panels/statements.hpp"
 
-namespace zeroset::ui {
+namespace zeroset::ui::statement_texts_test {
 namespace {
 
 class StatementTexts : public Statements {};
@@ -146,4 +146,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, StatementTexts, testing::ValuesIn(different_look
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::statement_texts_test

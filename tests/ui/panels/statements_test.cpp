@@ -2,7 +2,7 @@
 
 #include "tests/ui/panels/statements.hpp"
 
-namespace zeroset::ui {
+namespace zeroset::ui::statements_test {
 namespace {
 
 TEST_P(Statements, NotesStandBelowTheirRow) {
@@ -204,4 +204,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Statements, testing::ValuesIn(different_looks())
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::statements_test

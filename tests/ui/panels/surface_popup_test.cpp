@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::surface_popup_test {
 namespace {
 
 class SurfacePopup : public Panels {
@@ -141,4 +141,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, SurfacePopup, testing::ValuesIn(different_looks(
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::surface_popup_test

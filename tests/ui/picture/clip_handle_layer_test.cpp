@@ -12,7 +12,7 @@
 
 // Tests of the clip region's handles under the pointer.
 
-namespace zeroset::ui {
+namespace zeroset::ui::clip_handle_layer_test {
 namespace {
 
 class ClipHandleLayer : public PictureLayers {
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, ClipHandleLayer,
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::clip_handle_layer_test

@@ -20,7 +20,7 @@
 
 // The two painters of shapes, the window's and the one in memory, beside each other.
 
-namespace zeroset::ui {
+namespace zeroset::ui::draw_shapes_test {
 namespace {
 
 constexpr int width = 320;
@@ -137,4 +137,4 @@ TEST(CardStyle, HasTheDarkThemesColoursInPictures) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::draw_shapes_test

@@ -9,7 +9,7 @@
 
 // Tests of points under the pointer, whose coordinates are sliders.
 
-namespace zeroset::ui {
+namespace zeroset::ui::point_layer_test {
 namespace {
 
 class PointLayer : public PictureLayers {
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, PointLayer,
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::point_layer_test

@@ -11,7 +11,7 @@
 
 #include <string>
 
-namespace zeroset::ui {
+namespace zeroset::ui::view_notice_test {
 namespace {
 
 class ViewNotice : public Panels {
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, ViewNotice, testing::ValuesIn(different_looks())
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::view_notice_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-namespace zeroset::ui {
+namespace zeroset::ui::views_test {
 namespace {
 
 class Views : public Panels {
@@ -283,4 +283,4 @@ INSTANTIATE_TEST_SUITE_P(Looks, Views, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::views_test

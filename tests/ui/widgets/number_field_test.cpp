@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset::ui {
+namespace zeroset::ui::number_field_test {
 namespace {
 
 TEST(NumberField, ReadsPointsAndCommas) {
@@ -23,4 +23,4 @@ TEST(NumberField, LeavesTheValueWhereNoNumberIsTyped) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::number_field_test

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace zeroset::ui {
+namespace zeroset::ui::input_queue_test {
 namespace {
 
 constexpr int left = GLFW_MOUSE_BUTTON_LEFT;
@@ -126,4 +126,4 @@ TEST(InputQueue, LetsTheMouseGoOnWhileKeysAreHeld) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::input_queue_test

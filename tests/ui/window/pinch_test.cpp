@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace zeroset::ui {
+namespace zeroset::ui::pinch_test {
 namespace {
 
 constexpr std::int32_t one = 1 << 16;
@@ -33,4 +33,4 @@ TEST(Pinch, FingersThatAreNowhereChangeNothing) {
 }
 
 }  // namespace
-}  // namespace zeroset::ui
+}  // namespace zeroset::ui::pinch_test

@@ -11,7 +11,7 @@
 
 // What is made of measured rows: ratios, means, what boxes save, and plots.
 
-namespace zeroset::test {
+namespace zeroset::test::compared_row_test {
 namespace {
 
 ComparedRow row_of(const std::string& surface, const std::string& tracer, double ms,
@@ -130,4 +130,4 @@ TEST(PlotFormat, IsThatOfTheName) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::compared_row_test

@@ -12,7 +12,7 @@
 
 // The papers' tables: what they name is there, and their numbers are those that are printed.
 
-namespace zeroset::test {
+namespace zeroset::test::printed_tables_test {
 namespace {
 
 TEST(PrintedTables, NameSurfacesAndTracersThatThereAre) {
@@ -76,4 +76,4 @@ TEST(PrintedTables, TellOfBoxes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::printed_tables_test

@@ -12,7 +12,7 @@
 
 // The tables of rays in voxels: their data, what is counted, and what is made of it.
 
-namespace zeroset::test {
+namespace zeroset::test::voxel_rows_test {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::infinity();
@@ -101,4 +101,4 @@ TEST(MeasuredVoxels, CountAllAndMakeAPlot) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::voxel_rows_test

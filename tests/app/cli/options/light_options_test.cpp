@@ -9,7 +9,7 @@
 
 // Tests of the texts behind --look, --light, --contours and the like.
 
-namespace zeroset::test {
+namespace zeroset::test::light_options_test {
 namespace {
 
 TEST(LightOptions, SetWhatTheyName) {
@@ -84,4 +84,4 @@ TEST(ContourOptions, AreANameOrAnExpressionWithStepAndWidth) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::light_options_test

@@ -18,7 +18,7 @@
 // Tests of the command line's option texts: their meaning, and that every wrong one is refused with
 // a line that names the option.
 
-namespace zeroset::test {
+namespace zeroset::test::options_test {
 namespace {
 
 /// Option texts as pairs: the option's member and the text typed for it.
@@ -344,4 +344,4 @@ TEST(CameraOption, IsRefusedWithItsText) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::options_test

@@ -11,7 +11,7 @@
 // Tests of --sphere, --section and --projection: their meaning, and that every wrong text is
 // refused with a line that names the option.
 
-namespace zeroset::test {
+namespace zeroset::test::region_options_test {
 namespace {
 
 constexpr glm::dvec3 eye{3, -5, 2};
@@ -103,4 +103,4 @@ TEST(ReadSurface, TakesTheProjectionAndTheRegion) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::region_options_test

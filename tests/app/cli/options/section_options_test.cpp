@@ -9,7 +9,7 @@
 
 // What --section-shows, --section-map and --section-range mean, and what is refused.
 
-namespace zeroset::test {
+namespace zeroset::test::section_options_test {
 namespace {
 
 struct Looks {
@@ -81,4 +81,4 @@ TEST(SectionOptions, RefuseWhatTheyDoNotKnow) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::section_options_test

@@ -11,7 +11,7 @@
 
 // Tests of the options that are of all surfaces or of one, such as --solid and --color.
 
-namespace zeroset::test {
+namespace zeroset::test::surface_options_test {
 namespace {
 
 using Side = SurfaceChoice<SolidSide>;
@@ -131,4 +131,4 @@ TEST(SurfaceOptions, AreTakenByTheRowsOfTheirSurfaces) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::surface_options_test

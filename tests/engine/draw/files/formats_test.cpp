@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::formats_test {
 namespace {
 
 LineDrawing two_lines() {
@@ -115,4 +115,4 @@ TEST(FileNumber, IsShort) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::formats_test

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::film_palette_test {
 namespace {
 
 constexpr std::uint8_t transparent = 255;
@@ -77,4 +77,4 @@ TEST(FilmPalette, TransparentPixelsHaveTheirOwnNumber) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::film_palette_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::video_pixels_test {
 namespace {
 
 constexpr std::uint32_t rgb(unsigned red, unsigned green, unsigned blue, unsigned alpha = 255) {
@@ -80,4 +80,4 @@ TEST(VideoPixels, TransparentPixelsLendNoChroma) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::video_pixels_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::film_formats_test {
 namespace {
 
 TEST(FilmFormats, AreKnownByTheirEndings) {
@@ -85,4 +85,4 @@ TEST(FrameNames, PutTheNumberInPlaceOfTheLastRun) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::film_formats_test

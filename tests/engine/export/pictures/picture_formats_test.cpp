@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::picture_formats_test {
 namespace {
 
 /// A frame with a hit, a part of one and misses, which keeps its planes.
@@ -151,4 +151,4 @@ TEST_F(PictureFormats, CodecsWriteFilesOfTheirKind) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::picture_formats_test

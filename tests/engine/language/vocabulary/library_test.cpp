@@ -15,7 +15,7 @@
 #include <numbers>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::library_test {
 namespace {
 
 /// Returns a random value for a parameter; some parameters choose a case.
@@ -92,4 +92,4 @@ TEST(Library, NamesOfTheTextMeanNothingInIt) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::library_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::nearest_word_test {
 namespace {
 
 constexpr std::array<std::string_view, 6> words{"x", "sin", "cos", "acos", "sqrt", "atan2"};
@@ -35,4 +35,4 @@ TEST(NearestWord, TakesAnyText) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::nearest_word_test

@@ -16,7 +16,7 @@
 #include <numbers>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::shapes_test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -370,4 +370,4 @@ TEST(Words, QuaternionJuliaIsThatOfPlainArithmetic) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::shapes_test

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::derivatives_test {
 namespace {
 
 using Point = std::array<double, 4>;
@@ -165,4 +165,4 @@ TEST(PointFunctions, GiveTheValuesOfKernels) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::derivatives_test

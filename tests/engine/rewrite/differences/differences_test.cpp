@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::differences_test {
 namespace {
 
 std::string written(const char* text) {
@@ -132,4 +132,4 @@ TEST(WithoutSmallDifferences, AreAccurate) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::differences_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::collected_terms_test {
 namespace {
 
 Expr parsed(const std::string& text) {
@@ -60,4 +60,4 @@ TEST(CollectedTerms, LeaveTheRestAsItIs) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::collected_terms_test

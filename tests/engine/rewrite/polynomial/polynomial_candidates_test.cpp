@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset {
+namespace zeroset::polynomial_candidates_test {
 namespace {
 
 /// All forms of the whole formula.
@@ -65,4 +65,4 @@ TEST(PolynomialCandidates, DoNotGrowWithSharedSums) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::polynomial_candidates_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::polynomial_test {
 namespace {
 
 /// The whole formula, expanded.
@@ -129,4 +129,4 @@ TEST(PolynomialForm, OfTermsIsTheExpandedSum) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::polynomial_test

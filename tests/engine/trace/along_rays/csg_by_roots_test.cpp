@@ -18,7 +18,7 @@
 // Solids by the roots of their parts, against balls and half-spaces whose roots on a ray are known
 // in closed form, and combined by sets of points.
 
-namespace zeroset::test {
+namespace zeroset::test::csg_by_roots_test {
 namespace {
 
 /// A solid: its text, whether it holds a point, and the roots of all its parts on a ray.
@@ -249,4 +249,4 @@ TEST(CsgByRoots, IsMrfroOnAFormulaWithoutParts) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::csg_by_roots_test

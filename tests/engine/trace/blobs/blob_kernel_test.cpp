@@ -26,7 +26,7 @@
 // What the balls near a tile's pixels tell of cells, points and whole pixels, against the field
 // itself; and of a ball alone the area that it covers of each pixel.
 
-namespace zeroset::test {
+namespace zeroset::test::blob_kernel_test {
 namespace {
 
 constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
@@ -377,4 +377,4 @@ TEST(BlobEdges, AreAsNearToManyRaysAsThoseByTheWholeField) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::blob_kernel_test

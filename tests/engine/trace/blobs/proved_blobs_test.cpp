@@ -21,7 +21,7 @@
 // single balls: all kinds, views from all sides, from within, cut, behind others; and against the
 // closed form of a ball alone. The exact reference is in tests/oracle/noise_oracle_test.cpp.
 
-namespace zeroset::test {
+namespace zeroset::test::proved_blobs_test {
 namespace {
 
 constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
@@ -242,4 +242,4 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::proved_blobs_test

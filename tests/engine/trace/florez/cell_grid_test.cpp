@@ -12,7 +12,7 @@
 
 // Grids hold all of a surface, for all values of w that they are made for, and are kept.
 
-namespace zeroset::test {
+namespace zeroset::test::cell_grid_test {
 namespace {
 
 std::shared_ptr<const CellGrid> grid_of(const Scene& scene) {
@@ -134,4 +134,4 @@ TEST(RegularGrid, WalksAnewWhereTheViewHasChanged) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::cell_grid_test

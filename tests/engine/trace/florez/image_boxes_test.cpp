@@ -13,7 +13,7 @@
 
 // Boxes of an image by beams: each pixel is in one; what they say of rays holds on each of them.
 
-namespace zeroset::test {
+namespace zeroset::test::image_boxes_test {
 namespace {
 
 /// The boxes of a picture of one tile.
@@ -153,4 +153,4 @@ TEST(FlorezBoxes, CountTheirBoxes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::image_boxes_test

@@ -15,7 +15,7 @@
 
 // The cube that is divided, the static voxelisation, and how long octrees are kept.
 
-namespace zeroset::test {
+namespace zeroset::test::octree_test {
 namespace {
 
 /// A scene and a frame of it.
@@ -202,4 +202,4 @@ TEST(OctreeMemory, GoesWithTheKernel) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::octree_test

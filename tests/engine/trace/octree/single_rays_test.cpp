@@ -18,7 +18,7 @@
 
 // Octrees on rays from anywhere, as mirrors send them on.
 
-namespace zeroset::test {
+namespace zeroset::test::single_rays_test {
 namespace {
 
 struct OctreeScene {
@@ -150,4 +150,4 @@ TEST(SingleRays, MirrorTheSameSurfaces) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::single_rays_test

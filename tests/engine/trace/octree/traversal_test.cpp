@@ -13,7 +13,7 @@
 
 // How rays pass octants: against numbers of 128 bits, and on rays along planes and axes.
 
-namespace zeroset::test {
+namespace zeroset::test::traversal_test {
 namespace {
 
 constexpr Traversal all_traversals[] = {Traversal::Octree, Traversal::Unrounded,
@@ -124,4 +124,4 @@ TEST(Traversal, AllAreFrontToBack) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::traversal_test

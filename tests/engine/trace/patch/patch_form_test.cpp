@@ -19,7 +19,7 @@
 
 // Forms enclose the patch and its derivatives, against closed forms in long double.
 
-namespace zeroset::test {
+namespace zeroset::test::patch_form_test {
 namespace {
 
 using Wide = long double;
@@ -228,4 +228,4 @@ TEST(PatchTree, HoldsThePatchInItsBoxes) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patch_form_test

@@ -11,7 +11,7 @@
 
 // Outlines hold the pixels that may see a part, and not many others.
 
-namespace zeroset::test {
+namespace zeroset::test::patch_outline_test {
 namespace {
 
 constexpr int side = 64;
@@ -122,4 +122,4 @@ TEST(PatchOutline, IsEverythingWhereNothingIsKnown) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patch_outline_test

@@ -15,7 +15,7 @@
 // Parametric surfaces whose polynomials are known, in large parts: graphs of quadratic functions
 // over parallelograms, and a fine picture of a sphere, against closed forms.
 
-namespace zeroset::test {
+namespace zeroset::test::patch_quadrics_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -200,4 +200,4 @@ TEST(PatchQuadrics, FillAConeAlongItsSilhouette) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patch_quadrics_test

@@ -1,3 +1,4 @@
+#include "engine/kernel/patch_code.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -7,14 +8,16 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 
 // The parts that are kept for the end of a tile stay few, whatever is not known of a patch.
 
-namespace zeroset::test {
+namespace zeroset::test::patch_rest_test {
 namespace {
 
 /// A room with the rays of the whole tile, on which all is wanted.
@@ -28,16 +31,37 @@ PatchTile::Room room_for(const TileRays& rays) {
     return room;
 }
 
+/// Ends the work on a tile once the forms of so many boxes have been asked for.
+struct Stop {
+    std::size_t boxes_left;
+    std::atomic<bool> cancel = false;
+};
+
+/// Does what `forms` does, and counts.
+struct CountedForms {
+    KernelFunction<FormBatchOf<double>> forms;
+    Stop* stop;
+
+    static void call(const void* code, const FormBatchOf<double>* batch) {
+        const auto& self = *static_cast<const CountedForms*>(code);
+        self.forms(*batch);
+        if (self.stop->boxes_left < batch->size) self.stop->cancel = true;
+        self.stop->boxes_left -= std::min(self.stop->boxes_left, batch->size);
+    }
+};
+
 TEST(PatchRest, StaysSmallWhereAPatchIsUndefinedEverywhere) {
     const UpwardRounding upward;
     const std::string nowhere = "x / (1 + y + ln(x - x))";
     const Scene scene = patch_scene({nowhere, nowhere, nowhere}, Way::WithoutModels, Box::cube(2));
-    const TimeLimit limit{.until = std::chrono::steady_clock::now() + std::chrono::seconds(2)};
-    const ViewFrame view(default_camera(scene.clip));
     const Kernel& surface = scene.surfaces.front();
+    Stop stop{.boxes_left = 300'000};
+    auto& forms = surface.memory->of<PatchCode>()->point.front().in_double.form;
+    forms = {CountedForms::call, std::make_shared<const CountedForms>(forms, &stop)};
+    const ViewFrame view(default_camera(scene.clip));
     TraceFrame frame =
         trace_frame(scene, surface, view, {.width = tile_size, .height = tile_size}, {})
-            .with(surface, limit);
+            .with(surface, {.cancel = &stop.cancel});
     const auto tree = patch_tree(surface, scene.uniforms);
     frame.prepared = tree.get();
     const Tile tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};
@@ -45,9 +69,10 @@ TEST(PatchRest, StaysSmallWhereAPatchIsUndefinedEverywhere) {
     PatchTile::Room room = room_for(rays);
     Counters counters;
     PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::FirstHits, counters, room).run();
+    EXPECT_EQ(stop.boxes_left, 0U);
     EXPECT_GT(room.rest.capacity(), 10'000U);
-    EXPECT_LE(room.rest.capacity(), 1'000'000U);
+    EXPECT_LE(room.rest.capacity(), 300'000U);
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patch_rest_test

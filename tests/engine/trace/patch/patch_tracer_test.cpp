@@ -19,7 +19,7 @@
 
 // Parametric surfaces against closed forms: no hit is missed, none is wrong.
 
-namespace zeroset::test {
+namespace zeroset::test::patch_tracer_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -256,4 +256,4 @@ std::string name_of_case(const testing::TestParamInfo<PatchCase>& info) {
 INSTANTIATE_TEST_SUITE_P(ClosedForms, PatchTracer, testing::ValuesIn(cases()), name_of_case);
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::patch_tracer_test

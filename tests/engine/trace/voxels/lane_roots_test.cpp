@@ -14,7 +14,7 @@
 
 // Many rays at once against the same rays one by one, whose cubics ray_cubic_test.cpp checks.
 
-namespace zeroset::test {
+namespace zeroset::test::lane_roots_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -97,7 +97,7 @@ void expect_whole_way(const BundleSearch& search, std::int32_t layer, LaneRays& 
         EXPECT_EQ(reached[lane], ends[lane]);
         const IndexRays::Ray ray = search.rays.ray(rays.u[lane], rays.v[lane]);
         const auto at = [&](double depth) { return ray.at[0] + depth * ray.along[0] - layer; };
-        const auto [low, high] = std::minmax(at(rays.from[lane]), at(rays.to[lane]));
+        const auto [low, high] = std::minmax({at(rays.from[lane]), at(rays.to[lane])});
         EXPECT_LE(low, high);
         EXPECT_NEAR(at(ends[lane]), ray.along[0] > 0 ? 1 : 0, 1e-12);
     }
@@ -217,4 +217,4 @@ TEST(LaneRoots, AreThoseOfRaysOneByOne) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::lane_roots_test

@@ -18,7 +18,7 @@
 // Slabs of a grid whose room was filled with garbage before: what is found of rays must not depend
 // on it, and no ray whose polynomial has a root in a layer may be left out.
 
-namespace zeroset::test {
+namespace zeroset::test::level_grid_test {
 namespace {
 
 using Cell = std::array<std::int32_t, 3>;
@@ -255,4 +255,4 @@ TEST(LevelGrid, ReadsNothingOfSplinesThatWasNotLoaded) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::level_grid_test

@@ -23,7 +23,7 @@
 // samples of all types, views along all axes, from within, cut, behind others. The exact reference
 // is in tests/oracle/volume_oracle_test.cpp.
 
-namespace zeroset::test {
+namespace zeroset::test::proved_voxels_test {
 namespace {
 
 /// Waves with some noise, -100 to 100.
@@ -266,4 +266,4 @@ TEST(ProvedVoxels, FindNothingBehindAnotherSurface) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::proved_voxels_test

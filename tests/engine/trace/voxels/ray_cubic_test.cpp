@@ -13,7 +13,7 @@
 // Cubics along rays against the trilinear function itself, and what is proved of their roots
 // against roots that are known.
 
-namespace zeroset::test {
+namespace zeroset::test::ray_cubic_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -179,4 +179,4 @@ TEST(FirstRoot, LeavesWhatIsOpenAtTheEnd) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::ray_cubic_test

@@ -12,7 +12,7 @@
 // A cubic spline along rays against its definition: the sum of its coefficients times products of
 // B-splines, which are written here as powers beyond knots.
 
-namespace zeroset::test {
+namespace zeroset::test::spline_ray_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -132,4 +132,4 @@ TEST(SplineRay, FirstRootsAreThoseOfItsSigns) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::spline_ray_test

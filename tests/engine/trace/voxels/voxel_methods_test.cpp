@@ -14,7 +14,7 @@
 // The methods in single voxels: against cubics with known roots, against proved roots, and packets
 // against single rays.
 
-namespace zeroset::test {
+namespace zeroset::test::voxel_methods_test {
 namespace {
 
 constexpr std::array all_methods{VoxelMethod::Midpoint, VoxelMethod::Linear, VoxelMethod::Neubauer,
@@ -244,4 +244,4 @@ TEST(ProvedRoot, IsTheFirstOne) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::voxel_methods_test

@@ -18,7 +18,7 @@
 // The tracers of volumes: closed forms in turned and unevenly spaced grids, in both projections,
 // with cuts; what they refuse; what they cost.
 
-namespace zeroset::test {
+namespace zeroset::test::voxel_tracers_test {
 namespace {
 
 /// Turned about z and x, with a spacing of its own along each axis.
@@ -244,4 +244,4 @@ TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::voxel_tracers_test

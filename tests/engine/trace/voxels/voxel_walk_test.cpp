@@ -14,7 +14,7 @@
 
 // The walk through voxels against a search of all of them.
 
-namespace zeroset::test {
+namespace zeroset::test::voxel_walk_test {
 namespace {
 
 using Voxel = std::array<std::int32_t, 3>;
@@ -131,4 +131,4 @@ TEST(VoxelWalk, GoesAlongAxesAndFaces) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::voxel_walk_test

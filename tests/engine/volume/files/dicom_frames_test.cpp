@@ -15,7 +15,7 @@
 // Files of DICOM with several slices each: enhanced CT and MR, doses; and run lengths, which are
 // packed here by the standard's words.
 
-namespace zeroset::test {
+namespace zeroset::test::dicom_frames_test {
 namespace {
 
 enum class Lengths : std::uint8_t { Told, Open };
@@ -271,4 +271,4 @@ TEST_F(DicomFrames, MayBeDamaged) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::dicom_frames_test

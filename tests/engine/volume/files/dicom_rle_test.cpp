@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::dicom_rle_test {
 namespace {
 
 std::string item(const std::string& bytes) {
@@ -28,4 +28,4 @@ TEST(DicomRunLengths, AnnounceNoMoreThanTheyCanHold) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::dicom_rle_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::dicom_test {
 namespace {
 
 /// A slice of 4 x 3 samples, i + 10 j + 100 k, as a file of its own.
@@ -312,4 +312,4 @@ TEST_F(Dicom, DamagedPackedSlicesGetTheirLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::dicom_test

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::mapped_file_test {
 namespace {
 
 TEST(MappedFiles, PagesThatAreLostAreFilledWithZeros) {
@@ -51,4 +51,4 @@ TEST(MappedFiles, AnEmptyFileHasNoBytesAndAnAbsentOneItsError) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::mapped_file_test

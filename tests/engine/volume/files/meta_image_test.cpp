@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::meta_image_test {
 namespace {
 
 TEST_F(VolumeFiles, MetaImagesAreRead) {
@@ -53,4 +53,4 @@ TEST_F(VolumeFiles, DamagedMetaImagesGetTheirLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::meta_image_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::nifti_test {
 namespace {
 
 /// A header of NIfTI-1 with the numbers that matter.
@@ -108,4 +108,4 @@ TEST_F(VolumeFiles, DamagedNiftiGetsItsLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::nifti_test

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::nrrd_test {
 namespace {
 
 std::string nrrd(const std::string& type, const std::string& more,
@@ -110,4 +110,4 @@ TEST_F(VolumeFiles, DamagedNrrdGetsItsLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::nrrd_test

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::sample_pieces_test {
 namespace {
 
 constexpr std::size_t row = 4 * sizeof(std::int16_t);
@@ -108,4 +108,4 @@ TEST_F(SamplesInSeveralFiles, WhatIsWrongGetsItsLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::sample_pieces_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace zeroset::test {
+namespace zeroset::test::volume_file_test {
 namespace {
 
 TEST_F(VolumeFiles, WhatIsWrittenIsReadBack) {
@@ -80,4 +80,4 @@ TEST_F(VolumeFiles, AHeaderIsReadAgainOnceOneOfItsFilesOfSamplesHasChanged) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::volume_file_test

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-namespace zeroset::test {
+namespace zeroset::test::vtk_image_test {
 namespace {
 
 std::string base64(const std::string& bytes) {
@@ -119,4 +119,4 @@ TEST_F(VolumeFiles, DamagedVtkImagesGetTheirLine) {
 }
 
 }  // namespace
-}  // namespace zeroset::test
+}  // namespace zeroset::test::vtk_image_test

@@ -2,7 +2,7 @@
 
 #include "engine/algebra/switches.hpp"
 #include "engine/kernel/kernel.hpp"
-#include "jit/batch_function.hpp"
+#include "jit/llvm/batch_function.hpp"
 
 #include <cstddef>
 #include <optional>

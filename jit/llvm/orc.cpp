@@ -1,4 +1,6 @@
-#include "jit/orc.hpp"
+#include "jit/llvm/orc.hpp"
+
+#include "engine/real/processor.hpp"
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
@@ -6,7 +8,6 @@
 #include <llvm/IR/Module.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Support/raw_ostream.h>
-#include <llvm/Support/thread.h>
 #include <llvm/Target/TargetMachine.h>
 
 #include <mutex>
@@ -27,6 +28,9 @@ llvm::Expected<orc::JITTargetMachineBuilder> host_target(bool hasty) {
     });
     auto target = orc::JITTargetMachineBuilder::detectHost();
     if (!target) return target;
+    // What ZEROSET_WIDEST forbids.
+    if (widest_registers_allowed() < 64) target->getFeatures().AddFeature("avx512f", false);
+    if (widest_registers_allowed() < 32) target->getFeatures().AddFeature("avx", false);
     target->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict;
     target->setCodeGenOptLevel(hasty ? llvm::CodeGenOptLevel::None : llvm::CodeGenOptLevel::Less);
     return target;
@@ -62,28 +66,20 @@ llvm::Expected<std::shared_ptr<const MachineCode>> link(const Lowering& lowering
 
 }  // namespace
 
-std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,
-                                                                          const char* symbol,
-                                                                          bool hasty) {
+Code make_code(const Lowering& lowering, const char* symbol, bool hasty) {
     auto code = link(lowering, symbol, hasty);
     if (!code) return std::unexpected(message_of(code.takeError()));
     return *code;
 }
 
-Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelKind part) {
-    return [&expr, kind, part](llvm::LLVMContext& context) {
-        return lower(expr, kind, part, context);
-    };
-}
-
-std::expected<std::string, CompileError> print_ir(const Lowering& lowering) {
+CodeText print_ir(const Lowering& lowering) {
     llvm::LLVMContext context;
     std::string text;
     llvm::raw_string_ostream(text) << *lowering(context);
     return text;
 }
 
-std::expected<std::string, CompileError> print_assembly(const Lowering& lowering) {
+CodeText print_assembly(const Lowering& lowering) {
     auto target = host_target(false);
     if (!target) return std::unexpected(message_of(target.takeError()));
     auto machine = target->createTargetMachine();
@@ -101,11 +97,6 @@ std::expected<std::string, CompileError> print_assembly(const Lowering& lowering
     }
     passes.run(*module);
     return std::string(text.begin(), text.end());
-}
-
-void run_on_large_stack(void (*work)(void*), void* argument) {
-    constexpr unsigned stack_bytes = 256U << 20U;
-    llvm::thread(std::optional<unsigned>(stack_bytes), work, argument).join();
 }
 
 }  // namespace zeroset::jit

@@ -1,6 +1,7 @@
-#include "jit/lanes.hpp"
+#include "jit/llvm/lanes.hpp"
 
 #include "engine/num/elementary.hpp"
+#include "engine/real/processor.hpp"
 
 #include <llvm/IR/Intrinsics.h>
 
@@ -95,7 +96,7 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
 
 }  // namespace
 
-bool can_fuse() { return __builtin_cpu_supports("fma"); }
+bool can_fuse() { return machine_has_fma(); }
 
 Lanes operator+(const Lanes& a, const Lanes& b) {
     return rounded(llvm::Intrinsic::experimental_constrained_fadd, a, {a.value, b.value},

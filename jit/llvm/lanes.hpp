@@ -3,7 +3,7 @@
 #include "engine/real/field.hpp"
 #include "engine/real/format.hpp"
 #include "engine/real/sleef.hpp"
-#include "jit/lower.hpp"
+#include "jit/llvm/lower.hpp"
 
 #include <llvm/ADT/DenseMap.h>
 #include <llvm/IR/IRBuilder.h>

@@ -1,4 +1,4 @@
-#include "jit/switch_lanes.hpp"
+#include "jit/llvm/switch_lanes.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jit/lanes.hpp"
+#include "jit/llvm/lanes.hpp"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>

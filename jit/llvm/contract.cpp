@@ -1,6 +1,6 @@
-#include "jit/contract.hpp"
+#include "jit/llvm/contract.hpp"
 
-#include "jit/lanes.hpp"
+#include "jit/llvm/lanes.hpp"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/IntrinsicInst.h>

@@ -1,12 +1,12 @@
-#include "jit/lower.hpp"
+#include "jit/llvm/lower.hpp"
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/frustum.hpp"
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/kernel/kernel.hpp"
-#include "jit/batch_function.hpp"
-#include "jit/contract.hpp"
-#include "jit/switch_lanes.hpp"
+#include "jit/llvm/batch_function.hpp"
+#include "jit/llvm/contract.hpp"
+#include "jit/llvm/switch_lanes.hpp"
 
 #include <llvm/Transforms/Utils/Local.h>
 
@@ -345,17 +345,6 @@ bool contracts(KernelKind part) {
 }
 
 }  // namespace
-
-const char* symbol_of(KernelKind kind) {
-    switch (kind) {
-#define ZEROSET_KERNEL_FUNCTION(name, Kind, Batch) \
-    case KernelKind::Kind: return "zeroset_" #name;
-#include "engine/kernel/kernel_functions.def"
-        case KernelKind::RayValue: return "zeroset_ray_value";
-        case KernelKind::Points: return "zeroset_points";
-    }
-    return "";
-}
 
 std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelKind part,
                                     llvm::LLVMContext& context) {
