@@ -1,5 +1,7 @@
 #include "engine/volume/files/header_text.hpp"
 
+#include "engine/base/printable.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -111,7 +113,7 @@ std::optional<SampleType> sample_type(std::string_view name) {
 
 std::string wrong_field(std::string_view name, std::string_view value, std::string_view wanted) {
     constexpr std::size_t longest = 40;
-    return "its '" + std::string(name) + "' is '" + std::string(value.substr(0, longest)) + "'; " +
+    return "its '" + std::string(name) + "' is '" + printable(value.substr(0, longest)) + "'; " +
            std::string(wanted);
 }
 

@@ -37,6 +37,8 @@ TEST_F(VolumeFiles, DamagedMetaImagesGetTheirLine) {
     EXPECT_EQ(error("what is this\n"), "its header has a line without '='");
     EXPECT_EQ(error("DimSize = 4 3\nElementType = MET_SHORT\nElementDataFile = LOCAL\n"),
               "its 'DimSize' is '4 3'; three whole numbers are wanted");
+    EXPECT_EQ(error("DimSize = 4\v3\x1b[2J\nElementType = MET_SHORT\nElementDataFile = LOCAL\n"),
+              "its 'DimSize' is '4\uFFFD3\uFFFD[2J'; three whole numbers are wanted");
     EXPECT_EQ(error("DimSize = 4 3 2\nElementType = MET_STRING\nElementDataFile = LOCAL\n"),
               "its 'ElementType' is 'MET_STRING'; a number type is wanted");
     EXPECT_EQ(error("DimSize = 4 3 2\nElementNumberOfChannels = 3\nElementType = MET_SHORT\n"
