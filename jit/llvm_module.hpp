@@ -9,9 +9,9 @@
 #include <memory>
 #include <string>
 
-// What the program asks of its module zeroset_llvm.so, the room jit/llvm with LLVM behind it, which
-// is loaded when code is first made: LLVM takes as long to load as many a picture takes to be
-// drawn.
+// The functions that the program calls in its module zeroset_llvm.so, the room jit/llvm with LLVM
+// behind it, which is loaded when code is first made: LLVM takes as long to load as many a picture
+// takes to be drawn.
 
 namespace zeroset::jit {
 

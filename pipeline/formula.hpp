@@ -90,7 +90,7 @@ double steps_left(const Formula& formula);
 /// if that cannot be made. Takes as long as making the code in float. Thread-safe.
 Formula with_double(const Formula& formula);
 
-/// What is to be told of the formula's code, a short line; nothing where it is as expected.
+/// A short line about the formula's code for the user; empty where the code is as expected.
 std::string note_on_code(const Formula& formula);
 
 /// True if machine code will be ready before a full picture without it would be of use.

@@ -27,7 +27,7 @@ suite() {
     ctest --test-dir "$folder" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
 }
 build_preset() {
-    cmake --preset "$1" "${@:2}"
+    cmake --preset "$1"
     cmake --build --preset "$1"
 }
 # Where a window is driven by its timing, sanitizers are too slow.
@@ -75,7 +75,7 @@ step_asan() {
 }
 step_texts() {
     sanitizer_options
-    build_preset asan --fresh >/dev/null
+    build_preset asan
     "$released/language_fuzz" --seconds "$fuzz_s" --seed "$RANDOM" --timeout 60
     mkdir -p build/nightly/corpus
     build/asan/tests/language_fuzzer -dict=tests/fuzz/language.dict -max_total_time="$fuzz_s" \
@@ -96,6 +96,7 @@ make_files() {
 step_files() {
     local made folder=build/nightly/files
     sanitizer_options
+    build_preset asan
     make_files "$folder"
     mapfile -t made < <(find "$folder" -type f)
     "$released/file_fuzz" --seconds "$fuzz_s" --seed "$RANDOM" build/nightly/tried "${made[@]}"
@@ -103,6 +104,7 @@ step_files() {
 }
 step_window() {
     sanitizer_options
+    build_preset asan
     tests/end_to_end/monkey.py build/asan/zeroset --seconds "$fuzz_s"
 }
 step_tsan() {

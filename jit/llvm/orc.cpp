@@ -28,7 +28,7 @@ llvm::Expected<orc::JITTargetMachineBuilder> host_target(bool hasty) {
     });
     auto target = orc::JITTargetMachineBuilder::detectHost();
     if (!target) return target;
-    // What ZEROSET_WIDEST forbids.
+    // Leave out the registers that ZEROSET_WIDEST forbids.
     if (widest_registers_allowed() < 64) target->getFeatures().AddFeature("avx512f", false);
     if (widest_registers_allowed() < 32) target->getFeatures().AddFeature("avx", false);
     target->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict;

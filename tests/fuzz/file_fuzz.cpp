@@ -38,7 +38,7 @@ std::string contents(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What is wrong with the error of a reader: it is to be one short line.
+/// Why a reader's error is not the one short line that it is to be; nothing where it is.
 std::optional<std::string> fault_of(const std::string& error) {
     if (error.empty()) return "an error without a word";
     if (error.size() > 600) return "a long error: " + error;

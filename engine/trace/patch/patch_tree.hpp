@@ -19,9 +19,9 @@ namespace zeroset {
 /// Forms are those of boxes that are so much wider than the part of the unit square that they stand
 /// for: a root at the border of two boxes is inside of both.
 inline constexpr double form_growth = 1.0 + 0x1p-5;
-/// How much of a box the part is.
+/// The share of a grown box that its part is.
 inline constexpr double box_share = 1.0 / form_growth;
-/// The same and more than rounding may take from it.
+/// That share, larger by more than rounding may take from it.
 inline constexpr double form_inner = (1.0 + 0x1p-20) / form_growth;
 
 /// How a box is divided: `cols` x `rows` parts, sixteen of them, or four.
