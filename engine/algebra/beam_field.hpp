@@ -77,7 +77,7 @@ private:
         const auto in = boxes(x, y, z);
         const auto g = field_enclosure<FieldRange>(field, derivative,
                                                    answers(FieldRange(), field, derivative, in));
-        const Real unbounded = like(g.range.hi, infinity);
+        const Real infinite = like(g.range.hi, infinity);
         const Real size = zeroset::largest(g.range);
         Real r = like(size, 16.0) * size;
         const std::array<const Value*, 3> operands{&x.value, &y.value, &z.value};
@@ -85,7 +85,7 @@ private:
             const auto bend = answers(FieldRange(), field, once_more_by(derivative, i), in);
             r = r + operands[i]->f.r * zeroset::largest(Box{bend[0], bend[1]});
         }
-        const SlopeBeam<Real> unknown{{like(size, 0.0), {}, unbounded}, unbounded};
+        const SlopeBeam<Real> unknown{{like(size, 0.0), {}, infinite}, infinite};
         return with_domain(of(interval_form(g.range, r), unknown, x, y, z), g);
     }
 };

@@ -151,8 +151,10 @@ HWY_INLINE RayVerdict<Real> verdict_of(const FormCells<Real, room>& cells, std::
     const M<Real> sloped = hn::And(undecided, hn::Or(away, leaves));
     verdict.free = hn::Or(nowhere, hn::Or(rejected, sloped));
     const M<Real> is_positive = hn::Gt(c, zero);
-    verdict.positive = hn::Or(hn::And(rejected, is_positive), hn::And(sloped, falls));
-    verdict.negative = hn::Or(hn::AndNot(is_positive, rejected), hn::AndNot(falls, sloped));
+    // Where f is not continuous, the form is of another function with its zeros, not its signs.
+    const M<Real> has_sign = hn::And(rejected, verdict.continuous);
+    verdict.positive = hn::Or(hn::And(has_sign, is_positive), hn::And(sloped, falls));
+    verdict.negative = hn::Or(hn::AndNot(is_positive, has_sign), hn::AndNot(falls, sloped));
 
     const M<Real> turned = hn::Or(hn::And(above, hn::Lt(hn::Add(hn::Sub(c, along), aside), zero)),
                                   hn::And(below, hn::Lt(hn::Add(hn::Sub(along, c), aside), zero)));

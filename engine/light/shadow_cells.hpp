@@ -59,7 +59,9 @@ ShadeVerdict judge(const CellLine<Real>& f, Start start, RaySign sign) {
     const Real steepness = std::abs(f.along);
     const Real size = std::abs(f.c);
     if (f.nowhere) return {.shade = Shade::Free};
-    if (size > steepness + f.aside) return {.shade = Shade::Free, .sign = sign_of(f.c > 0)};
+    // Where f is not continuous, the form is of another function with its zeros, not its signs.
+    if (size > steepness + f.aside)
+        return {.shade = Shade::Free, .sign = f.continuous ? sign_of(f.c > 0) : RaySign::Unknown};
     if (!f.continuous) return {.shade = Shade::Open};
     if (f.falls || f.rises) {
         // Depths fall towards the light: f goes away from 0 there, from the hits, or from where its

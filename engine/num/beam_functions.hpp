@@ -56,7 +56,7 @@ Real rounding_of(const Interval<Real>& slope, const Real& operand_r, double ulp,
 
 /// A line through a function's value at the middle c of its operand x, of slope `slope`.
 template <class Real>
-struct Line {
+struct MiddleLine {
     Interval<Real> at_middle;
     Real slope;
     Interval<Real> rest;  ///< encloses the function minus the line
@@ -65,8 +65,8 @@ struct Line {
 /// Form of a function from its line, or from its range where that is narrower, with the r of the
 /// one taken. Makes at most four roundings, of numbers below twice the bounds of the range.
 template <class Real>
-Beam<Real> along_line(const Beam<Real>& x, const Line<Real>& line, const Interval<Real>& range,
-                      const Real& r_of_line, const Real& r_of_range) {
+Beam<Real> along_line(const Beam<Real>& x, const MiddleLine<Real>& line,
+                      const Interval<Real>& range, const Real& r_of_line, const Real& r_of_range) {
     const Affine<Real> middle = centred(line.at_middle + line.rest);
     Affine<Real> moved = x.f;
     moved.c = like(x.r, 0.0);
@@ -93,7 +93,7 @@ Beam<Real> curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
     const Affine<Real> slope = centred(g.slope_at_middle);
     const Interval<Real> bend{maximum(zero, g.curvature.neg_lo) * half_square,  // keeps NaN
                               maximum(zero, g.curvature.hi) * half_square};
-    const Line<Real> line{g.at_middle, slope.c, bend + within<Real>(slope.e * d)};
+    const MiddleLine<Real> line{g.at_middle, slope.c, bend + within<Real>(slope.e * d)};
     const Real r = rounding_of(g.slope, x.r, g.rounding_ulp, largest(g.range));
     return along_line(x, line, g.range, r, r);
 }
@@ -103,7 +103,7 @@ Beam<Real> curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
 template <class Real>
 Beam<Real> slope_of_curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
     const Affine<Real> bend = centred(g.curvature);
-    const Line<Real> line{g.slope_at_middle, bend.c, within<Real>(bend.e * x.spread())};
+    const MiddleLine<Real> line{g.slope_at_middle, bend.c, within<Real>(bend.e * x.spread())};
     const Real r = rounding_of(g.curvature, x.r, 4.0, largest(g.slope));
     return along_line(x, line, g.slope, r, like(r, 0.0));
 }

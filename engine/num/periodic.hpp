@@ -74,10 +74,10 @@ Enclosure<Real> branched(const Interval<Real>& a, const Mask& smooth, const Inte
                          const Interval<Real>& gap) {
     constexpr double below_pi = 3.0;
     const auto narrow = both(near_zero(a), a.neg_lo + a.hi < like(a.hi, below_pi));
-    const Interval<Real> unbounded = whole_line(a.hi);
-    return {.range = select(smooth, ends, unbounded),
+    const Interval<Real> whole = whole_line(a.hi);
+    return {.range = select(smooth, ends, whole),
             .everywhere = smooth,
-            .gap = select(narrow, gap, unbounded)};
+            .gap = select(narrow, gap, whole)};
 }
 
 template <class Real>
@@ -111,8 +111,8 @@ Enclosure<Real> cot(const Interval<Real>& a) {
     const auto smooth = between_poles(a, 0.0, 0.0);
     const Real neg_t_hi = -elementary(Elementary::Tan, a.hi);
     const Real t_lo = elementary(Elementary::Tan, -a.neg_lo);
-    const Real unbounded = like(a.hi, infinity);
-    const Interval<Real> falling{cot_up(neg_t_hi, unbounded), cot_up(t_lo, unbounded)};
+    const Real infinite = like(a.hi, infinity);
+    const Interval<Real> falling{cot_up(neg_t_hi, infinite), cot_up(t_lo, infinite)};
     const Interval<Real> gap{cot_up_behind_pole(neg_t_hi), cot_up_behind_pole(t_lo)};
     return branched(a, smooth, falling, gap);
 }

@@ -70,7 +70,9 @@ Verdict judge(const Cell<Real>& f, const Progress& at, RootWish wish) {
     const Real steepness = std::abs(f.along);
     const int sign = at.approach ? 0 : at.sign;
     if (f.nowhere) return {.answer = Answer::Free};
-    if (size > steepness + f.spread) return {.answer = Answer::Free, .sign = f.c > 0 ? 1 : -1};
+    // Where f is not continuous, the form is of another function with its zeros, not its signs.
+    if (size > steepness + f.spread)
+        return {.answer = Answer::Free, .sign = !f.continuous ? 0 : f.c > 0 ? 1 : -1};
     if (!f.continuous) return {.answer = Answer::Open};
     const bool is_left = at.left || (at.not_below && f.falls);
     if (f.is_monotone() && (!is_left || sign == f.trend()))
@@ -135,8 +137,8 @@ private:
     }
     /// Takes what is known of a cell that is not divided; whether the search is over.
     bool take(const Cell<Real>& f, const Verdict& verdict, double from, double to);
-    /// Takes a cell behind an approach; whether f was 0 in that.
-    bool ends_approach(const Cell<Real>& f, const Verdict& verdict);
+    /// Takes a cell behind an approach, which begins at `from`; whether f was 0 in the approach.
+    bool ends_approach(const Cell<Real>& f, const Verdict& verdict, double from);
     bool take_root(const Cell<Real>& f, double from, double to);
     bool take_approach();
     /// Makes box i one about a stretch.
@@ -144,6 +146,8 @@ private:
     /// Asks for ranges of a function in the first `count` boxes.
     void evaluate_boxes(const KernelFunction<RangeBatchOf<double>>& range, std::size_t count,
                         RangeBoxes<double, parts>& boxes) const;
+    /// The sign of f at a place, by a box about it; 0: not known.
+    [[nodiscard]] int sign_at(double place) const;
     int sign_by_boxes(double from, double to);
     /// Whether f surely is defined in a stretch.
     [[nodiscard]] bool is_defined(double from, double to) const;
@@ -196,7 +200,7 @@ void Search<Real>::evaluate(double from, double to) {
 
 template <class Real>
 bool Search<Real>::take(const Cell<Real>& f, const Verdict& verdict, double from, double to) {
-    if (at_.approach && verdict.answer != Answer::Approaching && ends_approach(f, verdict))
+    if (at_.approach && verdict.answer != Answer::Approaching && ends_approach(f, verdict, from))
         return true;
     switch (verdict.answer) {
         case Answer::Free:
@@ -214,11 +218,12 @@ bool Search<Real>::take(const Cell<Real>& f, const Verdict& verdict, double from
 }
 
 template <class Real>
-bool Search<Real>::ends_approach(const Cell<Real>& f, const Verdict& verdict) {
+bool Search<Real>::ends_approach(const Cell<Real>& f, const Verdict& verdict, double from) {
     // The sign at the near end of this cell, which is the far end of the approach.
     int sign = 0;
     if (verdict.answer == Answer::Free) sign = verdict.sign;
     if (verdict.answer == Answer::Root && f.is_monotone()) sign = -f.trend();
+    if (sign == 0) sign = sign_at(from);
     if (sign == at_.approach->trend) return take_approach();
     at_.unsettled = at_.unsettled || sign == 0;
     at_.approach.reset();
@@ -292,6 +297,14 @@ bool Search<Real>::closes(double from, double to) const {
            falls_to_zero(boxes.least_size(1), boxes.least_size(0)) &&
            falls_to_zero(boxes.least_size(2), boxes.least_size(3)) &&
            is_defined(from - width, to + width);
+}
+
+template <class Real>
+int Search<Real>::sign_at(double place) const {
+    RangeBoxes<double, parts> boxes;
+    set_box(boxes, 0, place, place);
+    evaluate_boxes(surface_.kernel.in_double.range, 1, boxes);
+    return boxes.sign(0);
 }
 
 /// The sign of f on a stretch, by boxes about parts of it, in double; 0: not known. Beside a pole

@@ -1,6 +1,7 @@
 """Tests of the real window, driven by keys and mouse on an X display of its own."""
 
 import json
+import os
 import re
 import signal
 import subprocess
@@ -354,10 +355,15 @@ class WindowTest(RealWindowTest):
         self.start(BALL)
         self.display.xdotool("key", "Escape")
         self.rest(lambda _: True, "rest")
-        before = self.wakes()
-        time.sleep(1.0)
-        # A frame alone is more than one: the driver has threads of its own to wait for.
-        self.assertLess(self.wakes() - before, 10)
+
+        def sleeps():
+            before = self.wakes()
+            time.sleep(1.0)
+            # A frame alone is more than one: the driver has threads of its own to wait for.
+            return self.wakes() - before < 10
+
+        # What is done once, soon after the start, may wake it a few times more.
+        self.assertTrue(any(sleeps() for _ in range(10)), "draws on and on")
         self.started.send_signal(signal.SIGTERM)
         self.started.wait(5.0)
 
@@ -367,10 +373,18 @@ class WindowTest(RealWindowTest):
 
 
 class LargeScaleWindowTest(WindowTest):
-    """Runs the tests of WindowTest at scale 2, for high-resolution screens."""
+    """Runs the tests of WindowTest at scale 2, for high-resolution screens: those where the pointer
+    must meet what is drawn; in a long run (ZEROSET_LONG is set) all of them."""
 
     SCALE = 2
     SCREEN = (1600, 1200)
+    OF_THE_POINTER = ("test_type_drag_zoom_reset_and_quit", "test_a_click_keeps_a_marker",
+                      "test_a_parameter_has_a_slider", "test_saves_a_picture_that_opens_again")
+
+    def setUp(self):
+        if "ZEROSET_LONG" not in os.environ and self._testMethodName not in self.OF_THE_POINTER:
+            self.skipTest("only in a long run")
+        super().setUp()
 
 
 class NoDisplayTest(unittest.TestCase):

@@ -6,6 +6,7 @@
 #include "tests/jit/machine_code.hpp"
 #include "tests/support/compiled.hpp"
 #include "tests/support/kernel_batch.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
@@ -78,7 +79,7 @@ TEST_P(JitOperator, HasTheInterpretersBits) {
     RandomNumbers random(10 + static_cast<std::uint64_t>(GetParam().op));
     const Batches batches(random, 4096);
     std::vector<int> numbers{0};
-    const bool all = formulas_to_try(0) > 0;
+    const bool all = is_long_run();
     if (GetParam().notation == Notation::Power)
         numbers = all ? std::vector{2, 3, 4, 5, 6, 7, 8, 9, 16, 17} : std::vector{2, 3, 8, 17};
     if (GetParam().notation == Notation::Wave)
@@ -95,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(All, JitOperator, ::testing::ValuesIn(operators()),
 
 TEST(Jit, HasTheInterpretersBitsOnRandomFormulas) {
     RandomNumbers random(11);
-    const int count = formulas_to_try(30);
+    const int count = formulas_to_try(18);
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         const Batches batches(random, 128);
         expect_same_bits(random_expression(random, 1 + i % 6), batches);
@@ -150,8 +151,7 @@ TEST(Jit, HasTheInterpretersBitsOnNoiseAndBlobs) {
 TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
     RandomNumbers random(13);
     const Batches batches(random, 64);
-    // A quarter of the gallery; all of it where ZEROSET_FORMULAS asks for more formulas.
-    const int step = formulas_to_try(0) > 0 ? 1 : 4;
+    const int step = is_long_run() ? 1 : 6;
     int count = 0;
     const std::filesystem::path folder(ZEROSET_SOURCE_DIR "/resources/gallery");
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -3,6 +3,7 @@
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "jit/compile.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
@@ -50,10 +51,12 @@ protected:
         return {f_neg_lo.back(), f_hi.back()};
     }
 
-    /// Returns every kernel of a graph: the interpreter's, and machine code of each width.
+    /// Returns kernels of a graph: the interpreter's, and machine code of the widest registers, in
+    /// a long run of each width.
     static std::vector<Kernel> kernels(const Expr& expr) {
         std::vector<Kernel> all{interpret(expr)};
-        for (int lanes = 4; lanes <= jit::host_lanes(); lanes *= 2)
+        for (int lanes = is_long_run() ? 4 : jit::host_lanes(); lanes <= jit::host_lanes();
+             lanes *= 2)
             all.push_back(*jit::compile(expr, {.lanes = lanes, .with_double = true}));
         return all;
     }
@@ -69,9 +72,11 @@ TYPED_TEST(JitRounding, IsUpwardBesideCalls) {
     const auto hi = static_cast<TypeParam>(is_float ? 0x1.555556p-2 : 0x1.5555555555556p-2);
     for (const char* const function :
          {"sin(z)", "cos(z)", "exp(z)", "ln(z)", "atan(z)", "cbrt(z)", "tanh(z)", "atan2(z, y)"}) {
-        for (const std::string& text : {"min(x/y, 9 + " + std::string(function) + ")",
-                                        "min(9 + " + std::string(function) + ", x/y)",
-                                        "max(x/y, " + std::string(function) + " - 9)"}) {
+        const std::string call(function);
+        std::vector<std::string> texts{"min(x/y, 9 + " + call + ")", "min(9 + " + call + ", x/y)",
+                                       "max(x/y, " + call + " - 9)"};
+        if (!is_long_run()) texts = {texts[call.size() % 3]};
+        for (const std::string& text : texts) {
             for (const Kernel& kernel : TestFixture::kernels(*parse(text))) {
                 const auto found = TestFixture::range(
                     kernel, {point(TypeParam(1)), point(TypeParam(3)), point(TypeParam(0.5))});
@@ -98,7 +103,7 @@ TYPED_TEST(JitRounding, RejectsNoUnknownBoxOfAnOperator) {
 TYPED_TEST(JitRounding, RejectsNoUnknownBoxOfRandomFormulas) {
     const TypeParam nan = std::numeric_limits<TypeParam>::quiet_NaN();
     RandomNumbers random(21);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < (is_long_run() ? 300 : 100); ++i) {
         const Expr expr = random_expression(random, 1 + i % 6);
         // Machine code gives the interpreter's bits, so compiling every tenth expression is enough.
         const auto kernels =

@@ -5,6 +5,7 @@
 #include "engine/language/parse.hpp"
 #include "tests/support/by_pieces.hpp"
 #include "tests/support/compiled.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_expression.hpp"

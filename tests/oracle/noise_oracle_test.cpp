@@ -1,4 +1,5 @@
 #include "tests/oracle/ray_audit.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
 

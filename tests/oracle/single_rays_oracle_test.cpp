@@ -25,9 +25,10 @@ struct Counts {
 
 SceneRay random_ray(const Box& clip, RandomNumbers& random) {
     const auto point = [&] {
-        return glm::dvec3(random.uniform(clip.lo.x, clip.hi.x),
-                          random.uniform(clip.lo.y, clip.hi.y),
-                          random.uniform(clip.lo.z, clip.hi.z));
+        glm::dvec3 at;  // by turns, as compilers evaluate arguments in different orders
+        for (int i = 0; i < 3; ++i)
+            at[i] = random.uniform(clip.lo[i], clip.hi[i]);
+        return at;
     };
     const glm::dvec3 origin = point();
     return {.origin = origin, .direction = UnitVector(point() - origin)};

@@ -3,6 +3,7 @@
 #include "engine/volume/volume.hpp"
 #include "pipeline/volume_source.hpp"
 #include "tests/oracle/ray_audit.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
 

@@ -1,6 +1,7 @@
 #include "pipeline/mesh_document.hpp"
 
 #include "pipeline/gallery.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/mesh_checks.hpp"
 #include "tests/support/meshed.hpp"
 #include "tests/support/random_expression.hpp"

@@ -16,11 +16,11 @@
 namespace zeroset::test {
 
 /// The first root at or beyond `from` on a ray, or infinity.
-using FirstRoot = std::function<double(const Ray& ray, double from)>;
+using RootFrom = std::function<double(const Ray& ray, double from)>;
 
 struct Analytic {
     std::string name, text;
-    FirstRoot first_root;
+    RootFrom first_root;
     Camera camera;
     Box clip;
     Region region = {};
@@ -129,11 +129,11 @@ inline std::vector<Analytic> analytic_scenes() {
     const Box cube = Box::cube(2);
     const Camera usual = default_camera(cube);
     const Camera inside{{0.1, -0.2, 0.15}, {1, 0.5, 0.25}, {0, 0, 1}, 1.5};
-    const FirstRoot shells = [](const Ray& ray, double from) {
+    const RootFrom shells = [](const Ray& ray, double from) {
         return std::min(first_of(sphere_roots(ray, 1.5), from),
                         first_of(sphere_roots(ray, 1.4999), from));
     };
-    const FirstRoot pair = [](const Ray& ray, double from) {
+    const RootFrom pair = [](const Ray& ray, double from) {
         return first_of({plane_root(ray, {0, 1, 0}, 0.5), plane_root(ray, {0, 1, 0}, 0.5001)},
                         from);
     };

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -78,25 +77,13 @@ inline constexpr std::size_t most_lanes = 16;
 template <class Real>
 using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Real* out);
 
-// Defines a Caller for registers of `bytes` bytes, compiled for a machine that has them.
-// NOLINTBEGIN(bugprone-macro-parentheses): attributes of a function
-#define ZEROSET_CALLER(name, bytes, attributes)                                                  \
-    template <class Real>                                                                        \
-    attributes void name(void* code, int arity, const Real* a, const Real* b, Real* out) {       \
-        typedef Real Lanes __attribute__((vector_size(bytes)));                                  \
-        Lanes x;                                                                                 \
-        Lanes y;                                                                                 \
-        std::memcpy(&x, a, bytes);                                                               \
-        std::memcpy(&y, b, bytes);                                                               \
-        const Lanes result = arity == 1 ? reinterpret_cast<Lanes (*)(Lanes)>(code)(x)            \
-                                        : reinterpret_cast<Lanes (*)(Lanes, Lanes)>(code)(x, y); \
-        std::memcpy(out, &result, bytes);                                                        \
-    }
-// NOLINTEND(bugprone-macro-parentheses)
-ZEROSET_CALLER(call_128, 16, )
-ZEROSET_CALLER(call_256, 32, __attribute__((target("avx2"))))
-ZEROSET_CALLER(call_512, 64, __attribute__((target("avx512f"))))
-#undef ZEROSET_CALLER
+/// Callers for registers of 16, 32 and 64 bytes, each compiled for a machine that has them.
+template <class Real>
+void call_128(void* code, int arity, const Real* a, const Real* b, Real* out);
+template <class Real>
+void call_256(void* code, int arity, const Real* a, const Real* b, Real* out);
+template <class Real>
+void call_512(void* code, int arity, const Real* a, const Real* b, Real* out);
 
 /// The code of a function over registers of one width, and how to call it.
 template <class Real>

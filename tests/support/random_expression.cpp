@@ -114,9 +114,4 @@ Expr operator_on_variables(const OpInfo& info, int n) {
                                   info.arity < 3 ? 0 : operand(2), numbered ? n : 0));
 }
 
-int formulas_to_try(int usual) {
-    const char* const wanted = std::getenv("ZEROSET_FORMULAS");
-    return wanted == nullptr ? usual : std::atoi(wanted);
-}
-
 }  // namespace zeroset::test

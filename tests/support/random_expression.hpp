@@ -13,7 +13,4 @@ Expr random_expression(RandomNumbers& random, int depth);
 /// first is x < y, the second z <= x.
 Expr operator_on_variables(const OpInfo& info, int n = 3);
 
-/// Number of random formulas that a test tries: ZEROSET_FORMULAS in the environment, else `usual`.
-int formulas_to_try(int usual);
-
 }  // namespace zeroset::test

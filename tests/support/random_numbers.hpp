@@ -49,15 +49,15 @@ public:
         }
     }
 
-    /// An interval without NaN and with lo <= hi, now and then unbounded.
+    /// An interval without NaN and with lo <= hi, now and then infinite.
     template <class Real>
     Interval<Real> interval() {
-        const Real unbounded = std::numeric_limits<Real>::infinity();
+        const Real infinite = std::numeric_limits<Real>::infinity();
         const Real a = number<Real>();
         switch (below(16)) {
             case 0: return {-a, a};
-            case 1: return {-a, one_in(2) ? unbounded : std::numeric_limits<Real>::max()};
-            case 2: return {one_in(2) ? unbounded : std::numeric_limits<Real>::max(), a};
+            case 1: return {-a, one_in(2) ? infinite : std::numeric_limits<Real>::max()};
+            case 2: return {one_in(2) ? infinite : std::numeric_limits<Real>::max(), a};
             case 3: return one_in(4) ? whole_line(a) : between_ends(Real(0), a);
             case 4: return between_ends(-Real(0), a);
             case 5:

@@ -110,6 +110,7 @@ Reference field_reference(const Volume& volume, const MpfrNumber& x, const MpfrN
         MpfrNumber index(map.shift[i]);
         for (std::size_t c = 0; c < 3; ++c)
             index = index + MpfrNumber(map.index_from_world[i][c]) * point[c];
+        if (index.is_nan()) return {.defined = true, .value = index};
         const auto end = static_cast<double>(data.samples().size[i] - 1);
         const bool below = index < 0.0;
         if (below || index > end) {

@@ -8,6 +8,7 @@
 #include "document/sheet.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/view/camera.hpp"
+#include "tests/support/long_run.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/side_panel.hpp"
 #include "ui/picture/view_notice.hpp"
@@ -314,13 +315,16 @@ protected:
     UiState state_;
 };
 
+/// Returns looks in which each theme, size and scale is met with each other; in a long run all.
 inline std::vector<Look> all_looks() {
     std::vector<Look> looks;
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
-        for (const auto& [width, height] :
-             {std::pair(min_width, min_height), std::pair(1280, 800)}) {
-            for (const float scale : {1.0F, 2.0F}) {
-                looks.push_back({theme, {width, height, scale}});
+        for (const bool large : {false, true}) {
+            for (const bool fine : {false, true}) {
+                if (!test::is_long_run() && ((theme == Theme::Light) != (large != fine))) continue;
+                const auto [width, height] =
+                    large ? std::pair(1280, 800) : std::pair(min_width, min_height);
+                looks.push_back({theme, {width, height, fine ? 2.0F : 1.0F}});
             }
         }
     }
@@ -329,9 +333,10 @@ inline std::vector<Look> all_looks() {
 
 /// Returns fewer looks, for tests that depend little on the look.
 inline std::vector<Look> different_looks() {
-    return {{Theme::Dark, {min_width, min_height, 1.0F}},
-            {Theme::Light, {min_width, min_height, 2.0F}},
-            {Theme::Dark, {1280, 800, 1.0F}}};
+    std::vector<Look> looks{{Theme::Dark, {min_width, min_height, 1.0F}},
+                            {Theme::Light, {min_width, min_height, 2.0F}}};
+    if (test::is_long_run()) looks.push_back({Theme::Dark, {1280, 800, 1.0F}});
+    return looks;
 }
 
 }  // namespace zeroset::ui

@@ -5,6 +5,7 @@
 #include "engine/real/rounding.hpp"
 #include "engine/tape/tape.hpp"
 #include "tests/support/kernel_batch.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
 

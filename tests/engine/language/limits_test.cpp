@@ -1,10 +1,10 @@
 // Hostile texts are refused quickly, with a one-line message and without deep recursion.
 
 #include "engine/language/parse.hpp"
+#include "tests/support/long_run.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -152,15 +152,9 @@ TEST(Limits, Chains) {
     expect_read("b0 var-x\nb1 var-y\n" + chain(50'000, instruction));
 }
 
-/// Bytes of a long text: ZEROSET_TEXT_BYTES in the environment, else 15 000. The nightly script
-/// tries ten times as many, for which a step that takes quadratic time needs longer than it waits.
-std::size_t long_text_bytes() {
-    const char* const wanted = std::getenv("ZEROSET_TEXT_BYTES");
-    return wanted == nullptr ? 15'000 : std::stoul(wanted);
-}
-
 TEST(Limits, ATextThatRepeatsAnyPartIsReadOrRefused) {
-    const std::size_t size = long_text_bytes();
+    // In a long run a step that takes quadratic time needs longer than ctest waits.
+    const std::size_t size = test::is_long_run() ? 150'000 : 15'000;
     for (const char* const part :
          {"x",      "(",     "|",     "x|",     "x||",   "(a|",         "x>1|",       "x|&|",
           "f(",     "-",     "!",     "x<0?1:", "x<0?",  "1,2,",        "1,5+",       "a1",

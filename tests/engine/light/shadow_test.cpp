@@ -1,8 +1,12 @@
 #include "engine/light/shadow.hpp"
 
+#include "engine/language/parse.hpp"
 #include "engine/light/shade.hpp"
 #include "engine/render/render.hpp"
+#include "engine/render/tracers.hpp"
+#include "engine/rewrite/traceable.hpp"
 #include "engine/view/pixel_ray.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -123,7 +127,7 @@ TEST_P(Shadow, DoesNotFallFromASurfaceOnItselfAtAnyZoom) {
         {"(1 - sqrt(x^2 + y^2))^2 + z^2 = 0.25", {0.9, -1.2, 0.0}}};
     for (const auto& [text, point] : points) {
         const Scene scene = scene_of(text, Box::cube(2));
-        for (const double zoom : {1e-3, 1e-6, 1e-9}) {
+        for (double zoom = 1e-3; zoom > 0.5e-9; zoom *= is_long_run() ? 1e-3 : 1e-6) {
             Camera camera = default_camera(scene.clip);
             camera.look_at = point;
             camera.eye = point + zoom * glm::normalize(glm::dvec3(0.3, -0.4, 0.5));
@@ -194,6 +198,36 @@ TEST_P(Shadow, FallsOfWhatIsLeftOfASolidCutOpen) {
 
 INSTANTIATE_TEST_SUITE_P(AllTracers, Shadow, testing::ValuesIn(tracer_names()),
                          [](const auto& name) { return test_name(name.param); });
+
+// A quotient is drawn as its numerator with the denominator's sign. Where that is not known the
+// form is the numerator's, whose sign tells nothing of the quotient's before and behind.
+TEST(Shadows, OfAQuotientAreThoseOfItsNumerator) {
+    const std::string tracer(tracers().front().name);
+    const std::string numerator = "(sin(5 x) + sin(4 y) + sin(5 z) - 0.1 x)";
+    const Box clip = Box::cube(1.5);
+    const Camera camera = default_camera(clip);
+    const Scene plain = scene_of(numerator + " = 0", clip);
+    const Framebuffer bright = picture_of(plain, camera, tracer, false);
+    const Framebuffer dark = picture_of(plain, camera, tracer, true);
+    for (const char* const divisor :
+         {"(0.31 x - 0.4 y - 0.56 z + 0.21)", "(x^2 + y^2 + z^2 - 0.7)", "sin(9 x + 7 y - 8 z)"}) {
+        Scene quotient = plain;
+        const std::string text = numerator + "/" + divisor + " = 0";
+        quotient.surfaces[0] = interpret(traceable(parse(text).value()));
+        const Framebuffer found = picture_of(quotient, camera, tracer, false);
+        const Framebuffer shaded = picture_of(quotient, camera, tracer, true);
+        int same = 0;
+        int different = 0;
+        for (std::size_t i = 0; i < dark.color.size(); ++i) {
+            if (std::abs(found.depth[i] - bright.depth[i]) > 1e-4F) continue;
+            const bool is_dark = dark.color[i] != bright.color[i];
+            const bool is_found_dark = shaded.color[i] != found.color[i];
+            ++(is_dark == is_found_dark ? same : different);
+        }
+        EXPECT_GT(same, 8000);
+        EXPECT_LE(different, 2) << text;  // where the light grazes
+    }
+}
 
 }  // namespace
 }  // namespace zeroset::test::shadow_test

@@ -2,6 +2,7 @@
 
 #include "engine/real/rounding.hpp"
 #include "tests/support/elementary_functions.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/real_types.hpp"
@@ -26,14 +27,15 @@
 namespace zeroset::test::elementary_test {
 namespace {
 
-/// Calls `visit(a, b)` for about two million operands in float, one million in double: evenly over
-/// all exponents, and where the functions are hard to compute.
+/// Calls `visit(a, b)` for operands evenly over all exponents, and for as many where the functions
+/// are hard to compute: in a long run two million in float, one million in double.
 template <class Real>
 void visit_operands(Elementary function, const std::function<void(Real, Real)>& visit) {
     RandomNumbers random(30 + static_cast<std::uint64_t>(function));
     constexpr bool is_float = sizeof(Real) == 4;
-    const int evenly = is_float ? 1'000'000 : 500'000;
-    const std::uint64_t stride = std::numeric_limits<Pattern<Real>>::max() / evenly;
+    const int evenly = (is_float ? 1'000'000 : 500'000) / (is_long_run() ? 1 : 5);
+    const std::uint64_t stride =
+        std::numeric_limits<Pattern<Real>>::max() / static_cast<Pattern<Real>>(evenly);
     std::uint64_t bits = random.below(stride);
     for (int i = 0; i < evenly; ++i, bits += stride)
         visit(from_bits<Real>(bits), from_bits<Real>(random.bits()));
@@ -191,7 +193,7 @@ bool same(Real a, Real b) {
 
 TYPED_TEST(ElementaryCode, IgnoresTheCallersRoundingMode) {
     RandomNumbers random(31);
-    for (int i = 0; i < 200'000; ++i) {
+    for (int i = 0; i < (is_long_run() ? 200'000 : 30'000); ++i) {
         const auto a = random.number<TypeParam>();
         const auto b = random.number<TypeParam>();
         for (const auto& function : functions<TypeParam>()) {
@@ -220,7 +222,7 @@ void compare_with_one_lane(const Function<Real>& function, std::size_t bytes) {
     const auto [code, lanes, call] = wide_code<Real>(function.id, bytes);
     if (code == nullptr) return;
     RandomNumbers random(32);
-    for (int i = 0; i < 40'000; ++i) {
+    for (int i = 0; i < (is_long_run() ? 40'000 : 8'000); ++i) {
         Real a[most_lanes];
         Real b[most_lanes];
         Real found[most_lanes] = {};

@@ -1,6 +1,8 @@
 #include "engine/rays/first_roots.hpp"
 
+#include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/rewrite/traceable.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/rays.hpp"
 
@@ -8,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 // First roots on single rays, by closed forms.
@@ -212,6 +215,37 @@ TEST(FirstRoots, DoNotLeaveOutAThinSheetOrOneBehindAPole) {
     EXPECT_EQ(hits[0].certificate, Certificate::Certified);
     EXPECT_EQ(hits[1].surface, 1);
     EXPECT_NEAR(hits[1].t, 0.65, 1e-9);
+}
+
+// A quotient is drawn as its numerator with the denominator's sign. Where that is not known the
+// form is the numerator's, whose sign tells nothing of the quotient's before and behind.
+TEST(FirstRoots, OfAQuotientAreThoseOfItsNumerator) {
+    const std::string numerator = "(1.96 y - 0.57 y x^2 + 0.56 x - 3.56 (0.14 x - 0.4 y - 0.56 z))";
+    const std::string divisor = "(0.14 x - 0.4 y - 0.56 z + 0.21 y^2)";
+    const Box clip = Box::cube(1.5);
+    const Frames plain({numerator + " = 0"}, clip);
+    Frames quotient({numerator + "/" + divisor + " = 0"}, clip);
+    quotient.scene.surfaces[0] =
+        interpret(traceable(parse(numerator + "/" + divisor + " = 0").value()));
+    RandomNumbers random(5);
+    std::vector<SceneRay> rays;
+    for (int i = 0; i < 100'000; ++i) {
+        const glm::dvec3 origin = 0.9 * random_direction(random);
+        rays.push_back({.origin = origin, .direction = UnitVector(random_direction(random))});
+    }
+    const std::vector<RayHit> expected = plain.hits(rays);
+    const std::vector<RayHit> found = quotient.hits(rays);
+    int known = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (expected[i].certificate == Certificate::Undecided) continue;
+        if (found[i].certificate == Certificate::Undecided) continue;
+        ++known;
+        ASSERT_EQ(found[i].is_hit(), expected[i].is_hit()) << i << ": " << expected[i].t;
+        if (found[i].is_hit()) {
+            ASSERT_NEAR(found[i].t, expected[i].t, 1e-9) << i;
+        }
+    }
+    EXPECT_GT(known, 99'000);
 }
 
 TEST(FirstRoots, AreOnlyInTheRegion) {

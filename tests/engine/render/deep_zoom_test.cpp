@@ -4,6 +4,7 @@
 #include "engine/render/tracers.hpp"
 #include "engine/scene/precision.hpp"
 #include "tests/support/exact_ray.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/rays.hpp"
 
@@ -212,7 +213,8 @@ protected:
 TEST_P(DeepZoom, ShowsASmoothSurfaceDownToANanobox) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
-        for (double side = 2.0 * stand.half_edge; side > 0.5e-9; side *= 0.1) {
+        for (double side = 2.0 * stand.half_edge; side > 0.5e-9;
+             side *= is_long_run() ? 0.1 : 0.01) {
             SCOPED_TRACE(stand.name + ", side " + std::to_string(std::log10(side)));
             const View seen = view(stand, side);
             const Tally tally = check_view(stand, seen, tracer());
@@ -229,7 +231,7 @@ TEST_P(DeepZoom, ShowsASmoothSurfaceDownToANanobox) {
 TEST_P(DeepZoom, IsNeverWrongBelowWhatDoubleCanTellApart) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
-        for (const double side : {1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
+        for (double side = 1e-11; side > 0.5e-15; side *= is_long_run() ? 0.1 : 0.01) {
             SCOPED_TRACE(stand.name + ", side " + std::to_string(std::log10(side)));
             const View seen = view(stand, side);
             if (camera_defect(seen.camera) == nullptr) check_view(stand, seen, tracer());

@@ -1,5 +1,6 @@
 #include "engine/measure/open_space.hpp"
 #include "engine/render/render.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/rays.hpp"

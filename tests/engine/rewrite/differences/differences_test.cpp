@@ -4,6 +4,7 @@
 #include "engine/expr/simplify.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"

@@ -13,7 +13,7 @@
 
 // Parametric surfaces by models against those without, and against themselves in other sizes.
 
-namespace zeroset::test::patch_models_test {
+namespace zeroset::test::patches_by_models_test {
 namespace {
 
 /// A coordinate of a surface that nobody chose.
@@ -159,4 +159,4 @@ TEST(PatchShadows, AreThoseWithoutModels) {
 }
 
 }  // namespace
-}  // namespace zeroset::test::patch_models_test
+}  // namespace zeroset::test::patches_by_models_test

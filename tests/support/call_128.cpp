@@ -1,0 +1,3 @@
+#define CALLER call_128
+#define BYTES 16
+#include "tests/support/call_lanes.inc"

@@ -1,0 +1,3 @@
+#define CALLER call_256
+#define BYTES 32
+#include "tests/support/call_lanes.inc"
