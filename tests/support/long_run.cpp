@@ -4,9 +4,7 @@
 
 namespace zeroset::test {
 
-bool is_long_run() {
-    return std::getenv("ZEROSET_LONG") != nullptr;
-}
+bool is_long_run() { return std::getenv("ZEROSET_LONG") != nullptr; }
 
 int formulas_to_try(int usual) {
     const char* const wanted = std::getenv("ZEROSET_FORMULAS");

@@ -2,8 +2,8 @@
 
 namespace zeroset::test {
 
-/// True in a long run, where ZEROSET_LONG is set in the environment, as by the nightly script: a test
-/// of many like cases tries all of them then, and in the usual run only some of each kind.
+/// True in a long run, where ZEROSET_LONG is set in the environment, as by the nightly script: a
+/// test of many like cases tries all of them then, and in the usual run only some of each kind.
 bool is_long_run();
 
 /// Number of random formulas that a test tries: ZEROSET_FORMULAS in the environment, else `usual`.
