@@ -1,6 +1,6 @@
-#include "engine/render/tracers.hpp"
 #include "tests/oracle/ray_audit.hpp"
 #include "tests/support/long_run.hpp"
+#include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,18 +18,10 @@
 namespace zeroset::test::tracer_oracle_test {
 namespace {
 
-std::vector<std::string> proving_tracers() {
-    std::vector<std::string> names;
-    for (const Tracer& tracer : tracers()) {
-        if (tracer.proves) names.emplace_back(tracer.name);
-    }
-    return names;
-}
-
 /// Returns a fifth of the surfaces, others for each tracer, so that all are met; all of them for
 /// the usual tracer, and in a long run.
 std::vector<AuditSurface> part_for(const std::string& tracer, std::vector<AuditSurface> surfaces) {
-    const std::vector<std::string> names = proving_tracers();
+    const std::vector<std::string> names = tracer_names();
     const auto nth = std::ranges::find(names, tracer) - names.begin();
     if (nth == 0 || is_long_run()) return surfaces;
     std::vector<AuditSurface> part;
@@ -103,12 +95,8 @@ TEST_P(TracerAgainstOracles, FalsePicturesAreFound) {
     EXPECT_EQ(audit(sphere, settings, moved).failures.size(), truth.hit_certified);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTracers, TracerAgainstOracles, ::testing::ValuesIn(proving_tracers()),
-                         [](const auto& tracer) {
-                             std::string name = tracer.param;
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(AllTracers, TracerAgainstOracles, ::testing::ValuesIn(tracer_names()),
+                         [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace
 }  // namespace zeroset::test::tracer_oracle_test

@@ -253,22 +253,18 @@ TEST_P(DeepZoomEnd, IsUndecided) {
     }
 }
 
-std::string test_name(const Tracer& tracer) {
-    std::string name(tracer.name);
-    std::ranges::replace(name, '-', '_');
-    return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Ways, DeepZoom,
                          ::testing::Combine(::testing::Values(Way{"small_box", small_box},
                                                               Way{"near_camera", near_camera}),
                                             ::testing::ValuesIn(proving_tracers())),
                          [](const auto& way) {
                              return std::get<Way>(way.param).name + std::string("_") +
-                                    test_name(std::get<Tracer>(way.param));
+                                    test_name(std::string(std::get<Tracer>(way.param).name));
                          });
 INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(proving_tracers()),
-                         [](const auto& tracer) { return test_name(tracer.param); });
+                         [](const auto& tracer) {
+                             return test_name(std::string(tracer.param.name));
+                         });
 
 }  // namespace
 }  // namespace zeroset::test::deep_zoom_test
