@@ -52,8 +52,9 @@ void GuiContext::begin_panels() {
     navigation_.follow();
 }
 
-void GuiContext::end_frame(int width_px, int height_px) {
-    ImGui::Render();
+void GuiContext::end_frame() { ImGui::Render(); }
+
+void GuiContext::rasterize(int width_px, int height_px) {
     gl().viewport(0, 0, width_px, height_px);
     gl().clear_color(0.0F, 0.0F, 0.0F, 1.0F);
     gl().clear(GL_COLOR_BUFFER_BIT);

@@ -25,8 +25,10 @@ public:
     void begin_frame(Theme theme, float content_scale, float pixels_per_point);
     /// Gives the frame's input to the panels, which may be drawn then.
     void begin_panels();
-    /// Draws the frame's panels into the current framebuffer.
-    static void end_frame(int width_px, int height_px);
+    /// Ends the frame: what it draws is known now, until the next begins.
+    static void end_frame();
+    /// Draws the frame that ended last into the current framebuffer.
+    static void rasterize(int width_px, int height_px);
 
     /// The content scale for letters of this size, as far as the least window fits into this one:
     /// never less than `content_scale`, unless letters are to be smaller.

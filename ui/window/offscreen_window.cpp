@@ -87,7 +87,7 @@ void OffscreenWindow::begin_frame(Theme theme) {
     gui_->begin_panels();
 }
 
-void OffscreenWindow::end_frame() { GuiContext::end_frame(size_px_.x, size_px_.y); }
+void OffscreenWindow::end_frame() { GuiContext::end_frame(); }
 
 WindowSize OffscreenWindow::size() const {
     return {.width = scaled(size_px_.x, 1.0F / scale_),
@@ -120,6 +120,7 @@ void OffscreenWindow::type(std::string_view text) {
 
 Framebuffer OffscreenWindow::pixels() const {
     Framebuffer frame(size_px_.x, size_px_.y);
+    GuiContext::rasterize(frame.width, frame.height);
     gl().pixel_store(GL_PACK_ALIGNMENT, 4);
     gl().read_pixels(0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE,
                      frame.color.data());

@@ -79,7 +79,8 @@ public:
     void set_scale(float scale) { scale_ = scale; }
     /// Types UTF-8 text before the next frame.
     static void type(std::string_view text);
-    /// Returns the last frame; only its size and colours are set.
+    /// Draws the frame that ended last and returns it; only its size and colours are set. Frames
+    /// whose pixels nobody asks for are never drawn: what they would show is not needed to go on.
     [[nodiscard]] Framebuffer pixels() const;
 
 private:

@@ -306,7 +306,8 @@ void GlfwWindow::end_frame() {
     int width_px = 0;
     int height_px = 0;
     glfwGetFramebufferSize(handle_.get(), &width_px, &height_px);
-    GuiContext::end_frame(width_px, height_px);
+    GuiContext::end_frame();
+    GuiContext::rasterize(width_px, height_px);
     glfwSwapBuffers(handle_.get());
     lost_ = is_context_lost();
 }
