@@ -5,6 +5,7 @@
 # shellcheck disable=SC2034  # nightly.sh goes through them
 steps=(
     'tests        the whole suite, as test.sh runs it, but long; builds the benchmarks'
+    'mutants      programs that round wrongly are found out'
     'alone        each source, header and test includes what it uses'
     'tidy         clang-tidy over the whole program'
     'avx2         the suite on registers of 32 bytes'
@@ -45,6 +46,10 @@ released=build/release/tests
 step_tests() {
     ZEROSET_LONG=1 ./test.sh
     cmake --build --preset test --target benchmarks
+}
+step_mutants() {
+    cmake --build --preset test --target mutants
+    suite build/release -C mutants -R '^mutants/'
 }
 step_alone() {
     local files

@@ -3,7 +3,7 @@
 import json
 import math
 
-from zeroset_program import ProgramTest, run
+from zeroset_program import ProgramTest, run, to_try
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 
@@ -85,11 +85,12 @@ class ExplainTest(ProgramTest):
                 self.assertIn(words, result.err.splitlines()[0])
 
     def test_long_texts(self):
-        statements = "".join(f"c_{i} = c_{i - 1} + x/{i}\n" for i in range(1, 20_000))
-        answer = self.explain("-", stdin="c_0 = 1\n" + statements + "c_19999")
-        self.assertEqual(len(answer["readings"]), 20_001)
-        answer = self.explain("-", "--at", "1,0,0", stdin="x" + "+x*y" * 300_000)
-        self.assertEqual(answer["value"], 1)
+        for rows, terms in to_try([(5_000, 50_000), (20_000, 300_000)], every=2):
+            statements = "".join(f"c_{i} = c_{i - 1} + x/{i}\n" for i in range(1, rows))
+            answer = self.explain("-", stdin="c_0 = 1\n" + statements + f"c_{rows - 1}")
+            self.assertEqual(len(answer["readings"]), rows + 1)
+            answer = self.explain("-", "--at", "1,0,0", stdin="x" + "+x*y" * terms)
+            self.assertEqual(answer["value"], 1)
 
     def test_json_without_a_point_has_no_value(self):
         answer = self.explain("-", stdin="x + y\n")

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import unittest
 
-from zeroset_program import ProgramTest, Result, environment, program
+from zeroset_program import ProgramTest, Result, environment, program, to_try
 
 SURFACE = "x^2 + y^2 + z^2 = 1"
 PICTURE = ["render", SURFACE, "--size", "90x60"]
@@ -41,7 +41,7 @@ class LostFileTest(ProgramTest):
         self.assertNotIn("no reason", result.err)
 
     def test_a_full_disk_leaves_what_was_there(self):
-        for command, ending in EXPORTS:
+        for command, ending in to_try(EXPORTS, every=2):
             with self.subTest(ending=ending):
                 written = f"file{ending}" if "#" in ending else f"file.{ending}"
                 name = written.replace("#", "0")
@@ -53,7 +53,7 @@ class LostFileTest(ProgramTest):
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_a_full_device(self):
-        for command, ending in EXPORTS:
+        for command, ending in to_try(EXPORTS, every=3):
             if "#" in ending:
                 continue
             with self.subTest(ending=ending):

@@ -15,6 +15,12 @@ TIMEOUT_S = 60
 SOURCE_DIR = Path(__file__).resolve().parents[2]
 
 
+def to_try(cases, every):
+    """Returns the cases that a test tries: in the usual run one of `every`; all of them in a long
+    run, where ZEROSET_LONG is set, as by the nightly script."""
+    return list(cases)[:: 1 if "ZEROSET_LONG" in os.environ else every]
+
+
 def program():
     """Returns the path of the program under test, the script's first argument."""
     return os.environ["ZEROSET_PROGRAM"]

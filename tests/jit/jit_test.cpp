@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(All, JitOperator, ::testing::ValuesIn(operators()),
 
 TEST(Jit, HasTheInterpretersBitsOnRandomFormulas) {
     RandomNumbers random(11);
-    const int count = formulas_to_try(18);
+    const int count = formulas_to_try(12);
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         const Batches batches(random, 128);
         expect_same_bits(random_expression(random, 1 + i % 6), batches);
@@ -151,7 +151,7 @@ TEST(Jit, HasTheInterpretersBitsOnNoiseAndBlobs) {
 TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
     RandomNumbers random(13);
     const Batches batches(random, 64);
-    const int step = is_long_run() ? 1 : 6;
+    const int step = is_long_run() ? 1 : 15;
     int count = 0;
     const std::filesystem::path folder(ZEROSET_SOURCE_DIR "/resources/gallery");
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -61,10 +61,10 @@ protected:
 TYPED_TEST_SUITE(FormInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(FormInclusion, OfTheInterpreterHolds) {
-    EXPECT_EQ(missing_operators(this->check(interpret, formulas_to_try(120), 2, 21)), "");
+    EXPECT_EQ(missing_operators(this->check(interpret, formulas_to_try(70), 2, 21)), "");
 }
 TYPED_TEST(FormInclusion, OfPartsHolds) {
-    this->check(interpret_with_parts, formulas_to_try(50), 2, 23);
+    this->check(interpret_with_parts, formulas_to_try(25), 2, 23);
 }
 TYPED_TEST(FormInclusion, OfMachineCodeHolds) {
     this->check(machine_code, formulas_to_try(6), 10, 22);

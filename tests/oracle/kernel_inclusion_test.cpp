@@ -45,13 +45,13 @@ TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) {
     EXPECT_EQ(missing_operators(this->check(interpret, formulas_to_try(400), 11)), "");
 }
 TYPED_TEST(KernelInclusion, OfPartsHolds) {
-    this->check(interpret_with_parts, formulas_to_try(75), 13);
+    this->check(interpret_with_parts, formulas_to_try(40), 13);
 }
 TYPED_TEST(KernelInclusion, OfMachineCodeHolds) {
     this->check(machine_code, formulas_to_try(8), 12);
 }
 TYPED_TEST(KernelInclusion, OfPiecesHolds) {
-    this->check([](const Expr& expr) { return by_pieces(interpret(expr)); }, formulas_to_try(75),
+    this->check([](const Expr& expr) { return by_pieces(interpret(expr)); }, formulas_to_try(40),
                 14);
 }
 TYPED_TEST(KernelInclusion, OfPiecesInMachineCodeHolds) {

@@ -54,7 +54,7 @@ TEST_P(TracerAgainstOracles, OnTheGallery) {
 }
 
 TEST_P(TracerAgainstOracles, OnRandomSurfaces) {
-    const std::vector<AuditSurface> surfaces = random_surfaces(is_long_run() ? 200 : 50, 1);
+    const std::vector<AuditSurface> surfaces = random_surfaces(is_long_run() ? 200 : 25, 1);
     const AuditReport report = checked(surfaces);
     EXPECT_GT(report.hit, report.rays / 4);
     EXPECT_GT(report.empty, report.rays / 4);
@@ -63,7 +63,7 @@ TEST_P(TracerAgainstOracles, OnRandomSurfaces) {
 }
 
 TEST_P(TracerAgainstOracles, OnSurfacesCutOpenAndParallelRays) {
-    const AuditReport report = checked(cut_open(random_surfaces(is_long_run() ? 150 : 75, 3), 5));
+    const AuditReport report = checked(cut_open(random_surfaces(is_long_run() ? 150 : 40, 3), 5));
     EXPECT_GT(report.hit, report.rays / 10);
     EXPECT_GT(report.empty, report.rays / 4);
     EXPECT_LT(report.unknown, report.rays / 10);

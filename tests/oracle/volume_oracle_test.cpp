@@ -175,12 +175,12 @@ TEST(TracerOnVolumes, FindsNothingBehindTheGrid) {
 TEST(TracerOnVolumes, MissesNoRootOfSplinesVoxelByVoxelAndCertifiesOnlyTrueOnes) {
     AuditSettings voxels = beams;
     voxels.knows_fields = true;
-    expect_sound(audit_of({Between::Cubic, formulas_to_try(6)}, voxels));
-    expect_sound(audit_of({Between::Cubic, formulas_to_try(6), 40}, voxels));
+    expect_sound(audit_of({Between::Cubic, formulas_to_try(3)}, voxels));
+    expect_sound(audit_of({Between::Cubic, formulas_to_try(2), 40}, voxels));
 }
 
 TEST(TracerOnVolumes, MissesNoRootOfSplinesAndCertifiesOnlyTrueOnes) {
-    expect_sound(audit_of({Between::Cubic, formulas_to_try(6)}, beams));
+    expect_sound(audit_of({Between::Cubic, formulas_to_try(3)}, beams));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "document/import/import.hpp"
 #include "tests/document/import/imported_values.hpp"
 #include "tests/document/import/samples.hpp"
+#include "tests/support/long_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -363,7 +364,8 @@ TEST(Imports, PovMacrosEnd) {
     // Each of many parameters stands for many tokens.
     std::string large = "#macro M(p)";
     std::string balls = "union {";
-    for (int i = 0; i < 20000; ++i) {
+    const int many = test::is_long_run() ? 20'000 : 5'000;
+    for (int i = 0; i < many; ++i) {
         large += " p";
         balls += " sphere { 0, 1 }";
     }
@@ -371,7 +373,7 @@ TEST(Imports, PovMacrosEnd) {
         "isosurface { function { x } contained_by { box { -1, 1 } } } #macro ";
     EXPECT_TRUE(read_import("a.pov", plane + large.substr(7) + " #end M(" + balls + " })"));
     std::string deep = "#macro M()";
-    for (int i = 0; i < 10000; ++i)
+    for (int i = 0; i < many / 2; ++i)
         deep += " M()";
     EXPECT_TRUE(read_import("a.pov", plane + deep.substr(7) + " #end M()"));
 }

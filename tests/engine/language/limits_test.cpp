@@ -92,8 +92,10 @@ TEST(Limits, CasesInCases) {
 
 TEST(Limits, Text) {
     expect_refused(repeated("x", 2'000'001), "2000000");
-    expect_read(repeated("x", 900'000));
-    expect_refused(repeated("x", 2'000'000), "1000000 operations");
+    if (test::is_long_run()) {
+        expect_read(repeated("x", 900'000));
+        expect_refused(repeated("x", 2'000'000), "1000000 operations");
+    }
     expect_refused(repeated("foo", 33'000), "not known");
     expect_refused(repeated("x²³", 9'000) + repeated("²", 5'000), "too large");
     expect_refused("x + " + repeated("1", 90'000), "too large");
@@ -124,7 +126,8 @@ TEST(Limits, Doubling) {
         return "f_" + i + "(u) = f_" + j + "(u) + f_" + j + "(u + 1)";
     };
     expect_read("f_0(u) = u^2\n" + chain(60, doubling) + "f_59(x)");
-    expect_refused("f_0(u) = u^2\n" + chain(1'600, doubling) + "f_1599(x)", "1000000");
+    if (test::is_long_run())
+        expect_refused("f_0(u) = u^2\n" + chain(1'600, doubling) + "f_1599(x)", "1000000");
     expect_read(
         "a_0 = x\n" +
         chain(900, [](const auto& i,

@@ -214,7 +214,7 @@ TEST_P(DeepZoom, ShowsASmoothSurfaceDownToANanobox) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
         for (double side = 2.0 * stand.half_edge; side > 0.5e-9;
-             side *= is_long_run() ? 0.1 : 0.01) {
+             side *= is_long_run() ? 0.1 : 1e-3) {
             SCOPED_TRACE(stand.name + ", side " + std::to_string(std::log10(side)));
             const View seen = view(stand, side);
             const Tally tally = check_view(stand, seen, tracer());
@@ -231,7 +231,7 @@ TEST_P(DeepZoom, ShowsASmoothSurfaceDownToANanobox) {
 TEST_P(DeepZoom, IsNeverWrongBelowWhatDoubleCanTellApart) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
-        for (double side = 1e-11; side > 0.5e-15; side *= is_long_run() ? 0.1 : 0.01) {
+        for (double side = 1e-11; side > 0.5e-15; side *= is_long_run() ? 0.1 : 1e-4) {
             SCOPED_TRACE(stand.name + ", side " + std::to_string(std::log10(side)));
             const View seen = view(stand, side);
             if (camera_defect(seen.camera) == nullptr) check_view(stand, seen, tracer());

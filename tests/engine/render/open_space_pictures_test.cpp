@@ -104,7 +104,7 @@ TEST(OpenSpacePictures, AreTheSameOfCutsSeveralSurfacesAndJumps) {
 
 TEST(OpenSpacePictures, AreTheSameOfRandomFormulas) {
     RandomNumbers random(23);
-    for (int i = 0; i < formulas_to_try(60); ++i) {
+    for (int i = 0; i < formulas_to_try(25); ++i) {
         Scene scene;
         const Expr expr = random_expression(random, 3);
         scene.surfaces.push_back(interpret(expr));
