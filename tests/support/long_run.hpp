@@ -15,7 +15,8 @@ std::vector<Case> cases_to_try(std::vector<Case> cases) {
     return cases;
 }
 
-/// Number of random formulas that a test tries: ZEROSET_FORMULAS in the environment, else `usual`.
+/// Number of random formulas that a test tries: ZEROSET_FORMULAS in the environment, else `usual`,
+/// in a long run four times as many.
 int formulas_to_try(int usual);
 
 }  // namespace zeroset::test
