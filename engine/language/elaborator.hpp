@@ -109,7 +109,9 @@ private:
     // elaborator_solids.cpp: conditions that stand alone
     Number solid(const Value& condition, const StatementSyntax& statement);
     Number boundary(NodeId condition, std::size_t offset);
-    Number boundary_of(NodeId id, std::size_t offset);
+    [[nodiscard]] bool joins(const Node& condition) const;
+    [[nodiscard]] std::optional<NodeId> part_without_boundary(NodeId id) const;
+    Number boundary_by_parts(NodeId id);
 
     /// A row by whose variables definitions go, as long as it lives; these take their values from
     /// `variables`, which may change.

@@ -5,7 +5,9 @@
 #include "engine/language/elaborator.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace zeroset {
 
@@ -35,30 +37,53 @@ Elaborator::Number Elaborator::solid(const Value& condition, const StatementSynt
 /// A number below 0 where the condition holds and above 0 where it does not; nothing of one that is
 /// no inequality and not joined of them, or after an error.
 Elaborator::Number Elaborator::boundary(NodeId condition, std::size_t offset) {
-    if (const auto known = boundaries_.find(condition); known != boundaries_.end())
-        return known->second;
-    const Number result = boundary_of(condition, offset);
-    if (result && !done(*result, offset)) return std::nullopt;
-    boundaries_[condition] = result;
-    return result;
+    // No recursion: a text may join conditions by the ten thousand.
+    std::vector<NodeId> open;
+    if (!boundaries_.contains(condition)) open.push_back(condition);
+    while (!open.empty()) {
+        const NodeId id = open.back();
+        if (const auto part = part_without_boundary(id)) {
+            open.push_back(*part);
+            continue;
+        }
+        const Number result = boundary_by_parts(id);
+        if (result && !done(*result, offset)) return std::nullopt;
+        boundaries_[id] = result;
+        open.pop_back();
+    }
+    return boundaries_.at(condition);
 }
 
-Elaborator::Number Elaborator::boundary_of(NodeId id, std::size_t offset) {
+/// Whether a condition is joined of two. (a == b is, too, but holds on a surface, and in no solid.)
+bool Elaborator::joins(const Node& condition) const {
+    if (condition.op != Op::And && condition.op != Op::Or) return false;
+    const Node& a = builder_.node(condition.a);
+    const Node& b = builder_.node(condition.b);
+    return !(a.op == Op::LessEqual && b.op == Op::LessEqual && a.a == b.b && a.b == b.a);
+}
+
+/// The next part of a condition whose boundary must be known for its own.
+std::optional<NodeId> Elaborator::part_without_boundary(NodeId id) const {
+    const Node& condition = builder_.node(id);
+    const bool two = joins(condition);
+    if (!two && condition.op != Op::Not) return std::nullopt;
+    const auto first = boundaries_.find(condition.a);
+    if (first == boundaries_.end()) return condition.a;
+    if (two && first->second && !boundaries_.contains(condition.b)) return condition.b;
+    return std::nullopt;
+}
+
+/// The boundary of a condition whose parts have theirs.
+Elaborator::Number Elaborator::boundary_by_parts(NodeId id) {
     const Node condition = builder_.node(id);
     if (condition.op == Op::Less || condition.op == Op::LessEqual)
         return make_subtract(builder_, condition.a, condition.b);
-    if (condition.op == Op::Not) {
-        const Number inner = boundary(condition.a, offset);
-        return inner ? Number(make_negate(builder_, *inner)) : std::nullopt;
-    }
-    if (condition.op != Op::And && condition.op != Op::Or) return std::nullopt;
-    const Node a = builder_.node(condition.a);
-    const Node b = builder_.node(condition.b);
-    // a == b holds on a surface, and in no solid.
-    const bool equates = a.op == Op::LessEqual && b.op == Op::LessEqual && a.a == b.b && a.b == b.a;
-    if (equates) return std::nullopt;
-    const Number left = boundary(condition.a, offset);
-    const Number right = left ? boundary(condition.b, offset) : std::nullopt;
+    const bool two = joins(condition);
+    if (!two && condition.op != Op::Not) return std::nullopt;
+    const Number left = boundaries_.at(condition.a);
+    if (!left) return std::nullopt;
+    if (!two) return make_negate(builder_, *left);
+    const Number right = boundaries_.at(condition.b);
     if (!right) return std::nullopt;
     return make_call(builder_, condition.op == Op::And ? Op::Max : Op::Min, *left, *right);
 }

@@ -153,6 +153,10 @@ TEST(Limits, Chains) {
         return "b" + i + " max b" + j + " b0";
     };
     expect_read("b0 var-x\nb1 var-y\n" + chain(50'000, instruction));
+    std::string joined = "y < 0";
+    for (int i = 0; i < 40'000; ++i)
+        joined += " or x < " + std::to_string(i);
+    expect_read(joined);
 }
 
 TEST(Limits, ATextThatRepeatsAnyPartIsReadOrRefused) {
