@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Checks how the code is written: clang-format, shellcheck, pyflakes; clang-tidy over the sources of
-# the program that were changed last, up to 20; and whether as many tests and headers include what they
+# the program that were changed last, up to 12; and whether as many tests and headers include what they
 # use. (The nightly script reads all, for which scripts/tidy.sh takes a quarter of an hour.) Prints
 # what they find; exits 1 if they find anything. packages.txt lists them under [lint].
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-most=20  # of each kind
+most=12  # of each kind
 
 # Prints the files of such patterns that the last 20 commits changed, those of the newest first.
 changed() {

@@ -68,10 +68,10 @@ class FilmPixelsTest(ProgramTest):
                     self.assertLessEqual(alphas, EXACT if sharp else most)
 
     def test_films_show_their_frames(self):
-        self.check(to_try(OPAQUE, every=2))
+        self.check(to_try(OPAQUE, every=3))
 
     def test_transparent_films_show_their_frames(self):
-        self.check(to_try(TRANSPARENT, every=2), "--alpha")
+        self.check(to_try(TRANSPARENT, every=3), "--alpha")
 
     def test_a_film_comes_back_through_the_same_frames(self):
         self.run_ok("animate", "x^2 + y^2 + z^2 = a", "--sweep", "a=0.2..2", "--end", "bounce",

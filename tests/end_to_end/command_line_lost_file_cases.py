@@ -41,7 +41,7 @@ class LostFileTest(ProgramTest):
         self.assertNotIn("no reason", result.err)
 
     def test_a_full_disk_leaves_what_was_there(self):
-        for command, ending in to_try(EXPORTS, every=2):
+        for command, ending in to_try(EXPORTS, every=3):
             with self.subTest(ending=ending):
                 written = f"file{ending}" if "#" in ending else f"file.{ending}"
                 name = written.replace("#", "0")

@@ -158,7 +158,7 @@ def bisected(f, ray, start, end, f_start):
 
 class GalleryPicturesTest(ProgramTest):
     def test_every_item_is_drawn_in_many_colors(self):
-        for item in to_try(gallery(), every=2):
+        for item in to_try(gallery(), every=3):
             with self.subTest(item["name"]):
                 image = self.picture("@" + item["name"], "--size", SIZE, "--dstop", D_STOP)
                 self.assertEqual((image.width, image.height), (SIZE, SIZE))
@@ -180,7 +180,7 @@ class GalleryPicturesTest(ProgramTest):
                 self.assertLessEqual(depth.hits(), hits + GAINED_BY.get(name, GAINED))
 
     def test_depths_against_sign_changes(self):
-        for item in to_try(gallery(), every=3):
+        for item in to_try(gallery(), every=4):
             if any(word + "(" in item["equation"] for word in FIELDS):
                 continue  # the oracles solve each cell's polynomial (tests/oracle)
             if "iterate(" in item["equation"]:

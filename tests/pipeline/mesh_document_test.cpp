@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::ValuesIn(cases_to_try<KnownVolume>(
         {KnownVolume{"x^2 + y^2 + z^2 = 1", 2, 6e-4, 4 * pi / 3},
          KnownVolume{"(x^2 + y^2 + z^2 + 0.75)^2 = 4 (x^2 + y^2)", 2, 3e-4, pi* pi / 2, true},
-         KnownVolume{"x^2 + 4 y^2 + z^2/2 = 1", 2, 3e-4, 4 * pi / 3 * 0.5 * std::sqrt(2.0)},
+         KnownVolume{"x^2 + 4 y^2 + z^2/2 = 1", 2, 3e-4, 4 * pi / 3 * 0.5 * std::sqrt(2.0), true},
          KnownVolume{"max(abs(x), abs(y), abs(z)) = 1", 2, 1e-2, 8},
          KnownVolume{"abs(x) + abs(y) + abs(z) = 1", 2, 1e-2, 4.0 / 3},
          // A lens: two caps of height 1/2 of balls of radius 1.

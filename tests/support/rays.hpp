@@ -7,6 +7,7 @@
 #include "engine/scene/scene.hpp"
 #include "engine/scene/settings.hpp"
 #include "tests/support/csg_parts.hpp"
+#include "tests/support/long_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -109,13 +110,25 @@ inline std::vector<Tracer> proving_tracers() {
     return proving;
 }
 
-/// Their names.
-inline std::vector<std::string> tracer_names() {
+/// Those of them that a test of many places tries: in a long run all, else the two usual ones,
+/// which come first, and a third of the others.
+inline std::vector<Tracer> proving_tracers_to_try() {
+    std::vector<Tracer> tried;
+    for (std::size_t i = 0; const Tracer& tracer : proving_tracers()) {
+        if (is_long_run() || i < 2 || i % 3 == 0) tried.push_back(tracer);
+        ++i;
+    }
+    return tried;
+}
+
+/// Names of tracers.
+inline std::vector<std::string> names_of(const std::vector<Tracer>& tracers) {
     std::vector<std::string> names;
-    for (const Tracer& tracer : proving_tracers())
+    for (const Tracer& tracer : tracers)
         names.emplace_back(tracer.name);
     return names;
 }
+inline std::vector<std::string> tracer_names() { return names_of(proving_tracers()); }
 
 /// The tracer's name as part of a test's name.
 inline std::string test_name(std::string tracer) {

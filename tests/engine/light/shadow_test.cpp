@@ -196,7 +196,7 @@ TEST_P(Shadow, FallsOfWhatIsLeftOfASolidCutOpen) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTracers, Shadow, testing::ValuesIn(tracer_names()),
+INSTANTIATE_TEST_SUITE_P(AllTracers, Shadow, testing::ValuesIn(names_of(proving_tracers_to_try())),
                          [](const auto& name) { return test_name(name.param); });
 
 // A quotient is drawn as its numerator with the denominator's sign. Where that is not known the

@@ -256,12 +256,12 @@ TEST_P(DeepZoomEnd, IsUndecided) {
 INSTANTIATE_TEST_SUITE_P(Ways, DeepZoom,
                          ::testing::Combine(::testing::Values(Way{"small_box", small_box},
                                                               Way{"near_camera", near_camera}),
-                                            ::testing::ValuesIn(proving_tracers())),
+                                            ::testing::ValuesIn(proving_tracers_to_try())),
                          [](const auto& way) {
                              return std::get<Way>(way.param).name + std::string("_") +
                                     test_name(std::string(std::get<Tracer>(way.param).name));
                          });
-INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(proving_tracers()),
+INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(proving_tracers_to_try()),
                          [](const auto& tracer) {
                              return test_name(std::string(tracer.param.name));
                          });

@@ -124,7 +124,8 @@ TEST_P(TimeLimitTest, ChangesNothingWhereThereIsTime) {
     EXPECT_FALSE(counters.is_cut());
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTracers, TimeLimitTest, ::testing::ValuesIn(tracer_names()),
+INSTANTIATE_TEST_SUITE_P(AllTracers, TimeLimitTest,
+                         ::testing::ValuesIn(names_of(proving_tracers_to_try())),
                          [](const auto& tracer) { return test_name(tracer.param); });
 
 TEST(Turns, ShareWhatIsLeft) {
