@@ -15,7 +15,7 @@ command -v clang-tidy-22 >/dev/null ||
 
 cd -- "$root"
 # The commands that compile each source alone; one for each, though some are compiled for several
-# programs, and without options that only g++ knows.
+# programs, and with options that clang knows.
 export commands=$root/build/tidy
 quietly "$commands/configure.log" cmake --preset test -B "$commands" -D CMAKE_UNITY_BUILD=OFF ||
     die "cmake failed; its output is above"
@@ -24,7 +24,8 @@ awk -F'"' '
     /^\{/ { entry = ""; next }
     /^\}/ { if (!(file in seen)) printf "%s{\n%s}", count++ ? ",\n" : "[\n", entry; seen[file]; next }
     $2 == "file" { file = $4 }
-    { sub(/ -mmemset-strategy=[^ ]*/, ""); sub(/ --param=[^ ]*/, ""); entry = entry $0 "\n" }
+    { sub(/ -mmemset-strategy=[^ ]*/, ""); sub(/ --param=[^ ]*/, ""); sub(/-Wshadow=local/, "-Wshadow") }
+    { entry = entry $0 "\n" }
     END { print "\n]" }
 ' "$commands/compile_commands.json" >"$commands/once.json"
 mv -- "$commands/once.json" "$commands/compile_commands.json"

@@ -17,7 +17,7 @@ std::string size_text(const Box& bounds, double mm_per_unit) {
            short_number(size.z, 4) + " mm";
 }
 
-std::string shape_text(const MeshFacts& facts) {
+std::string topology_text(const MeshFacts& facts) {
     const std::string text = std::to_string(facts.components) +
                              (facts.components == 1 ? " component" : " components") +
                              ", Euler characteristic " + std::to_string(facts.euler());
@@ -49,7 +49,7 @@ std::string surface_text(const SurfaceMesh& surface, double mm) {
             std::to_string(facts.vertices) + " vertices";
     if (report.thinned_from > facts.triangles)
         text += " (thinned from " + std::to_string(report.thinned_from) + ")";
-    text += "; " + shape_text(facts) + "\n";
+    text += "; " + topology_text(facts) + "\n";
     text += "   " + size_text(facts.bounds, mm) + ", area " +
             short_number(facts.area * mm * mm * 1e-2, 5) + " cm2";
     if (facts.open_edges == 0)

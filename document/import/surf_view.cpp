@@ -90,15 +90,16 @@ constexpr std::array<std::string_view, 26> drawn_with{"ambient",
                                                       "dither_file_format",
                                                       "surf_nr"};
 
-glm::dvec3 vector_of(const SurfViewNames::Setting& setting, const std::string& stem, double usual) {
+glm::dvec3 axis_settings(const SurfViewNames::Setting& setting, const std::string& stem,
+                         double usual) {
     return {setting(stem + "_x", usual), setting(stem + "_y", usual), setting(stem + "_z", usual)};
 }
 
 /// The map that one of the actions makes.
 Placement action(int which, const SurfViewNames::Setting& setting) {
-    if (which == 0) return Placement::moving(vector_of(setting, "origin", 0.0));
-    if (which == 2) return Placement::scaling(1.0 / vector_of(setting, "scale", 1.0));
-    const glm::dvec3 angles = vector_of(setting, "rot", 0.0);
+    if (which == 0) return Placement::moving(axis_settings(setting, "origin", 0.0));
+    if (which == 2) return Placement::scaling(1.0 / axis_settings(setting, "scale", 1.0));
+    const glm::dvec3 angles = axis_settings(setting, "rot", 0.0);
     return surf_turning(1, angles.y)
         .then(surf_turning(0, angles.x))
         .then(surf_turning(2, angles.z));
@@ -145,7 +146,7 @@ SurfView SurfViewNames::of(const Setting& setting) const {
     const auto back = view.to_view.inverse();
     if (!back || !back->scale()) view.substituted = back.value_or(Placement{});
     view.radius = std::max(1e-6, std::abs(setting("radius", 10.0)));
-    view.centre = vector_of(setting, "center", 0.0);
+    view.centre = axis_settings(setting, "center", 0.0);
     view.clip_front = setting("clip_front", 10.0);
     view.clip_back = setting("clip_back", -10.0);
     view.clip = static_cast<int>(std::clamp(setting("clip", 0.0), 0.0, 99.0));

@@ -8,7 +8,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t longest_text = std::size_t{64} << 20U;
+constexpr std::size_t longest_unpacked = std::size_t{64} << 20U;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::optional<std::string> unpacked(std::span<const std::uint8_t> bytes) {
     stream.avail_in = static_cast<uInt>(bytes.size());
     std::string text;
     int state = Z_OK;
-    while (state == Z_OK && text.size() <= longest_text) {
+    while (state == Z_OK && text.size() <= longest_unpacked) {
         std::array<char, 65536> part;
         stream.next_out = reinterpret_cast<Bytef*>(part.data());
         stream.avail_out = static_cast<uInt>(part.size());
@@ -39,7 +39,7 @@ std::optional<std::string> unpacked(std::span<const std::uint8_t> bytes) {
         text.append(part.data(), part.size() - stream.avail_out);
     }
     inflateEnd(&stream);
-    if (state != Z_STREAM_END || text.size() > longest_text) return std::nullopt;
+    if (state != Z_STREAM_END || text.size() > longest_unpacked) return std::nullopt;
     return text;
 }
 

@@ -16,9 +16,9 @@ namespace zeroset {
 namespace {
 
 constexpr double largest_number = 1e300;
-constexpr int max_depth = 5000;  // depth of trees within calls within trees
-constexpr int deep = 500;        // from this depth on, definitions are settled before they are
-                                 // looked up
+constexpr int deepest_tree = 5000;  // depth of trees within calls within trees
+constexpr int deep = 500;           // from this depth on, definitions are settled before they are
+                                    // looked up
 constexpr std::size_t max_steps = 10'000'000;  // takes less than two seconds
 
 NodeId make_mod(ExprBuilder& builder, NodeId a, NodeId b) {
@@ -77,7 +77,8 @@ Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
     };
     const Level level(depth_);
     const Syntax& syntax = tree_[id];
-    if (depth_ > max_depth) return fail(syntax.offset, tr("the definitions are nested too deep"));
+    if (depth_ > deepest_tree)
+        return fail(syntax.offset, tr("the definitions are nested too deep"));
     if (!counts(syntax.offset)) return std::nullopt;
     switch (syntax.kind) {
         case SyntaxKind::Number: return literal(syntax);

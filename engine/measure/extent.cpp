@@ -20,7 +20,7 @@ namespace {
 constexpr double finest_share = 1.0 / 64.0;
 constexpr std::size_t most_cells = 200'000;
 /// Cells of one face that are halved at a time: those are enough to settle most faces.
-constexpr std::size_t cells_at_once = 64;
+constexpr std::size_t face_cells_at_once = 64;
 /// Cells smaller than their coordinates times this are enclosed in double.
 constexpr double finest_in_float = 0x1p-16;
 
@@ -125,7 +125,7 @@ private:
             at_face.push_back(i);
         }
         // The smallest first: one of them may settle the face.
-        const std::size_t count = std::min(at_face.size(), cells_at_once);
+        const std::size_t count = std::min(at_face.size(), face_cells_at_once);
         std::ranges::partial_sort(at_face, at_face.begin() + static_cast<std::ptrdiff_t>(count), {},
                                   [this](std::size_t i) { return cells_[i].size(); });
         for (std::size_t i = 0; i < count; ++i)

@@ -17,8 +17,8 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t lanes = batch_multiple;
-using Column = std::array<double, lanes>;
-using Columns = std::array<Column, 3>;
+using LaneValues = std::array<double, lanes>;
+using Columns = std::array<LaneValues, 3>;
 
 /// f and its gradient at a point.
 struct Sample {
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] Sample at(double t) const;
     /// The least of the widths for which f is proved to change its sign, continuously, on the ray's
     /// stretch from t - width to t + width, by that of its points in double.
-    [[nodiscard]] std::optional<double> proved_width(double t, const Column& widths) const;
+    [[nodiscard]] std::optional<double> proved_width(double t, const LaneValues& widths) const;
 
 private:
     using Ranges = RangeBoxes<double, lanes>;
@@ -71,7 +71,7 @@ RayFormula::Ranges RayFormula::ranges(const Columns& a, const Columns& b) const 
     return ranges;
 }
 
-std::optional<double> RayFormula::proved_width(double t, const Column& widths) const {
+std::optional<double> RayFormula::proved_width(double t, const LaneValues& widths) const {
     Columns before;
     Columns behind;
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -115,11 +115,11 @@ double polished(const RayFormula& formula, const PixelRay& ray, double start, do
 }
 
 /// Powers of ten from the point's last digit in double on.
-Column widths_at(const PixelRay& ray, double t) {
+LaneValues widths_at(const PixelRay& ray, double t) {
     const glm::dvec3 point = ray.at(t);
     const double reach = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), t,
                                    std::numeric_limits<double>::min()});
-    Column widths;
+    LaneValues widths;
     double width = std::ldexp(1.0, std::ilogb(reach) - 51);
     for (double& item : widths) {
         item = width;

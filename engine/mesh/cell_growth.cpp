@@ -11,7 +11,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t cells_at_once = 256;
+constexpr std::size_t cells_of_task = 256;
 
 /// About how far a surface is from a triangle whose corners lie on it, within a cell of this edge
 /// in which its normal turns by `turn`: the curvature is turn / (half the diagonal), the triangle's
@@ -33,7 +33,7 @@ double turn_of(std::span<const SolidValue> values, std::uint32_t part) {
 }  // namespace
 
 void CellGrowth::evaluate(std::span<const std::uint32_t> cells) {
-    parallel_upward(cells.size(), cells_at_once, limits_.work,
+    parallel_upward(cells.size(), cells_of_task, limits_.work,
                     [&](std::size_t first, std::size_t last) {
                         // Cells that are not asked in time count as not proved; the first levels
                         // are asked, or the border would not be known to be outside.
@@ -71,7 +71,7 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
 }
 
 void CellGrowth::judge(std::span<const std::uint32_t> cells) {
-    parallel_upward(cells.size(), cells_at_once, limits_.work,
+    parallel_upward(cells.size(), cells_of_task, limits_.work,
                     [&](std::size_t first, std::size_t last) {
                         for (std::size_t i = first; i < last; ++i) {
                             MeshCell& cell = tree_[cells[i]];

@@ -6,7 +6,7 @@
 namespace zeroset {
 namespace {
 
-glm::dvec3 unit(const glm::dvec3& vector) {
+glm::dvec3 direction_of(const glm::dvec3& vector) {
     const double length = glm::length(vector);
     return length > 0 && std::isfinite(length) ? vector / length : glm::dvec3(0.0);
 }
@@ -25,10 +25,10 @@ std::optional<glm::dvec3> common_rise(std::span<const GradientBox> gradients) {
     constexpr int most_turns = 24;
     glm::dvec3 sum(0.0);
     for (const GradientBox& gradient : gradients)
-        sum += unit(gradient.middle());
+        sum += direction_of(gradient.middle());
     // The perceptron's rule: a gradient that does not rise pulls the direction towards itself.
     for (int turn = 0; turn < most_turns; ++turn) {
-        const glm::dvec3 direction = unit(sum);
+        const glm::dvec3 direction = direction_of(sum);
         const GradientBox* worst = nullptr;
         double least = 0.0;
         for (const GradientBox& gradient : gradients) {
@@ -50,7 +50,7 @@ std::optional<glm::dvec3> common_rise(std::span<const GradientBox> gradients) {
         for (int axis = 0; axis < 3; ++axis)
             corner[axis] = direction[axis] > 0 ? worst->lo[axis] : worst->hi[axis];
         if (corner == glm::dvec3(0.0)) return std::nullopt;
-        sum += unit(corner);
+        sum += direction_of(corner);
     }
     return std::nullopt;
 }

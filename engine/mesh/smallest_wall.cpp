@@ -23,7 +23,7 @@ constexpr double least_shape = 0.02;
 constexpr std::array<glm::dvec3, 4> places{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.96, 0.02, 0.02}, {0.02, 0.96, 0.02}, {0.02, 0.02, 0.96}}};
 
-glm::dvec3 across(const TriangleMesh& mesh, const Triangle& t) {
+glm::dvec3 area_vector_of(const TriangleMesh& mesh, const Triangle& t) {
     return area_vector(mesh.vertices[t[0]].point, mesh.vertices[t[1]].point,
                        mesh.vertices[t[2]].point);
 }
@@ -38,7 +38,7 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
     SmallestWall least{.thickness = unbounded};
     const Triangle& t = mesh.triangles[triangle];
     if (shape(mesh, t) < least_shape) return least;
-    const glm::dvec3 inward = -glm::normalize(across(mesh, t));
+    const glm::dvec3 inward = -glm::normalize(area_vector_of(mesh, t));
     for (const glm::dvec3& share : places) {
         const glm::dvec3 from = share.x * mesh.vertices[t[0]].point +
                                 share.y * mesh.vertices[t[1]].point +
@@ -48,7 +48,7 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
         if (!hit || hit->distance >= least.thickness) continue;
         const Triangle& met = mesh.triangles[hit->triangle];
         if (shape(mesh, met) < least_shape) continue;
-        const glm::dvec3 normal = glm::normalize(across(mesh, met));
+        const glm::dvec3 normal = glm::normalize(area_vector_of(mesh, met));
         if (!(glm::dot(normal, inward) > least_facing)) continue;
         least.thickness = hit->distance;
         least.at = from + 0.5 * hit->distance * inward;

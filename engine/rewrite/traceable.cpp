@@ -17,9 +17,9 @@ namespace zeroset {
 namespace {
 
 /// Larger formulas are not measured.
-constexpr std::size_t most_nodes = 500;
+constexpr std::size_t most_nodes_compared = 500;
 /// A form that is estimated to take less than this share of the time surely takes less.
-constexpr double clearly = 0.9;
+constexpr double clear_gain = 0.9;
 
 /// The tightened formula, unless beams are surely traced faster through the one as it was: that
 /// has other enclosures than interval arithmetic, and the operators that make these tighter may
@@ -27,9 +27,9 @@ constexpr double clearly = 0.9;
 Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
     const double time = time_of_cell(expr);
     const double time_of_tight = time_of_cell(tight);
-    if (time_of_tight <= time || tight.nodes().size() > most_nodes) return tight;
+    if (time_of_tight <= time || tight.nodes().size() > most_nodes_compared) return tight;
     const FormSample sample(expr, region);
-    const bool saves = time * sample.open() < clearly * time_of_tight * sample.open(tight);
+    const bool saves = time * sample.open() < clear_gain * time_of_tight * sample.open(tight);
     return saves ? expr : tight;
 }
 

@@ -10,7 +10,7 @@
 namespace zeroset {
 namespace {
 
-constexpr float none = std::numeric_limits<float>::infinity();
+constexpr float nowhere = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
@@ -19,13 +19,13 @@ constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
 void PixelCover::clear() {
     if (from.empty()) {
         for (std::vector<float>* const column : {&from, &to, &other_from})
-            column->assign(pixels, none);
-        last.assign(pixels, -none);
+            column->assign(pixels, nowhere);
+        last.assign(pixels, -nowhere);
     }
     for_each_block_row(blocks, [this](std::size_t first) {
         for (std::vector<float>* const column : {&from, &to, &other_from})
-            std::fill_n(column->data() + first, tile_block, none);
-        std::fill_n(last.data() + first, tile_block, -none);
+            std::fill_n(column->data() + first, tile_block, nowhere);
+        std::fill_n(last.data() + first, tile_block, -nowhere);
     });
     known = true;
     blocks = 0;
@@ -43,7 +43,7 @@ std::uint64_t PixelCover::mixed_in_row(int row) const {
         for (std::size_t col = block; col < block + tile_block; ++col) {
             const float other = other_from[first + col];
             // Bitwise, so that it is done for many pixels at once.
-            const bool some = std::min(from[first + col], other) < none;
+            const bool some = std::min(from[first + col], other) < nowhere;
             const bool covered = to[first + col] < other;
             is_mixed[col] = static_cast<std::uint8_t>(some && !covered);
         }
@@ -52,17 +52,17 @@ std::uint64_t PixelCover::mixed_in_row(int row) const {
 }
 
 TileHits::TileHits() {
-    depth.resize(pixels, none);
+    depth.resize(pixels, nowhere);
     certificate.resize(pixels);
     for (std::vector<float>& axis : gradient)
         axis.resize(pixels);
-    unsettled.resize(pixels, none);
+    unsettled.resize(pixels, nowhere);
     cap.resize(pixels, CapKind::None);
 }
 
 void TileHits::clear() {
-    if (any) std::ranges::fill(depth, none);
-    if (any_unsettled) std::ranges::fill(unsettled, none);
+    if (any) std::ranges::fill(depth, nowhere);
+    if (any_unsettled) std::ranges::fill(unsettled, nowhere);
     if (any_cap) std::ranges::fill(cap, CapKind::None);
     any_cap = false;
     any_values = false;
@@ -106,7 +106,7 @@ void TileHits::put_cap(Pixel at, float distance, Certificate known, const glm::d
     cap[pixel] = kind;
     depth[pixel] = distance;
     certificate[pixel] = known;
-    unsettled[pixel] = none;
+    unsettled[pixel] = nowhere;
     for (std::size_t k = 0; k < 3; ++k)
         gradient[k][pixel] = static_cast<float>(normal[static_cast<int>(k)]);
 }

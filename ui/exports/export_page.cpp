@@ -195,7 +195,7 @@ void draw_content(UiState& state) {
 }
 
 /// Places the page at the right above the status line, over half of the picture if that is wide.
-void place_page(const Layout& layout) {
+void place_export_page(const Layout& layout) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float margin = std::min(em(1.0F), 0.02F * window.y);
     const float half_picture = 0.5F * (window.x - side_panel_width(layout));
@@ -236,7 +236,7 @@ void draw_export_page(UiState& state) {
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-    place_page(state.edited.layout);
+    place_export_page(state.edited.layout);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.edited.theme).popup);
     const bool open =
         ImGui::Begin(labelled(tr("Save as a file"), "###export").c_str(), &page.open, flags);

@@ -13,7 +13,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr float picture_em = 15.0F;  ///< height of a picture's room
+constexpr float preview_em = 15.0F;  ///< height of a picture's room
 constexpr float dash_px = 4.0F;
 constexpr double points_per_mm = 72.0 / 25.4;
 
@@ -156,7 +156,7 @@ void draw_export_preview(UiState& state) {
     ExportPage& page = state.pages.exports;
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const ImVec2 lo = ImGui::GetCursorScreenPos();
-    const float height = std::min(em(picture_em), 0.5F * ImGui::GetWindowHeight());
+    const float height = std::min(em(preview_em), 0.5F * ImGui::GetWindowHeight());
     const Rect room{.lo = lo, .hi = {lo.x + ImGui::GetContentRegionAvail().x, lo.y + height}};
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     page.preview_px = {static_cast<int>(room.width() * scale.x),

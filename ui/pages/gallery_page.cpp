@@ -40,7 +40,7 @@ struct Grid {
     float card_height;
 };
 
-void place_page(const Layout& layout) {
+void place_gallery(const Layout& layout) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float left = side_panel_width(layout);
     const bool wide = window.x - left >= em(least_width_em);
@@ -228,7 +228,7 @@ void draw_gallery_page(UiState& state) {
     const float scale = em(1.0F) / 14.0F * ImGui::GetIO().DisplayFramebufferScale.x;
     state.wishes.thumbnails.size_px = glm::ivec2(glm::round(scale * picture_size));
     if (page.frames == 1) page.follow = true;
-    place_page(state.edited.layout);
+    place_gallery(state.edited.layout);
     draw_popup(page, gallery_popup, [&] { draw_page(state); });
 }
 

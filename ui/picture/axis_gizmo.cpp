@@ -30,7 +30,7 @@ constexpr float ball_em = 0.68F;  ///< radius
 constexpr float margin_em = 0.7F;
 constexpr float least_for_gizmo_em = 11.0F;
 
-constexpr std::array<const char*, 6> names{
+constexpr std::array<const char*, 6> ball_names{
     "+x", "+y", "+z", "\xE2\x88\x92x", "\xE2\x88\x92y", "\xE2\x88\x92z"};
 
 float half_size() { return em(rim_em + ball_em + margin_em); }
@@ -55,7 +55,7 @@ std::optional<GizmoBall> ball_under(const std::array<GizmoBall, 6>& balls, const
 }
 
 void draw_letter(ImDrawList& canvas, const GizmoBall& ball, std::uint32_t color) {
-    const char* const letter = names[static_cast<std::size_t>(ball.axis)] + 1;
+    const char* const letter = ball_names[static_cast<std::size_t>(ball.axis)] + 1;
     ImFont* const small = font(FontRole::Small);
     const float size = small->FontSize * ImGui::GetIO().FontGlobalScale;
     const ImVec2 extent = small->CalcTextSizeA(size, FLT_MAX, 0.0F, letter);

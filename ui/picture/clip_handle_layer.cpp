@@ -75,7 +75,7 @@ double opacity_of(std::uint32_t color) { return static_cast<double>(color >> 24U
 /// As opaque as the colour.
 std::uint32_t white_on(std::uint32_t color) { return faded(0xFFFFFFFFU, opacity_of(color)); }
 
-struct Pen {
+struct HandlePen {
     ImDrawList& canvas;
     const PictureArea& area;
     const ViewFrame& view;
@@ -92,7 +92,7 @@ struct Pen {
 };
 
 /// On any ground: a dark line below a coloured one.
-void Pen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) const {
+void HandlePen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) const {
     std::vector<ImVec2> places;
     for (const glm::dvec3& corner : corners) {
         const auto at = place(corner);
@@ -105,7 +105,7 @@ void Pen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) c
     canvas.AddPolyline(places.data(), count, color, ImDrawFlags_Closed, em(0.11F));
 }
 
-void Pen::arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float size) const {
+void HandlePen::arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float size) const {
     const ImVec2 way(to.x - from.x, to.y - from.y);
     const float length = std::hypot(way.x, way.y);
     if (!(length > 0.0F)) return;
@@ -120,7 +120,7 @@ void Pen::arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float
     canvas.AddTriangle(tip, left, right, faded(0xFF000000U, 0.5), em(0.07F));
 }
 
-void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
+void HandlePen::square(const ImVec2& at, std::uint32_t color, float half) const {
     const ImVec2 lo(at.x - half, at.y - half);
     const ImVec2 hi(at.x + half, at.y + half);
     canvas.AddRectFilled(lo, hi, color, em(0.12F));
@@ -130,13 +130,13 @@ void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
                    faded(0xFF000000U, 0.5), em(0.16F), 0, rim);
 }
 
-void Pen::ball(const ImVec2& at, std::uint32_t color, float radius) const {
+void HandlePen::ball(const ImVec2& at, std::uint32_t color, float radius) const {
     canvas.AddCircleFilled(at, radius, color, 24);
     canvas.AddCircle(at, radius, white_on(color), 24, em(0.1F));
     canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5), 24, em(0.07F));
 }
 
-void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
+void HandlePen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
     const auto at = place(handle.at);
     const auto from = place(handle.from);
     if (!at || !from) return;
@@ -159,7 +159,7 @@ void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
     }
 }
 
-void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
+void draw_lit(const HandlePen& pen, const UiState& state, const Handle& handle) {
     const Clipping clipping = clipping_of(state.edited.document);
     const std::uint32_t color = color_of(handle, state.edited.theme);
     pen.outline(outline_of(handle.id, clipping, pen.view), faded(color, outline_part));
@@ -177,7 +177,7 @@ void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
 
 /// Draws the edges of the clip box, so that its handles lie on something, unless they are drawn
 /// anyway.
-void draw_box(const Pen& pen, const UiState& state) {
+void draw_box(const HandlePen& pen, const UiState& state) {
     if (state.edited.document.clip_box) return;
     const Clipping clipping = clipping_of(state.edited.document);
     const std::uint32_t color = faded(palette(state.edited.theme).quiet, 0.5 * faint_part);
@@ -232,7 +232,7 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
     std::vector<Handle> handles = shown_handles(state, area.height());
     if (handles.empty()) return;
     const ViewFrame view(state.shown.picture.camera);
-    const Pen pen{.canvas = canvas, .area = area, .view = view};
+    const HandlePen pen{.canvas = canvas, .area = area, .view = view};
     canvas.PushClipRect(area.lo, area.hi, true);
     draw_box(pen, state);
     // Nearer handles cover farther ones.

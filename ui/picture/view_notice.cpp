@@ -20,7 +20,7 @@ namespace {
 
 /// Least width of the picture that has room for a notice.
 constexpr float least_for_notice_em = 11.0F;
-constexpr float widest_em = 26.0F;
+constexpr float widest_notice_em = 26.0F;
 
 constexpr std::array<Example, 3> all_examples{
     {{.title = "A sphere", .text = "x^2 + y^2 + z^2 = 1"},
@@ -36,10 +36,10 @@ bool is_blank(const Statement& statement) {
     return statement.text.find_first_not_of(" \t\n") == std::string::npos;
 }
 
-std::vector<Statement>& rows(UiState& state) { return state.edited.document.statements; }
+std::vector<Statement>& statements_of(UiState& state) { return state.edited.document.statements; }
 
 void take_example(UiState& state, const Example& example) {
-    Statement& first = rows(state).front();
+    Statement& first = statements_of(state).front();
     first.text = example.text;
     state.wishes.reload = first.id;
     state.wishes.focus = RowFocus{.row = first.id, .caret = RowFocus::Caret::End};
@@ -62,7 +62,7 @@ void draw_examples(UiState& state, float width) {
 }
 
 void show_all(UiState& state) {
-    for (Statement& row : rows(state))
+    for (Statement& row : statements_of(state))
         row.visible = true;
 }
 
@@ -150,7 +150,7 @@ void draw_view_notice(UiState& state) {
     const Emptiness why = emptiness_of(state);
     if (why == Emptiness::None) return;
     const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;
-    const float width = std::min(em(widest_em), room - em(2.0F) - padding);
+    const float width = std::min(em(widest_notice_em), room - em(2.0F) - padding);
     ImGui::SetNextWindowPos(ImVec2(0.5F * (area.lo.x + area.hi.x), 0.5F * (area.lo.y + area.hi.y)),
                             ImGuiCond_Always, ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowSize(ImVec2(width + padding, 0.0F));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double any_rate = 240.0;
 
-constexpr std::array<FilmFormat, 6> formats{{
+constexpr std::array<FilmFormat, 6> known_films{{
     {.name = "MP4",
      .ending = ".mp4",
      .about = marked("H.264: plays everywhere, in talks and on telephones"),
@@ -77,7 +77,7 @@ std::string even_size(const FilmSettings& settings) {
 
 std::string transparent_endings() {
     std::vector<std::string_view> endings;
-    for (const FilmFormat& format : formats) {
+    for (const FilmFormat& format : known_films) {
         if (format.alpha && missing_encoder(encoder_of(format.codec)).empty())
             endings.push_back(format.ending);
     }
@@ -86,12 +86,12 @@ std::string transparent_endings() {
 
 }  // namespace
 
-std::span<const FilmFormat> film_formats() { return formats; }
+std::span<const FilmFormat> film_formats() { return known_films; }
 
 const FilmFormat* film_format_of(const std::filesystem::path& path) {
     const std::string ending = lower_case(path.extension().string());
-    const auto* const found = std::ranges::find(formats, ending, &FilmFormat::ending);
-    return found == formats.end() ? nullptr : found;
+    const auto* const found = std::ranges::find(known_films, ending, &FilmFormat::ending);
+    return found == known_films.end() ? nullptr : found;
 }
 
 std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings& settings) {

@@ -16,7 +16,7 @@ constexpr int any_side = 65536;
 /// Bytes of pixels that are gathered in memory for an encoder, which needs as much again, and more.
 constexpr std::int64_t gathered = std::int64_t{256} << 20U;
 
-constexpr std::array<PictureFormat, 5> formats{{
+constexpr std::array<PictureFormat, 5> known_pictures{{
     {.name = "PNG",
      .endings = {".png", ""},
      .about = marked("without loss, of any size; opens again as a session"),
@@ -88,7 +88,7 @@ bool has_bits(const PictureFormat& format, int bits) {
 template <class Can>
 std::string other_ending(const Can& can) {
     std::vector<std::string_view> endings;
-    for (const PictureFormat& format : formats) {
+    for (const PictureFormat& format : known_pictures) {
         if (can(format) && missing_part(format).empty()) endings.push_back(format.endings[0]);
     }
     return endings.empty() ? ""
@@ -129,14 +129,16 @@ std::optional<std::string> size_refusal(const PictureFormat& format,
 
 }  // namespace
 
-std::span<const PictureFormat> picture_formats() { return formats; }
+std::span<const PictureFormat> picture_formats() { return known_pictures; }
 
 const PictureFormat* picture_format_of(const std::filesystem::path& path) {
     const std::string ending = lower_case(path.extension().string());
-    const auto* const found = std::ranges::find_if(formats, [&](const PictureFormat& format) {
-        return !ending.empty() && std::ranges::find(format.endings, ending) != format.endings.end();
-    });
-    return found == formats.end() ? nullptr : found;
+    const auto* const found =
+        std::ranges::find_if(known_pictures, [&](const PictureFormat& format) {
+            return !ending.empty() &&
+                   std::ranges::find(format.endings, ending) != format.endings.end();
+        });
+    return found == known_pictures.end() ? nullptr : found;
 }
 
 std::string missing_part(const PictureFormat& format) {

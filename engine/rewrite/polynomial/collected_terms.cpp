@@ -16,7 +16,7 @@ namespace {
 
 /// Shorter formulas are left to `tightened`.
 constexpr std::size_t least_nodes = 500;
-constexpr std::size_t most_nodes = 20'000;
+constexpr std::size_t most_nodes_collected = 20'000;
 constexpr std::size_t most_new_nodes = 8'000;
 /// Those that take the least time are measured.
 constexpr std::size_t most_measured = 6;
@@ -46,7 +46,8 @@ std::vector<Expr> ways_to_write(const Expr& expr) {
 }  // namespace
 
 Expr with_collected_terms(const Expr& expr, const SampleRegion& region) {
-    if (expr.nodes().size() < least_nodes || expr.nodes().size() > most_nodes) return expr;
+    if (expr.nodes().size() < least_nodes || expr.nodes().size() > most_nodes_collected)
+        return expr;
     const double most = clearly * time_of_cell(expr);
     struct Way {
         Expr form;

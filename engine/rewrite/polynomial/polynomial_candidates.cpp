@@ -15,7 +15,7 @@ namespace zeroset {
 namespace {
 
 // Shared subexpressions may make exponentially many summands.
-constexpr std::size_t max_summands = 64;
+constexpr std::size_t most_in_sum = 64;
 
 /// factor * base^exponent.
 struct Summand {
@@ -32,7 +32,7 @@ struct Sum {
 
 void collect_summands(const AnalysedExpr& graph, NodeId id, const Interval<double>& factor,
                       Sum& sum) {
-    if (sum.summands.size() > max_summands) return;
+    if (sum.summands.size() > most_in_sum) return;
     const Node& node = graph.expr.node(id);
     const auto constant = [&](NodeId operand) { return graph.facts[operand].constant; };
     if (constant(id)) {
@@ -100,7 +100,7 @@ std::optional<NodeId> with_completed_squares(ExprBuilder& builder, const Analyse
                                              std::span<const NodeId> now, NodeId id) {
     Sum sum;
     collect_summands(graph, id, point(1.0), sum);
-    if (sum.summands.size() > max_summands) return std::nullopt;
+    if (sum.summands.size() > most_in_sum) return std::nullopt;
     std::vector<bool> taken(sum.summands.size());
     std::optional<NodeId> result;
     bool completed = false;

@@ -17,7 +17,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t max_nodes = 2000;
+constexpr std::size_t most_nodes_tightened = 2000;
 // A better form of one part may let another one pay.
 constexpr int max_rounds = 3;
 constexpr std::size_t max_new_nodes = 300;  ///< for one subexpression
@@ -60,9 +60,9 @@ double time_of_cell(const Expr& expr, NodeId root, std::span<const Facts> facts)
 }
 
 /// Several graphs with their common nodes only once, and what a search would cost with each.
-class Comparison {
+class Contest {
 public:
-    Comparison(ExprBuilder& builder, std::span<const NodeId> roots) {
+    Contest(ExprBuilder& builder, std::span<const NodeId> roots) {
         NodeId chain = roots.front();
         for (const NodeId root : roots.subspan(1))
             chain = builder.apply(Op::Min, chain, root);
@@ -187,11 +187,11 @@ private:
             if (std::ranges::find(candidates, node) == candidates.end()) candidates.push_back(node);
         }
         if (candidates.size() == 1) return;
-        const Comparison all(builder_, roots_with(id, candidates, above));
+        const Contest all(builder_, roots_with(id, candidates, above));
         std::vector<NodeId> finalists;
         for (const std::size_t index : all.finalists(sample_))
             finalists.push_back(candidates[index]);
-        const Comparison final_round(builder_, roots_with(id, finalists, above));
+        const Contest final_round(builder_, roots_with(id, finalists, above));
         // To write a candidate costs about as much as to evaluate three nodes.
         effort_ += all.size() + final_round.size() + 3 * candidates.size();
         const std::size_t best = final_round.best(sample_);
@@ -248,7 +248,7 @@ double time_of_cell(const Expr& expr) {
 }
 
 Expr tightened(const Expr& expr, const SampleRegion& region) {
-    if (expr.nodes().size() > max_nodes) return expr;
+    if (expr.nodes().size() > most_nodes_tightened) return expr;
     const UpwardRounding upward;
     Expr best = expr;
     std::size_t effort = 0;

@@ -20,11 +20,11 @@
 namespace zeroset {
 namespace {
 
-struct Place {
+struct BlockPixel {
     int col, row;
 };
 constexpr auto places = [] {
-    std::array<Place, ball_block_rays> all{};
+    std::array<BlockPixel, ball_block_rays> all{};
     for (int row = 0; row < ball_block_side; ++row) {
         for (int col = 0; col < ball_block_side; ++col)
             all[place_in_block(col, row)] = {.col = col, .row = row};

@@ -16,7 +16,7 @@ namespace zeroset {
 namespace {
 
 /// A rectangle of rays, and the depths that they look at.
-struct Reach {
+struct BallReach {
     double u_lo = unbounded, u_hi = -unbounded, v_lo = unbounded, v_hi = -unbounded;
     double from = unbounded, to = -unbounded;
 
@@ -28,7 +28,7 @@ struct Reach {
         from = std::min(from, ray.from);
         to = std::max(to, ray.to);
     }
-    void add(const Reach& other) {
+    void add(const BallReach& other) {
         if (other.empty()) return;
         add({.u = other.u_lo, .v = other.v_lo, .from = other.from, .to = other.to});
         add({.u = other.u_hi, .v = other.v_hi, .from = other.from, .to = other.to});
@@ -49,7 +49,7 @@ private:
 /// A block on its way.
 struct Block {
     BlobRays* rays;
-    Reach reach;
+    BallReach reach;
     std::array<bool, ball_block_rays> open{};  ///< rays that have not ended
     BallBlock::Numbers at{};                   ///< no root is before
     std::array<std::int8_t, ball_block_rays> side{};
@@ -79,7 +79,7 @@ public:
 
 private:
     /// Sets up the blocks; how far they reach.
-    Reach begin(std::span<BlobRays> blocks);
+    BallReach begin(std::span<BlobRays> blocks);
     void go(Block& block);
     void fill(const Block& block, double first);
     void end(Block& block, double first) const;
@@ -93,8 +93,8 @@ private:
     double per_distance_;
 };
 
-Reach Follower::begin(std::span<BlobRays> blocks) {
-    Reach all;
+BallReach Follower::begin(std::span<BlobRays> blocks) {
+    BallReach all;
     room_.blocks.clear();
     for (BlobRays& rays : blocks) {
         Block block{.rays = &rays, .reach = {}};
@@ -113,7 +113,7 @@ Reach Follower::begin(std::span<BlobRays> blocks) {
 }
 
 void Follower::run(std::span<BlobRays> blocks) {
-    const Reach all = begin(blocks);
+    const BallReach all = begin(blocks);
     if (all.empty()) return;
     NearBalls& near = room_.slab.near;
     near.begin(surface_.blobs->set(), blob_facts(surface_.blobs->kind()).reach, rays_,
@@ -144,7 +144,7 @@ void Follower::go(Block& block) {
         block.any_open = false;
         return;
     }
-    const Reach& reach = block.reach;
+    const BallReach& reach = block.reach;
     if (near.from() > reach.to) block.any_open = false;
     const double from = std::max(reach.from, near.from());
     const double to = std::min(reach.to, near.to());

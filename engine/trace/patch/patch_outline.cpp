@@ -10,18 +10,18 @@ namespace zeroset {
 namespace {
 
 /// More than rounding may shift a ray, in pixels.
-constexpr double spare = 0x1p-10;
+constexpr double spare_pixel = 0x1p-10;
 /// Of edges: nearly level ones say no more than the rectangle.
 constexpr double steepest = 64.0;
 
 /// The first pixel whose centre is not before a place, and the one behind the last that is not
 /// after it; of those from `from` to `end`.
 int first_pixel(double place, int from, int end) {
-    const double pixel = place + (1.0 - spare);
+    const double pixel = place + (1.0 - spare_pixel);
     return static_cast<int>(std::clamp<double>(pixel, from, end));
 }
 int end_pixel(double place, int from, int end) {
-    const double pixel = place + (1.0 + spare);
+    const double pixel = place + (1.0 + spare_pixel);
     return static_cast<int>(std::clamp<double>(pixel, from, end));
 }
 
@@ -79,8 +79,8 @@ PatchOutline::PatchOutline(const PatchSight& sight, double distance, const Pixel
 void PatchOutline::set_edges(std::size_t i, double slope, double radius) {
     const double col = (u_ - grid_.u - slope * (grid_.v - v_)) * per_pixel_;
     const double cols = radius * per_pixel_;
-    first_[i] = {.col = col - cols + (1.0 - spare), .by_row = slope};
-    end_[i] = {.col = col + cols + (1.0 + spare), .by_row = slope};
+    first_[i] = {.col = col - cols + (1.0 - spare_pixel), .by_row = slope};
+    end_[i] = {.col = col + cols + (1.0 + spare_pixel), .by_row = slope};
 }
 
 TileRect PatchOutline::within(const TileRect& rect) const {

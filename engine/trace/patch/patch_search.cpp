@@ -19,11 +19,11 @@ constexpr double least_radius = 0x1p-46;
 constexpr double least_of_jumps = 0x1p-30;
 
 /// The part of [-box_share, box_share] in which zeros may be, as middle and radius.
-struct Part {
+struct Share {
     double middle, radius;
 };
 
-Part part_of(double middle, double radius) {
+Share part_of(double middle, double radius) {
     const double lo = std::max(-box_share, middle - radius);
     const double hi = std::min(box_share, middle + radius);
     return {.middle = 0.5 * lo + 0.5 * hi, .radius = std::max(0.5 * hi - 0.5 * lo, 0x1p-52)};
@@ -199,8 +199,8 @@ void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchS
             keeps ? tree_.parts(*item.node) : item.node->children.load(std::memory_order_acquire);
         if (parts != nullptr) return push_parts(quest, *parts);
     }
-    const Part p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, box_share);
-    const Part q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, box_share);
+    const Share p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, box_share);
+    const Share q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, box_share);
     const UvBox whole = place_in(item.box, p.middle, q.middle, 0.0);
     const Division division = division_of(p.radius * glm::length(sight.kp + sight.dp),
                                           q.radius * glm::length(sight.kq + sight.dq));

@@ -14,13 +14,13 @@ const Volume* volume_of(const Kernel& surface) {
 }
 
 /// How much of a level may be unknown: beams tell more than rays at one level would.
-constexpr double most_unknown = 0x1p-30;
+constexpr double most_unknown_of_level = 0x1p-30;
 
 Outside outside_of(const Volume& volume) { return volume.options().outside; }
 
 std::optional<Isosurface> surface_of(const Kernel& surface, const Scene& scene) {
     const auto level = surface.memory->of<FieldLevel>()->at(scene.uniforms);
-    if (!(level.error <= most_unknown * std::abs(level.middle))) return std::nullopt;
+    if (!(level.error <= most_unknown_of_level * std::abs(level.middle))) return std::nullopt;
     return Isosurface{
         .volume = volume_of(surface), .level = level.middle, .level_error = level.error};
 }

@@ -8,26 +8,26 @@
 namespace zeroset {
 namespace {
 
-using Wide = long double;
+using WideNumber = long double;
 
 /// Divisions until a root is narrow, and until one is given up.
 constexpr int narrow_halvings = 27, most_halvings = 48;
 /// Where parts are divided: not in the middle, where voxels and rays with round numbers often have
 /// a root, whose sign nobody knows.
-constexpr Wide division = 0.4823L;
+constexpr WideNumber division = 0.4823L;
 
 /// A cubic over [from, to], by its Bernstein coefficients.
 struct Part {
-    std::array<Wide, 4> b{};
-    Wide from = 0, to = 0;
+    std::array<WideNumber, 4> b{};
+    WideNumber from = 0, to = 0;
     int halvings = 0;
 };
 
 /// rho at a point of the voxel.
-Wide density(const VoxelRay& ray, const std::array<Wide, 3>& at) {
-    Wide sum = 0;
+WideNumber density(const VoxelRay& ray, const std::array<WideNumber, 3>& at) {
+    WideNumber sum = 0;
     for (std::size_t corner = 0; corner < 8; ++corner) {
-        Wide weight = ray.rho[corner];
+        WideNumber weight = ray.rho[corner];
         for (std::size_t axis = 0; axis < 3; ++axis)
             weight *= (corner >> axis & 1U) != 0 ? at[axis] : 1 - at[axis];
         sum += weight;
@@ -37,12 +37,13 @@ Wide density(const VoxelRay& ray, const std::array<Wide, 3>& at) {
 
 Part whole(const VoxelRay& ray) {
     const auto place = [&](std::size_t axis, bool at_end) {
-        return Wide{ray.a[axis]} + (at_end ? Wide{ray.t_out} * Wide{ray.b[axis]} : 0);
+        return WideNumber{ray.a[axis]} +
+               (at_end ? WideNumber{ray.t_out} * WideNumber{ray.b[axis]} : 0);
     };
     Part part{.from = 0, .to = ray.t_out};
     std::array<int, 4> count{};
     for (std::size_t ends = 0; ends < 8; ++ends) {
-        std::array<Wide, 3> at{};
+        std::array<WideNumber, 3> at{};
         std::size_t of_end = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const bool at_end = (ends >> axis & 1U) != 0;
@@ -59,12 +60,12 @@ Part whole(const VoxelRay& ray) {
 
 /// The two parts of a part, by de Casteljau's algorithm.
 std::array<Part, 2> halves(const Part& part) {
-    const auto mean = [](Wide x, Wide y) { return x * (1 - division) + y * division; };
+    const auto mean = [](WideNumber x, WideNumber y) { return x * (1 - division) + y * division; };
     const auto& b = part.b;
     const std::array first{mean(b[0], b[1]), mean(b[1], b[2]), mean(b[2], b[3])};
     const std::array second{mean(first[0], first[1]), mean(first[1], first[2])};
-    const Wide middle = mean(second[0], second[1]);
-    const Wide at = mean(part.from, part.to);
+    const WideNumber middle = mean(second[0], second[1]);
+    const WideNumber at = mean(part.from, part.to);
     const int halvings = part.halvings + 1;
     return {Part{.b = {b[0], first[0], second[0], middle},
                  .from = part.from,
@@ -77,10 +78,10 @@ std::array<Part, 2> halves(const Part& part) {
 }
 
 /// The first root of a part; numbers no larger than `error` may be 0.
-ProvedRoot first_root(const Part& part, Wide error) {
+ProvedRoot first_root(const Part& part, WideNumber error) {
     const auto& b = part.b;
-    const Wide least = *std::ranges::min_element(b);
-    const Wide largest = *std::ranges::max_element(b);
+    const WideNumber least = *std::ranges::min_element(b);
+    const WideNumber largest = *std::ranges::max_element(b);
     if (least > error || largest < -error) return {.kind = ProvedRoot::Kind::None};
     const bool differ = std::min(b[0], b[3]) < -error && std::max(b[0], b[3]) > error;
     if (differ && part.halvings >= narrow_halvings) {
@@ -96,9 +97,9 @@ ProvedRoot first_root(const Part& part, Wide error) {
 }  // namespace
 
 ProvedRoot proved_first_root(const VoxelRay& ray) {
-    Wide size = 0;
+    WideNumber size = 0;
     for (const float rho : ray.rho)
-        size = std::max(size, std::abs(Wide{rho}));
+        size = std::max(size, std::abs(WideNumber{rho}));
     // Some 100 roundings of 2^-64 of numbers that are no larger, but for rays a little outside
     return first_root(whole(ray), 0x1p-54L * size);
 }

@@ -15,7 +15,7 @@ std::array<double, 3> turned(const IndexMap& map, const glm::dvec3& along) {
 }
 
 /// More than rounding moves places in a grid.
-constexpr double spare = 1e-4;
+constexpr double spare_sample = 1e-4;
 
 }  // namespace
 
@@ -62,12 +62,12 @@ RayBlock::RayBlock(const IndexRays& rays, double u, double v, double u_radius, d
     usable_ = true;
     last_layer_ = first_layer_ - step_;  // none
     const double last = last_cell[k];
-    if (highest < -spare || lowest > last + 1 + spare) return;
+    if (highest < -spare_sample || lowest > last + 1 + spare_sample) return;
     const auto layer = [&](double place) {
         return static_cast<std::int32_t>(std::clamp(std::floor(place), 0.0, last));
     };
-    const std::int32_t low = layer(lowest - spare);
-    const std::int32_t high = layer(highest + spare);
+    const std::int32_t low = layer(lowest - spare_sample);
+    const std::int32_t high = layer(highest + spare_sample);
     first_layer_ = step_ > 0 ? low : high;
     last_layer_ = step_ > 0 ? high : low;
 }
@@ -90,10 +90,10 @@ CellRectangle RayBlock::cells(std::int32_t low, std::int32_t high) const {
     };
     const std::int32_t i_last = last_cell_[axes_.i];
     const std::int32_t j_last = last_cell_[axes_.j];
-    return {.i_first = cell(ends[0] - spare, 0, i_last + 1),
-            .i_last = cell(ends[1] + spare, -1, i_last),
-            .j_first = cell(ends[2] - spare, 0, j_last + 1),
-            .j_last = cell(ends[3] + spare, -1, j_last)};
+    return {.i_first = cell(ends[0] - spare_sample, 0, i_last + 1),
+            .i_last = cell(ends[1] + spare_sample, -1, i_last),
+            .j_first = cell(ends[2] - spare_sample, 0, j_last + 1),
+            .j_last = cell(ends[3] + spare_sample, -1, j_last)};
 }
 
 double RayBlock::depth_at(std::int32_t layer) const {

@@ -10,10 +10,10 @@
 namespace zeroset::test {
 namespace {
 
-using Box = MpfiInterval;
+using Mpfi = MpfiInterval;
 using In = const MpfiEnclosure&;
 
-MpfiEnclosure nowhere() { return {Box::whole_line(), false, false, false}; }
+MpfiEnclosure nowhere() { return {Mpfi::whole_line(), false, false, false}; }
 
 /// The enclosure of g(operands...): as defined and continuous as g and its operands are.
 template <class... Operands>
@@ -25,12 +25,12 @@ MpfiEnclosure composed(MpfiEnclosure g, const Operands&... operands) {
 }
 
 template <class... Operands>
-MpfiEnclosure total(Box range, const Operands&... operands) {
+MpfiEnclosure total(Mpfi range, const Operands&... operands) {
     return composed(MpfiEnclosure{std::move(range)}, operands...);
 }
 
 /// Whether the interval holds numbers for which periodic functions would need gigabytes of pi.
-bool out_of_reach(const Box& a) {
+bool out_of_reach(const Mpfi& a) {
     constexpr mpfr_exp_t limit = 5000;
     const auto beyond = [](mpfr_srcptr end) {
         if (mpfr_zero_p(end) != 0) return false;
@@ -43,7 +43,7 @@ bool out_of_reach(const Box& a) {
 /// A function that is defined on [lo, hi] only.
 MpfiEnclosure on_domain(MpfiFunction1 function, In a, double lo, double hi) {
     if (a.range.is_above(hi) || a.range.is_below(lo)) return nowhere();
-    const Box domain(lo, hi);
+    const Mpfi domain(lo, hi);
     MpfiEnclosure g{a.range};
     g.everywhere = mpfi_is_inside(a.range.get(), domain.get()) != 0;
     if (!g.everywhere) mpfi_intersect(g.range.get(), a.range.get(), domain.get());
@@ -64,29 +64,29 @@ MpfiEnclosure logarithm(MpfiFunction1 function, In a) {
 }
 
 MpfiEnclosure wave(MpfiFunction1 function, In a) {
-    return total(out_of_reach(a.range) ? Box(-1, 1) : computed(function, a.range), a);
+    return total(out_of_reach(a.range) ? Mpfi(-1, 1) : computed(function, a.range), a);
 }
 
 /// tan or cot: unbounded where a pole is met.
 MpfiEnclosure with_poles(MpfiFunction1 function, In a) {
-    MpfiEnclosure g{out_of_reach(a.range) ? Box::whole_line() : computed(function, a.range)};
+    MpfiEnclosure g{out_of_reach(a.range) ? Mpfi::whole_line() : computed(function, a.range)};
     g.everywhere = g.continuous = g.range.is_bounded();
     return composed(g, a);
 }
 
 /// A function whose values are integers: continuous where there is only one of them.
-MpfiEnclosure stepped(Box range, In a) {
+MpfiEnclosure stepped(Mpfi range, In a) {
     MpfiEnclosure g{std::move(range)};
     g.continuous = g.range.is_point();
     return composed(g, a);
 }
 
-Box sign_of(const Box& a) {
+Mpfi sign_of(const Mpfi& a) {
     const auto sign = [](mpfr_srcptr end) { return static_cast<double>(mpfr_sgn(end)); };
     return {sign(a.lo()), sign(a.hi())};
 }
 
-Box floor_of(const Box& a) {
+Mpfi floor_of(const Mpfi& a) {
     return increasing([](mpfr_ptr out, mpfr_srcptr in, mpfr_rnd_t) { return mpfr_floor(out, in); },
                       a);
 }
@@ -110,21 +110,21 @@ MpfiEnclosure oriented(In a, In b) {
 /// a - b floor(a/b): between 0 and b.
 MpfiEnclosure modulo(In a, In b) {
     if (b.range.is_zero()) return nowhere();
-    MpfiEnclosure g{hull(Box(0.0), b.range)};
+    MpfiEnclosure g{hull(Mpfi(0.0), b.range)};
     g.everywhere = !b.range.contains_zero();
     g.continuous = false;
     if (g.everywhere && !out_of_reach(a.range) && !out_of_reach(b.range)) {
-        const Box turns = floor_of(a.range / b.range);
+        const Mpfi turns = floor_of(a.range / b.range);
         g.continuous = turns.is_point();
         if (g.continuous) {
-            const Box rest = a.range - b.range * turns;
+            const Mpfi rest = a.range - b.range * turns;
             mpfi_intersect(g.range.get(), g.range.get(), rest.get());
         }
     }
     return composed(g, a, b);
 }
 
-Box circle() { return hull(-Box::pi(), Box::pi()); }
+Mpfi circle() { return hull(-Mpfi::pi(), Mpfi::pi()); }
 
 /// The angle of (x, y). `counts_turns`: atan2, which jumps at its cut; else the value is known only
 /// up to a multiple of 2 pi.
@@ -139,63 +139,63 @@ MpfiEnclosure angle(In y, In x, bool counts_turns) {
     if (far || (cut && counts_turns)) {
         return composed(MpfiEnclosure{circle(), true, true, false}, y, x);
     }
-    if (cut) return total(computed(mpfi_atan2, -y.range, -x.range) + Box::pi(), y, x);
+    if (cut) return total(computed(mpfi_atan2, -y.range, -x.range) + Mpfi::pi(), y, x);
     return total(computed(mpfi_atan2, y.range, x.range), y, x);
 }
 
 /// A sine or cosine of n times the angle.
 MpfiEnclosure angle_wave(MpfiFunction1 function, int n, In y, In x) {
     MpfiEnclosure turn = angle(y, x, false);
-    turn.range = Box(n) * turn.range;
+    turn.range = Mpfi(n) * turn.range;
     return wave(function, turn);
 }
 
 /// function(a) / a, which is 1 at 0.
-Box by_itself(MpfiFunction1 function, const Box& a) {
-    return a.is_zero() ? Box(1.0) : computed(function, a) / a;
+Mpfi by_itself(MpfiFunction1 function, const Mpfi& a) {
+    return a.is_zero() ? Mpfi(1.0) : computed(function, a) / a;
 }
 
-Box point_of(mpfr_srcptr end) {
-    Box result;
+Mpfi point_of(mpfr_srcptr end) {
+    Mpfi result;
     mpfi_set_fr(result.get(), end);
     return result;
 }
 
 /// sinh(a)/a and atan(a)/a, which are monotone in |a|.
 MpfiEnclosure cardinal(MpfiFunction1 function, In a) {
-    const Box size = computed(mpfi_abs, a.range);
+    const Mpfi size = computed(mpfi_abs, a.range);
     if (!size.is_bounded() || out_of_reach(size)) {
-        return total(Box(0, std::numeric_limits<double>::infinity()), a);
+        return total(Mpfi(0, std::numeric_limits<double>::infinity()), a);
     }
-    const Box near = by_itself(function, point_of(size.lo()));
+    const Mpfi near = by_itself(function, point_of(size.lo()));
     return total(hull(near, by_itself(function, point_of(size.hi()))), a);
 }
 
 /// sin(a)/a, which falls up to |a| = 3 and stays within 0.22 from there on.
 MpfiEnclosure cardinal_sine(In a) {
-    const Box size = computed(mpfi_abs, a.range);
+    const Mpfi size = computed(mpfi_abs, a.range);
     if (size.is_below(3)) return cardinal(mpfi_sin, a);
-    const Box beyond(-0.22, 0.22);
-    return total(size.is_above(3) ? beyond : hull(Box(1.0), beyond), a);
+    const Mpfi beyond(-0.22, 0.22);
+    return total(size.is_above(3) ? beyond : hull(Mpfi(1.0), beyond), a);
 }
 
 /// The distance from the nearest even integer: either the one below the lower end or the next one.
 MpfiEnclosure fold(In a) {
-    const Box all = hull(Box(0.0), Box(1.0));
+    const Mpfi all = hull(Mpfi(0.0), Mpfi(1.0));
     if (!a.range.is_bounded()) return total(all, a);
-    const Box turns = a.range * Box(0.5);
-    const Box below = Box(2.0) * floor_of(point_of(turns.lo()));
-    const Box v = a.range - below;
+    const Mpfi turns = a.range * Mpfi(0.5);
+    const Mpfi below = Mpfi(2.0) * floor_of(point_of(turns.lo()));
+    const Mpfi v = a.range - below;
     if (!v.is_below(3)) return total(all, a);
-    const Box distance = minimum(computed(mpfi_abs, v), computed(mpfi_abs, v - Box(2.0)));
-    return total(minimum(distance, Box(1.0)), a);
+    const Mpfi distance = minimum(computed(mpfi_abs, v), computed(mpfi_abs, v - Mpfi(2.0)));
+    return total(minimum(distance, Mpfi(1.0)), a);
 }
 
 /// ln(e^a + e^b), which increases with both operands.
 MpfiEnclosure log_sum(In a, In b) {
-    if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
-    const auto at = [](const Box& p, const Box& q) {
-        const Box distance = computed(mpfi_abs, p - q);
+    if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Mpfi::whole_line(), a, b);
+    const auto at = [](const Mpfi& p, const Mpfi& q) {
+        const Mpfi distance = computed(mpfi_abs, p - q);
         return maximum(p, q) + computed(mpfi_log1p, computed(mpfi_exp, -distance));
     };
     return total(hull(at(point_of(a.range.lo()), point_of(b.range.lo())),
@@ -205,10 +205,10 @@ MpfiEnclosure log_sum(In a, In b) {
 
 /// min(a, b) - h^2/4 with h = max(1 - |a - b|, 0), which increases with both operands.
 MpfiEnclosure smooth_min(In a, In b) {
-    if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
-    const auto at = [](const Box& p, const Box& q) {
-        const Box height = maximum(Box(1.0) - computed(mpfi_abs, p - q), Box(0.0));
-        return minimum(p, q) - power(height, 2) / Box(4.0);
+    if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Mpfi::whole_line(), a, b);
+    const auto at = [](const Mpfi& p, const Mpfi& q) {
+        const Mpfi height = maximum(Mpfi(1.0) - computed(mpfi_abs, p - q), Mpfi(0.0));
+        return minimum(p, q) - power(height, 2) / Mpfi(4.0);
     };
     return total(hull(at(point_of(a.range.lo()), point_of(b.range.lo())),
                       at(point_of(a.range.hi()), point_of(b.range.hi()))),
@@ -219,7 +219,7 @@ MpfiEnclosure smooth_min(In a, In b) {
 /// operands are.
 template <class... Operands>
 MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
-    MpfiEnclosure g = total(Box(holds ? 1 : 0, fails ? 0 : 1), operands...);
+    MpfiEnclosure g = total(Mpfi(holds ? 1 : 0, fails ? 0 : 1), operands...);
     g.continuous = g.somewhere && (holds || fails);
     return g;
 }
@@ -260,7 +260,7 @@ MpfiEnclosure where(In a, In c) {
     return g;
 }
 
-Box integer_power(const Box& a, int n) { return n >= 0 ? power(a, n) : Box(1.0) / power(a, -n); }
+Mpfi integer_power(const Mpfi& a, int n) { return n >= 0 ? power(a, n) : Mpfi(1.0) / power(a, -n); }
 
 }  // namespace
 
@@ -282,7 +282,7 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Sign: return stepped(sign_of(a.range), a);
         case Op::Floor: return stepped(floor_of(a.range), a);
         case Op::Ceil: return stepped(-floor_of(-a.range), a);
-        case Op::Round: return stepped(floor_of(a.range + Box(0.5)), a);
+        case Op::Round: return stepped(floor_of(a.range + Mpfi(0.5)), a);
         case Op::Mod: return modulo(a, b);
         case Op::Min: return total(minimum(a.range, b.range), a, b);
         case Op::Max: return total(maximum(a.range, b.range), a, b);

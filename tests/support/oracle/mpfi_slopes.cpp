@@ -9,38 +9,38 @@
 namespace zeroset::test {
 namespace {
 
-using Box = MpfiInterval;
+using Mpfi = MpfiInterval;
 
-Box square(const Box& a) { return power(a, 2); }
+Mpfi square(const Mpfi& a) { return power(a, 2); }
 /// The square root of a number that cannot be negative.
-Box root(const Box& a) { return computed(mpfi_sqrt, maximum(a, Box(0.0))); }
-Box one_over(const Box& a) { return Box(1.0) / a; }
-Box logarithm_of(double a) { return computed(mpfi_log, Box(a)); }
-Box range_of(Op op, const Box& a) { return enclosed({.op = op}, {a}, {a}, {a}).range; }
+Mpfi root(const Mpfi& a) { return computed(mpfi_sqrt, maximum(a, Mpfi(0.0))); }
+Mpfi one_over(const Mpfi& a) { return Mpfi(1.0) / a; }
+Mpfi logarithm_of(double a) { return computed(mpfi_log, Mpfi(a)); }
+Mpfi range_of(Op op, const Mpfi& a) { return enclosed({.op = op}, {a}, {a}, {a}).range; }
 
 /// The slope of a choice: of the first or second function where that is taken on the whole box.
-Box slope_of_choice(bool first, bool second, const Box& a, const Box& b) {
+Mpfi slope_of_choice(bool first, bool second, const Mpfi& a, const Mpfi& b) {
     if (first) return a;
     return second ? b : hull(a, b);
 }
 
-Box slope_of_power(const Box& a, int n) {
-    return Box(n) * (n > 0 ? power(a, n - 1) : one_over(power(a, 1 - n)));
+Mpfi slope_of_power(const Mpfi& a, int n) {
+    return Mpfi(n) * (n > 0 ? power(a, n - 1) : one_over(power(a, 1 - n)));
 }
 
 /// The slope of the angle of the point (b, a).
-Box slope_of_angle(const MpfiDual& a, const MpfiDual& b) {
-    const Box& y = a.value.range;
-    const Box& x = b.value.range;
+Mpfi slope_of_angle(const MpfiDual& a, const MpfiDual& b) {
+    const Mpfi& y = a.value.range;
+    const Mpfi& x = b.value.range;
     return (a.slope * x - y * b.slope) / (square(x) + square(y));
 }
-Box wave_of(Op op, const Node& node, const MpfiDual& a, const MpfiDual& b) {
+Mpfi wave_of(Op op, const Node& node, const MpfiDual& a, const MpfiDual& b) {
     return enclosed({.op = op, .number = node.number}, a.value, b.value, b.value).range;
 }
 
 /// The slope of f(x)/x, whose size is at most `bend` times |x|; `df` is the slope of f.
-Box slope_by_itself(const Box& x, const Box& value, const Box& df, double bend) {
-    if (x.contains_zero()) return x * Box(-bend, bend);
+Mpfi slope_by_itself(const Mpfi& x, const Mpfi& value, const Mpfi& df, double bend) {
+    if (x.contains_zero()) return x * Mpfi(-bend, bend);
     return (df - value) / x;
 }
 
@@ -56,10 +56,10 @@ MpfiDual dual(MpfiInterval range, MpfiInterval slope) {
 // NOLINTNEXTLINE(readability-function-size): one switch over all operators
 MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDual& a,
                       const MpfiDual& b, const MpfiDual& c) {
-    const Box one(1.0);
-    const Box& f = value.range;
-    const Box& x = a.value.range;
-    const Box& y = b.value.range;
+    const Mpfi one(1.0);
+    const Mpfi& f = value.range;
+    const Mpfi& x = a.value.range;
+    const Mpfi& y = b.value.range;
     const bool below = mpfr_lessequal_p(x.hi(), y.lo()) != 0;
     const bool above = mpfr_lessequal_p(y.hi(), x.lo()) != 0;
     switch (node.op) {
@@ -71,8 +71,8 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::Multiply: return a.slope * y + x * b.slope;
         case Op::Divide: return (a.slope - f * b.slope) / y;
         case Op::IntPower: return slope_of_power(x, node.number) * a.slope;
-        case Op::OddRoot: return f / (Box(node.number) * x) * a.slope;
-        case Op::Sqrt: return one_over(Box(2.0) * f) * a.slope;
+        case Op::OddRoot: return f / (Mpfi(node.number) * x) * a.slope;
+        case Op::Sqrt: return one_over(Mpfi(2.0) * f) * a.slope;
         case Op::Abs: return slope_of_choice(x.is_above(0), x.is_below(0), a.slope, -a.slope);
         case Op::Min: return slope_of_choice(below, above, a.slope, b.slope);
         case Op::Max: return slope_of_choice(above, below, a.slope, b.slope);
@@ -84,7 +84,7 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::LessEqual:
         case Op::And:
         case Op::Or:
-        case Op::Not: return Box(0.0);
+        case Op::Not: return Mpfi(0.0);
         case Op::Mod: return a.slope - b.slope * range_of(Op::Floor, x / y);
         case Op::Exp: return f * a.slope;
         case Op::Log: return one_over(x) * a.slope;
@@ -100,23 +100,23 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::Atan2:
         case Op::Angle: return slope_of_angle(a, b);
         case Op::AngleSin:
-            return wave_of(Op::AngleCos, node, a, b) * slope_of_angle(a, b) * Box(node.number);
+            return wave_of(Op::AngleCos, node, a, b) * slope_of_angle(a, b) * Mpfi(node.number);
         case Op::AngleCos:
-            return -wave_of(Op::AngleSin, node, a, b) * slope_of_angle(a, b) * Box(node.number);
+            return -wave_of(Op::AngleSin, node, a, b) * slope_of_angle(a, b) * Mpfi(node.number);
         case Op::Length: return (x * a.slope + y * b.slope) / f;
         case Op::Sinc: return slope_by_itself(x, f, range_of(Op::Cos, x), 0.34) * a.slope;
         case Op::Sinhc: {
-            const Box df = range_of(Op::Cosh, x);
+            const Mpfi df = range_of(Op::Cosh, x);
             return slope_by_itself(x, f, df, 0.34 * mpfr_get_d(df.hi(), MPFR_RNDU)) * a.slope;
         }
         case Op::Atanc: return slope_by_itself(x, f, one_over(one + square(x)), 0.67) * a.slope;
         case Op::Fold: return hull(a.slope, -a.slope);
         case Op::LogSum: {
-            const Box share_of_a = one_over(one + range_of(Op::Exp, y - x));
+            const Mpfi share_of_a = one_over(one + range_of(Op::Exp, y - x));
             return share_of_a * a.slope + (one - share_of_a) * b.slope;
         }
         case Op::SmoothMin: {
-            const Box share_of_a = minimum(maximum((one - (x - y)) / Box(2.0), Box(0.0)), one);
+            const Mpfi share_of_a = minimum(maximum((one - (x - y)) / Mpfi(2.0), Mpfi(0.0)), one);
             return share_of_a * a.slope + (one - share_of_a) * b.slope;
         }
         case Op::Oriented: return slope_of_choice(y.is_above(0), y.is_below(0), a.slope, -a.slope);
@@ -130,7 +130,7 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::Where: return a.slope;
         case Op::Field: return slope_of_field(*node.field, a, b, c);
     }
-    return Box::whole_line();
+    return Mpfi::whole_line();
 }
 
 }  // namespace zeroset::test
