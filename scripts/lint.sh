@@ -31,7 +31,8 @@ if [[ $(git rev-parse --is-shallow-repository) == true ]]; then
     git fetch --quiet --deepen=20 || true
 fi
 result=0
-git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 --dry-run --Werror || result=1
+git ls-files -z '*.cpp' '*.hpp' |
+    xargs -0 -n 200 -P "$(nproc)" clang-format-19 --dry-run --Werror || result=1
 git grep -lzE '^(#!.*[/ ](ba)?sh$|# shellcheck shell=)' | xargs -0 shellcheck || result=1
 git ls-files -z '*.py' | xargs -0 pyflakes3 || result=1
 mapfile -t sources < <(changed '*.cpp' ':!tests')
