@@ -108,7 +108,7 @@ class SignalTest(ProgramTest):
 
     def test_a_signal_that_is_ignored_stays_so(self):
         """SIGHUP is ignored under nohup, and the program must leave it so."""
-        process = self.start("render", "-", "--size", "64x64", "--budget", 3, "-o", "out.png",
+        process = self.start("render", "-", "--size", "64x64", "--budget", 1.5, "-o", "out.png",
                              stdin=ENDLESS,
                              preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         time.sleep(0.5)
