@@ -115,6 +115,8 @@ WRONG_COMMANDS = [
     (["traversal", "x", "--size", "0"], ["--size"]),
     (["x", "--tracer", "octree", "--levels", "30"], ["--levels 30", "window", "render"]),
     (["render", "x"], ["-o"]),
+    (["render", "no_such.json", "-o", "a.png"], ["no_such.json", "no such file"]),
+    (["render", "/none/scan-1.dcm", "-o", "a.png"], ["/none/scan-1.dcm", "no such file"]),
     (["render", "x", "-o"], ["output"]),
     (["render", "x", "-o", "picture.bmp"], ["picture.bmp", ".png", ".exr"]),
     (["render", "./", "-o", "picture.png"], ["folder", "zeroset ./"]),

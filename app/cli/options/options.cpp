@@ -20,11 +20,14 @@
 #include "pipeline/volume_source.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -60,11 +63,32 @@ bool names_other_file(const std::string& equation) {
            std::filesystem::is_regular_file(equation, ignored);
 }
 
+/// Whether a text that is no formula may well name a file: /tmp/scene.json, scan.dcm.
+bool may_name_file(const std::string& text) {
+    const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    const auto is_of_path = [&](char c) {
+        return is_plain(c) || std::string_view("/._-~").contains(c) || c < 0;
+    };
+    const std::string ending = std::filesystem::path(text).extension().string();
+    return ending.size() > 3 && std::isalpha(static_cast<unsigned char>(ending[1])) != 0 &&
+           std::ranges::all_of(ending.substr(1), is_plain) && std::ranges::all_of(text, is_of_path);
+}
+
 std::string what_is_opened(const std::string& file) {
     return "'" + file + "' is no kind of file that is opened; those end in " +
            std::string(document_ending) + " " + import_endings() + " " + known_endings() +
            "; raw samples of a volume are read by volume(\"" + file +
            "\", size 256 256 109, uint8)";
+}
+
+/// The document of a formula; an error of its own for what may name a file.
+OrInputError<InputDocument> formula_document(const std::string& equation) {
+    ReadDocument read = typed_document(equation);
+    if (!read.rows && may_name_file(equation)) {
+        return wrong_input("'" + equation + "': there is no such file, and it is no formula: " +
+                           read.rows.error().reason);
+    }
+    return InputDocument{std::move(read)};
 }
 
 /// Reads the document without applying the view options.
@@ -102,7 +126,7 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         return InputDocument{read_document(*item)};
     }
     if (names_other_file(equation)) return wrong_input(what_is_opened(equation));
-    if (equation != "-") return InputDocument{typed_document(equation)};
+    if (equation != "-") return formula_document(equation);
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     return InputDocument{typed_document(text)};
 }
