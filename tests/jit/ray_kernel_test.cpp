@@ -1,5 +1,6 @@
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
+#include "engine/real/processor.hpp"
 #include "engine/real/rounding.hpp"
 #include "jit/compile.hpp"
 #include "tests/support/interpreter_codes.hpp"
@@ -152,7 +153,7 @@ TYPED_TEST(RayKernel, TakesOneStepWhereNoOtherIsWanted) {
 }
 
 TEST(RayKernel, RoundsAProductAndTheSumThatUsesItOnce) {
-    if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "no fused multiply-add here";
+    if (!machine_has_fma()) GTEST_SKIP() << "no fused multiply-add here";
     const auto kernel = jit::compile(*parse("x^2 - (1 + 2^(-29))"));
     ASSERT_TRUE(kernel);
     RayBatch<double> batch;
