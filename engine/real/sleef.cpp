@@ -70,7 +70,8 @@ int computed(Elementary function, mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b)
 template <class Real>
 const void* code_of_width(Elementary function, int bits) {
     // SLEEF's "finz" functions (with fused multiply-add) give the same bits at every width, and so
-    // do its "cinz" ones (without); the machine decides the family once for all widths.
+    // do its "cinz" ones over registers, of which sleef_plain takes a lane; the machine decides the
+    // family once for all widths.
     static const bool fma = machine_has_avx2_fma();
     switch (bits) {
         case 0: return fma ? sleef_fma<Real>(function) : sleef_plain<Real>(function);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/options/input_document.hpp"
 #include "app/cli/options/light_options.hpp"
 #include "app/cli/options/look_options.hpp"
 #include "document/document.hpp"
@@ -49,15 +50,6 @@ struct TraceText {
     std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid, textbook;
     std::optional<std::string> axis_names;
     LightText light;
-};
-
-/// A requested document with the options for view, colours and solids applied.
-struct InputDocument : ReadDocument {
-    std::string path = {};  ///< of the document's file; empty: it has none
-    std::string note = {};  ///< LoadedDocument::note of the file
-    /// LoadedDocument::shown_on of the file, which its document has as its background.
-    std::optional<Background> shown_on = std::nullopt;
-    bool stored = false;  ///< it was kept as a document, with what is shown about its surfaces
 };
 
 /// Values of parameters, by name.
