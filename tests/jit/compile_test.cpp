@@ -1,6 +1,7 @@
 #include "jit/compile.hpp"
 
 #include "engine/interpret/interpret.hpp"
+#include "engine/real/processor.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/jit/machine_code.hpp"
 #include "tests/support/kernel_batch.hpp"
@@ -103,8 +104,11 @@ TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
               centres_and_errors(quick.in_float.form));
     const auto of_rays = centres_and_errors(quick.in_float.ray_form);
     const auto interpreted = centres_and_errors(interpret(expr).in_float.ray_form);
-    for (std::size_t i = 0; i < of_rays.size(); ++i)  // equal except for fused roundings
-        EXPECT_NEAR(of_rays[i], interpreted[i], 1e-6F);
+    // Equal except for fused roundings. Where there is no FMA, compiled code rounds a ray twice
+    // more than the interpreter, which fuses there all the same.
+    const float most_apart = machine_has_fma() ? 1e-6F : 2e-4F;
+    for (std::size_t i = 0; i < of_rays.size(); ++i)
+        EXPECT_NEAR(of_rays[i], interpreted[i], most_apart);
     EXPECT_EQ(centres_and_errors(meanwhile.in_float.ray_form), of_rays);
     EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
 }

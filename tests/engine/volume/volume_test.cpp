@@ -1,5 +1,6 @@
 #include "engine/volume/volume.hpp"
 
+#include "engine/real/processor.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/volume/spline.hpp"
 #include "tests/support/random_numbers.hpp"
@@ -249,6 +250,15 @@ TYPED_TEST(VolumeEnclosures, HoldTheValuesInBoxes) {
     EXPECT_GT(proved, 1'000);
 }
 
+/// Whether a form tells what the plain range tells. Without FMA forms in double are answered one by
+/// one where ranges are answered in vectors: both enclose, but not with the same bits.
+template <class Real, std::size_t forms>
+bool same_range(const std::array<Real, FieldRange::answers>& plain,
+                const std::array<Real, forms>& form) {
+    const std::size_t from = machine_has_fma() ? FieldRange::range : FieldRange::somewhere;
+    return std::equal(plain.begin() + from, plain.end(), form.begin() + from);
+}
+
 TYPED_TEST(VolumeEnclosures, HoldTheValueAtTheMiddleAndAllSlopesFromIt) {
     RandomNumbers random(32);
     int smooth = 0;
@@ -261,7 +271,7 @@ TYPED_TEST(VolumeEnclosures, HoldTheValueAtTheMiddleAndAllSlopesFromIt) {
                 middle[i] = box.lo[i] + (box.hi[i] - box.lo[i]) / 2;
             const auto found = TestFixture::form(*volume, box, middle);
             const auto plain = TestFixture::range(*volume, box);
-            ASSERT_TRUE(std::equal(plain.begin(), plain.end(), found.begin()));
+            ASSERT_TRUE(same_range(plain, found));
             if (!std::isfinite(found[FieldForm::at_middle])) continue;
             ++smooth;
             const auto value = [&](const std::array<double, 3>& at) {
@@ -278,6 +288,8 @@ TYPED_TEST(VolumeEnclosures, HoldTheValueAtTheMiddleAndAllSlopesFromIt) {
             const auto to = box.point(random);
             const Reference other = value(to);
             if (!other.defined) continue;
+            ASSERT_TRUE(TestFixture::holds(other.value, found[FieldForm::range],
+                                           found[FieldForm::range + 1]));
             // value(to) - value(from) in the sum of slopes times steps
             double lo = 0;
             double hi = 0;
