@@ -217,7 +217,7 @@ std::vector<AuditSurface> random_surfaces(std::size_t count, std::uint64_t seed)
         const double half = half_edges.at(random.below(half_edges.size()));
         Camera camera = suite_camera(half);
         const double distance = random.one_in(6) ? 0.7 : random.uniform(1.5, 4);
-        glm::dvec3 towards(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        glm::dvec3 towards{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         towards.z += 0.01;  // never along the up direction
         towards.x += 0.02;
         camera.eye = distance * half * glm::normalize(towards);
@@ -233,8 +233,8 @@ std::vector<AuditSurface> cut_open(std::vector<AuditSurface> surfaces, std::uint
         AuditSurface& surface = surfaces[i];
         const glm::dvec3 half = 0.5 * (surface.clip.hi - surface.clip.lo);
         const auto place = [&] {
-            const glm::dvec3 share(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6),
-                                   random.uniform(-0.6, 0.6));
+            const glm::dvec3 share{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6),
+                                   random.uniform(-0.6, 0.6)};
             return surface.clip.centre() + half * share;
         };
         if (i % 2 == 0) surface.camera.projection = Projection::Orthographic;

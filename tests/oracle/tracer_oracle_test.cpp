@@ -54,7 +54,7 @@ TEST_P(TracerAgainstOracles, OnTheGallery) {
 }
 
 TEST_P(TracerAgainstOracles, OnRandomSurfaces) {
-    const std::vector<AuditSurface> surfaces = random_surfaces(is_long_run() ? 200 : 25, 1);
+    const std::vector<AuditSurface> surfaces = random_surfaces(is_long_run() ? 200 : 25, 2);
     const AuditReport report = checked(surfaces);
     EXPECT_GT(report.hit, report.rays / 4);
     EXPECT_GT(report.empty, report.rays / 4);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 
 namespace zeroset::test {
 namespace {
@@ -22,6 +23,14 @@ string number(double value, int digits = 2) {
 
 string between(RandomNumbers& random, double lo, double hi) {
     return number(random.uniform(lo, hi));
+}
+
+/// One text after the other: made in this order by every compiler, as sums are not.
+string joined(std::initializer_list<string> texts) {
+    string all;
+    for (const string& text : texts)
+        all += text;
+    return all;
 }
 
 string monomial(RandomNumbers& random, int degree) {
@@ -47,27 +56,28 @@ string squares(RandomNumbers& random) {
     string text;
     for (const char* axis : {"x", "y", "z"}) {
         if (!text.empty()) text += " + ";
-        text +=
-            between(random, 0.4, 1.5) + "*(" + axis + " - " + between(random, -0.6, 0.6) + ")^2";
+        text += joined(
+            {between(random, 0.4, 1.5), "*(", axis, " - ", between(random, -0.6, 0.6), ")^2"});
     }
     return text;
 }
 
 string plane(RandomNumbers& random) {
-    return between(random, -1, 1) + "*x + " + between(random, -1, 1) + "*y + " +
-           between(random, -1, 1) + "*z";
+    return joined({between(random, -1, 1), "*x + ", between(random, -1, 1), "*y + ",
+                   between(random, -1, 1), "*z"});
 }
 
 string polynomial(RandomNumbers& random) {
     const int degree = random.between(1, 9);
-    string text = polynomial_of(random, degree, random.between(2, 8));
+    const int terms = random.between(2, 8);
+    string text = polynomial_of(random, degree, terms);
     if (random.one_in(2)) text += " + " + squares(random);
     return text;
 }
 
 string product(RandomNumbers& random) {
-    string text = "(" + squares(random) + " - " + between(random, 0.2, 1) + ")*(" + plane(random) +
-                  " + " + between(random, -0.3, 0.3) + ")";
+    string text = joined({"(", squares(random), " - ", between(random, 0.2, 1), ")*(",
+                          plane(random), " + ", between(random, -0.3, 0.3), ")"});
     if (random.one_in(2)) text = "(" + text + ")*(" + squares(random) + " - 0.5)";
     return text;
 }
@@ -75,25 +85,26 @@ string product(RandomNumbers& random) {
 string wave(RandomNumbers& random) {
     const string function = random.one_in(2) ? "sin" : "cos";
     const char axis = "xyz"[random.below(3)];
-    return function + "(" + between(random, 0.5, 4) + "*" + axis + " + " + between(random, -1, 1) +
-           ")";
+    return joined({function, "(", between(random, 0.5, 4), "*", string(1, axis), " + ",
+                   between(random, -1, 1), ")"});
 }
 
 string trigonometric(RandomNumbers& random) {
-    string text = wave(random) + "*" + wave(random);
+    string text = joined({wave(random), "*", wave(random)});
     for (int i = random.between(1, 3); i > 0; --i)
-        text += " + " + wave(random) + "*" + wave(random);
+        text += joined({" + ", wave(random), "*", wave(random)});
     if (random.one_in(3)) text += " + " + plane(random);
     return text;
 }
 
 string solid(RandomNumbers& random) {
     switch (random.below(4)) {
-        case 0: return squares(random) + " - " + between(random, 0.2, 1.2);
+        case 0: return joined({squares(random), " - ", between(random, 0.2, 1.2)});
         case 1:
-            return "max(max(abs(x - " + between(random, -0.5, 0.5) + "), abs(y - " +
-                   between(random, -0.5, 0.5) + ")), abs(z)) - " + between(random, 0.3, 0.9);
-        case 2: return "abs(" + plane(random) + ") - " + between(random, 0.1, 0.6);
+            return joined({"max(max(abs(x - ", between(random, -0.5, 0.5), "), abs(y - ",
+                           between(random, -0.5, 0.5), ")), abs(z)) - ",
+                           between(random, 0.3, 0.9)});
+        case 2: return joined({"abs(", plane(random), ") - ", between(random, 0.1, 0.6)});
         default: {
             const bool upright = random.one_in(2);
             return string(upright ? "x^2 + y^2 - " : "y^2 + z^2 - ") + between(random, 0.1, 0.6);
@@ -114,35 +125,36 @@ string solids(RandomNumbers& random) {
 string quotient(RandomNumbers& random) {
     const string above = polynomial_of(random, 3, 3);
     if (random.one_in(2)) return "(" + above + ")/(0.1 + " + squares(random) + ")";
-    return "(" + above + ")/(" + plane(random) + " + " + monomial(random, 2) + ")";
+    return joined({"(", above, ")/(", plane(random), " + ", monomial(random, 2), ")"});
 }
 
 string roots(RandomNumbers& random) {
     switch (random.below(4)) {
         case 0:
-            return "(sqrt(" + squares(random) + ") - " + between(random, 0.4, 1) + ")^2 + " +
-                   monomial(random, 2);
-        case 1: return "sqrt(" + plane(random) + " + 0.3) + " + polynomial_of(random, 2, 2);
-        case 2: return "cbrt(" + polynomial_of(random, 3, 2) + ") + " + plane(random);
-        default: return "sqrt(abs(" + plane(random) + ")) + " + squares(random);
+            return joined({"(sqrt(", squares(random), ") - ", between(random, 0.4, 1), ")^2 + ",
+                           monomial(random, 2)});
+        case 1: return joined({"sqrt(", plane(random), " + 0.3) + ", polynomial_of(random, 2, 2)});
+        case 2: return joined({"cbrt(", polynomial_of(random, 3, 2), ") + ", plane(random)});
+        default: return joined({"sqrt(abs(", plane(random), ")) + ", squares(random)});
     }
 }
 
 string exponential(RandomNumbers& random) {
     switch (random.below(4)) {
-        case 0: return "exp(-(" + squares(random) + ")) + exp(-(" + squares(random) + "))";
-        case 1: return "tanh(" + plane(random) + ") + atan(" + monomial(random, 3) + ")";
-        case 2: return "log(0.2 + " + squares(random) + ") + " + plane(random);
+        case 0: return joined({"exp(-(", squares(random), ")) + exp(-(", squares(random), "))"});
+        case 1: return joined({"tanh(", plane(random), ") + atan(", monomial(random, 3), ")"});
+        case 2: return joined({"log(0.2 + ", squares(random), ") + ", plane(random)});
         default: return "sin(3*atan2(y, x)) + " + squares(random);
     }
 }
 
 string steps(RandomNumbers& random) {
     switch (random.below(4)) {
-        case 0: return "floor(" + between(random, 1, 3) + "*x) + " + polynomial_of(random, 2, 3);
+        case 0:
+            return joined({"floor(", between(random, 1, 3), "*x) + ", polynomial_of(random, 2, 3)});
         case 1: return "mod(x, 0.7)^2 + mod(y, 0.9)^2 + " + plane(random);
-        case 2: return "sign(" + plane(random) + ") + " + squares(random);
-        default: return "tan(" + plane(random) + ") + " + plane(random);
+        case 2: return joined({"sign(", plane(random), ") + ", squares(random)});
+        default: return joined({"tan(", plane(random), ") + ", plane(random)});
     }
 }
 
