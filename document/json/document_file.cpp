@@ -94,7 +94,8 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
 }
 
 bool holds_picture_of(const fs::path& path, const Document& document, glm::ivec2 size_px) {
-    if (!fs::is_regular_file(path)) return false;
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return false;
     const auto bytes = begin_of_picture(path);
     if (!bytes) return false;
     const auto size = size_of_png(*bytes);

@@ -95,10 +95,13 @@ std::expected<void, FileError> NewFile::keep() {
 
 std::expected<void, FileError> check_writable(const fs::path& path) {
     if (path.empty()) return cannot_write(path, tr("the name is empty"));
-    if (fs::is_directory(path))
+    std::error_code error;
+    const fs::file_status found = fs::status(path, error);
+    if (found.type() == fs::file_type::none) return cannot_write(path, error.message());
+    if (fs::is_directory(found))
         return cannot_write(path, tr("it is a directory; name a file in it"));
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder)) {
+    if (!fs::is_directory(folder, error)) {
         return cannot_write(
             path, filled(tr("the folder {0} does not exist"), {"'" + folder.string() + "'"}));
     }

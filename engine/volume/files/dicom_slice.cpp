@@ -1,5 +1,6 @@
 #include "engine/volume/files/dicom_slice.hpp"
 
+#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/volume/files/dicom_elements.hpp"
 #include "engine/volume/files/dicom_packed.hpp"
@@ -179,8 +180,8 @@ Expected<Samples> rle_samples(const SliceHeader& header, const std::filesystem::
 Expected<Samples> packed_samples(const SliceHeader& header, const std::filesystem::path& file,
                                  const GridSize& size) {
     const auto told = [&](const std::string& problem) {
-        return std::unexpected(problem + " (transfer syntax '" + header.elements.transfer_syntax +
-                               "')");
+        return std::unexpected(problem + " (transfer syntax '" +
+                               printable(header.elements.transfer_syntax) + "')");
     };
     constexpr std::string_view item("\xfe\xff\x00\xe0", 4);
     if (!pixels_of(header).starts_with(item)) return told("its packed samples are not there");

@@ -1,6 +1,7 @@
 #include "engine/volume/files/sample_file.hpp"
 
 #include "engine/base/parallel.hpp"
+#include "engine/base/printable.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/volume/files/mapped_file.hpp"
 
@@ -193,7 +194,7 @@ ReadSamples written_out(const SampleBlock& block, std::string_view text, std::ui
                 problem = "it is too short: " + std::to_string(count) + " numbers are announced, " +
                           std::to_string(i) + " are there";
             } else if (!read_number(word, out[i])) {
-                problem = "'" + std::string(word.substr(0, 20)) + "' is no " +
+                problem = "'" + printable(word.substr(0, 20)) + "' is no " +
                           std::string(name_of(block.type));
             }
         }

@@ -96,6 +96,14 @@ TEST_F(FileTest, RefusesAFolderAsFile) {
     EXPECT_EQ(files(), 0);
 }
 
+TEST_F(FileTest, RefusesANameThatIsTooLong) {
+    const fs::path path = folder_ / std::string(300, 'x');
+    expect_refused(check_writable(path), path);
+    expect_refused(check_writable(path / "out"), path / "out");
+    expect_refused(write_file(path, bytes_of("x")), path);
+    EXPECT_EQ(files(), 0);
+}
+
 TEST_F(FileTest, LeavesNothingBehindWithoutPermission) {
     if (::geteuid() == 0) GTEST_SKIP() << "permissions do not stop root";
     fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);

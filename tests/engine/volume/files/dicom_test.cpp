@@ -216,6 +216,9 @@ TEST_F(Dicom, WhatIsNoGridGetsItsLine) {
             .substr(4),
         "' of the series: its packed samples are not there (transfer syntax "
         "'1.2.840.10008.1.2.4.90')");
+    const std::string damaged =
+        error_of(series("damaged", [](Slice& slice) { slice.syntax = "1.2.840\n10008.1.2.4.90"; }));
+    EXPECT_TRUE(damaged.ends_with("(transfer syntax '1.2.840\uFFFD10008.1.2.4.90')")) << damaged;
 }
 
 /// Elements without types, in sequences of any length, and of types that none are known of.
