@@ -33,12 +33,12 @@ build_preset() {
 }
 # Where a window is driven by its timing, or time is measured to choose, sanitizers are too slow.
 timed='^(pipeline/code_choice|window|window_input|window_state|user_tasks|portal|gallery_pictures|drawings|command_line|without_ffmpeg)$'
-# oneTBB and LLVM are not built with sanitizers; GDCM and Mesa leak by themselves.
+# oneTBB, LLVM and Mesa are not built with sanitizers; GDCM and Mesa leak by themselves.
 sanitizer_options() {
     export ASAN_OPTIONS=detect_stack_use_after_return=0:allocator_may_return_null=1
     export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.txt:print_suppressions=0
     export UBSAN_OPTIONS=print_stacktrace=1
-    export TSAN_OPTIONS=halt_on_error=0:second_deadlock_stack=1
+    export TSAN_OPTIONS=halt_on_error=0:second_deadlock_stack=1:suppressions=$PWD/tests/tsan.txt
     ulimit -s 65536  # with sanitizers a formula nested as deep as it may be takes more than 8 MB
 }
 released=build/release/tests
