@@ -228,10 +228,10 @@ template <class Batch>
 struct Counting {
     KernelFunction<Batch> whole;
     std::atomic<bool>* cancel;
-    int calls = 0;
+    mutable std::atomic<int> calls = 0;
 
     static void call(const void* code, const Batch* batch) {
-        auto& self = *static_cast<Counting*>(const_cast<void*>(code));
+        const auto& self = *static_cast<const Counting*>(code);
         ++self.calls;
         if (self.cancel != nullptr) *self.cancel = true;
         self.whole(*batch);
@@ -287,7 +287,7 @@ class UnprovedTracerTest : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(UnprovedTracerTest, DrawsWhereTheSurfaceIsAndDecidesNothing) {
     for (const Analytic& analytic : analytic_scenes()) {
-        Scene scene = scene_of(analytic.text, analytic.clip);
+        const Scene scene = scene_of(analytic.text, analytic.clip);
         Framebuffer frame(41, 31);
         render_frame(scene, analytic.camera, settings_at(GetParam(), 14), frame);
         const double cell = analytic.clip.size() * std::exp2(-14);
