@@ -25,7 +25,8 @@
 namespace zeroset {
 namespace {
 
-/// What is typed may name any file; a document or a shared session only those beside it.
+/// The folder from which an equation names its volumes: a typed one may name any file, a document
+/// or a shared session only those beside it.
 VolumeFolder folder_of_volumes(const std::string& equation) {
     if (is_document_name(equation) || is_picture_name(equation) || is_import_path(equation))
         return {.folder = std::filesystem::path(equation).parent_path(), .closed = true};
