@@ -10,7 +10,6 @@
 #include "engine/rewrite/traceable.hpp"
 #include "engine/rewrite/unrestricted.hpp"
 #include "engine/rewrite/value_side.hpp"
-#include "pipeline/csg_code.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/patch_surface.hpp"
 #include "pipeline/sample_region.hpp"
@@ -103,14 +102,6 @@ void add_facts(Formula& formula) {
     }
 }
 
-/// Tells each kernel of the parts of its function.
-void add_csg_parts(Formula& formula) {
-    for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (is_patch(formula.drawn[i])) continue;
-        set_csg_parts(formula.kernels[i], formula.drawn[i], formula.code == CodeState::Machine);
-    }
-}
-
 /// Returns the formula with the interpreter's code, which always evaluates in float and in double.
 Formula interpreted(Formula formula) {
     std::vector<Kernel> kernels;
@@ -121,7 +112,6 @@ Formula interpreted(Formula formula) {
     }
     formula.kernels = with_patches(formula, std::move(kernels));
     add_facts(formula);
-    add_csg_parts(formula);
     return formula;
 }
 
@@ -176,7 +166,6 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
         add_facts(formula);
-        add_csg_parts(formula);
     }
     formula.compile_ms = ms_since(start);
     return formula;
@@ -202,7 +191,6 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
     }
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;
-    add_csg_parts(result);
     result.compile_ms += ms_since(start);
     return result;
 }

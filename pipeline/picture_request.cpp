@@ -1,6 +1,7 @@
 #include "pipeline/picture_request.hpp"
 
 #include "document/colors.hpp"
+#include "engine/render/tracers.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/trace/caps.hpp"
 #include "pipeline/contour_step.hpp"
@@ -152,9 +153,21 @@ Scene scene_as_written(const PictureRequest& request) {
     return scene;
 }
 
+/// Lets all tracers read the formulas of the surfaces that are shown.
+void let_read_formulas(const PictureRequest& request) {
+    const Formula& formula = *request.formula;
+    for (const Tracer& tracer : tracers()) {
+        if (tracer.read_formula == nullptr) continue;
+        for (const std::size_t surface : shown_indices(request))
+            tracer.read_formula(formula.kernels[surface], formula.drawn[surface],
+                                formula.code == CodeState::Machine);
+    }
+}
+
 }  // namespace
 
 Scene scene_of(const PictureRequest& request) {
+    let_read_formulas(request);
     Scene scene = scene_as_written(request);
     turn_fronts_out(scene);
     std::vector<PointFunction> values;

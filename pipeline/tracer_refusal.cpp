@@ -10,10 +10,9 @@ std::optional<std::string> tracer_refusal(std::string_view tracer, std::string_v
                                           const PictureRequest& request) {
     const Tracer* const found = find_tracer(tracer);
     if (found == nullptr || !request.formula) return std::nullopt;
-    const bool is_usual = found == tracers().data();
     for (const std::size_t surface : shown_indices(request)) {
         const Kernel& kernel = request.formula->kernels[surface];
-        if (!is_usual && is_patch(kernel)) {
+        if (!found->draws_patches && is_patch(kernel)) {
             return std::string(name) + ": " +
                    tr("draws equations alone; for parametric surfaces, curves and points choose "
                       "beams");

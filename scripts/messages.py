@@ -19,10 +19,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "resources/languages"
-SOURCES = ["engine", "document", "pipeline", "ui", "app"]
+SOURCES = ["engine", "document", "pipeline", "ui", "app", "papers"]
 # Tables whose members are texts: file, members.
 TABLES = {
     "engine/render/tracers.cpp": ["about"],
+    "papers/tracers/paper_tracers.cpp": ["about"],
     "ui/actions/document_actions.cpp": ["name", "about"],
     "ui/actions/other_words.cpp": ["words"],
     "ui/actions/picture_actions.cpp": ["name", "about"],

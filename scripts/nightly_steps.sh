@@ -60,13 +60,13 @@ step_tidy() { scripts/tidy.sh; }
 step_avx2() { ZEROSET_WIDEST=32 suite build/release; }
 step_sse4() { ZEROSET_WIDEST=16 suite build/release; }
 step_random() {
-    "$released/inclusion_checks"
-    "$released/inclusion_checks" --forms 1 --checks 10000000
+    "$released/inclusion_checks" --checks 20000000
+    "$released/inclusion_checks" --forms 1 --checks 3000000
     ZEROSET_FORMULAS=20000 "$released/oracle_tests" --gtest_filter='KernelInclusion*'
     ZEROSET_FORMULAS=2000 "$released/jit_tests" --gtest_filter='*HasTheInterpretersBits*'
     ZEROSET_FORMULAS=200 "$released/oracle_tests" --gtest_filter='-KernelInclusion*'
-    "$released/ray_checks" --size 128
-    "$released/ray_checks" --cut 1 --gallery 0
+    "$released/ray_checks" --rays 500 --edges 500
+    "$released/ray_checks" --cut 1 --gallery 0 --rays 500 --edges 500
     "$released/ray_checks" --size 512 --dstop 22 --surfaces 500 --rays 300 --edges 300 --bits 21 beams
 }
 step_exhaustive() { "$released/elementary_exhaustive"; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the results of `zeroset compare --json FILE` as Markdown tables for resources/docs/papers.md:
+"""Prints the results of `zeroset compare --json FILE` as Markdown tables for papers/papers.md:
 a table for each file, a row for each tracer, a column for each surface and tolerance. With --means
 one table of all files together, a row for each tracer: its times over those of beams on the same
 surface at the same tolerance in the same file."""

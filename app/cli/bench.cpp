@@ -53,8 +53,7 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     if (command.light.reflections)
         return InputError{.reason = has + "no --reflections; leave it out"};
     if (command.tracers && command.tracers->contains(',')) {
-        return InputError{.reason =
-                              has + "one --tracer; type " + std::string(tracers().front().name)};
+        return InputError{.reason = has + "one --tracer; type " + std::string(usual_tracer().name)};
     }
     return std::nullopt;
 }
@@ -76,7 +75,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     if (!budget) return std::unexpected(budget.error());
     plan.budget_s = *budget;
     if (const auto wrong = take_light(command.light, plan.light)) return std::unexpected(*wrong);
-    const std::string names = command.tracers.value_or(std::string(tracers().front().name));
+    const std::string names = command.tracers.value_or(std::string(usual_tracer().name));
     for (std::size_t begin = 0; begin <= names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
         TraceText text;

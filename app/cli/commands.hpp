@@ -99,22 +99,6 @@ struct BenchCommand {
 };
 int run_bench(const BenchCommand& command);
 
-/// Times tracers on a paper's surfaces, beside what it printed.
-struct CompareCommand {
-    std::optional<std::string> table, surfaces, tracers, d_stop, threads, size, repeat, budget,
-        json, plot;
-};
-int run_compare(const CompareCommand& command);
-
-/// Repeats the traversals of octrees in 128 bits and prints what differs, as JSON.
-struct TraversalCommand {
-    std::string equation;
-    ViewText view;
-    std::optional<std::string> levels, threads;
-    std::string size = "512x512";
-};
-int run_traversal(const TraversalCommand& command);
-
 /// Brings other programs' files into a folder of sessions with pictures.
 struct ImportCommand {
     std::vector<std::string> files;

@@ -3,7 +3,6 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
-#include "engine/render/tracers.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/film.hpp"
@@ -54,10 +53,8 @@ OrInputError<FilmJob> job_of(const FilmCommand& command) {
     job.input = std::move(*input);
     if (const auto wrong = take_look(command.trace, job.input.document))
         return std::unexpected(*wrong);
-    if (job.input.document.jumps && job.settings.tracer != tracers().front().name) {
-        return wrong_input("--jumps: only the tracer beams finds jumps; leave out --tracer " +
-                           job.settings.tracer);
-    }
+    if (const auto wrong = check_jumps(job.input.document, job.settings))
+        return std::unexpected(*wrong);
     auto plan = read_film_plan(command, job.input);
     if (!plan) return std::unexpected(plan.error());
     job.plan = std::move(*plan);

@@ -6,8 +6,8 @@
 #include "app/platform/process.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/export/file.hpp"
-#include "engine/render/tracers.hpp"
 #include "engine/scene/tolerance.hpp"
+#include "engine/trace/trace_frame.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/probe_document.hpp"
 
@@ -115,10 +115,8 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     plan.document = std::move(input->document);
     plan.rows = std::move(*input->rows);
     if (const auto wrong = take_look(command.trace, plan.document)) return std::unexpected(*wrong);
-    if (plan.document.jumps && plan.settings.tracer != tracers().front().name) {
-        return wrong_input("--jumps: only the tracer beams finds jumps; leave out --tracer " +
-                           plan.settings.tracer);
-    }
+    if (const auto wrong = check_jumps(plan.document, plan.settings))
+        return std::unexpected(*wrong);
     return plan;
 }
 

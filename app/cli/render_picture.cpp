@@ -106,7 +106,7 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
     RenderPlan& plan = drawing.picture.plan;
     // Fitting evaluates many ranges, as do all tracers but beams, so that machine code pays.
     const bool few =
-        is_one_frame(plan) && !plan.fits && plan.settings.tracer == tracers().front().name;
+        is_one_frame(plan) && !plan.fits && plan.settings.tracer == usual_tracer().name;
     auto prepared =
         prepare(plan.document, plan.rows, few ? Preparation::Interpreted : Preparation::Compiled);
     if (!prepared) return prepared.error();

@@ -84,7 +84,7 @@ ui::UiState first_state(const DesktopOptions& options) {
     for (const Tracer& tracer : tracers())
         state.shown.tracers.push_back({.name = std::string(tracer.name),
                                        .about = std::string(tracer.about),
-                                       .finds_jumps = &tracer == tracers().data()});
+                                       .finds_jumps = tracer.finds_jumps});
     state.shown.language_help = language_help();
     for (const GalleryItem& item : gallery())
         state.shown.gallery.push_back({.title = item.title,

@@ -9,6 +9,8 @@
 
 namespace zeroset {
 
+class Expr;
+
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`
 /// (engine/render/tracers.hpp): camera, kernels, shading and framebuffer are shared.
 struct Tracer {
@@ -22,6 +24,12 @@ struct Tracer {
     bool specializes = false;
     bool takes_open_space = false;  ///< knows of TraceFrame::open
     bool takes_unions = false;      ///< knows of TraceFrame::union_members
+    bool draws_patches = false;     ///< parametric surfaces, curves and points, too
+    bool finds_jumps = false;       ///< knows of Scene::jumps
+    /// Finds in a surface's formula what it needs beside the kernel's functions, and keeps it in
+    /// Kernel::memory. Called before each frame; machine code is wanted where there is such of the
+    /// kernel. Any thread. No function: it needs nothing else.
+    void (*read_formula)(const Kernel& kernel, const Expr& surface, bool by_machine_code) = nullptr;
     /// Makes what belongs to a surface rather than to a view of it, on so many threads (0: all
     /// cores), or finds it where a frame before has left it (Kernel::memory); nullptr where `limit`
     /// is over. Called once for a frame; the kernel is the whole one. No function: there is

@@ -1,6 +1,5 @@
 #include "pipeline/formula.hpp"
 
-#include "engine/kernel/csg_parts.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/support/formulas.hpp"
 
@@ -80,21 +79,6 @@ TEST(CompileFormula, MakesCodeInDoubleOnDemand) {
     EXPECT_EQ(deep.kernels[1].in_float.range, formula->kernels[1].in_float.range);
     const auto at_once = compile_formula("x^2 + y = z; z = 2", {}, Precision::Double);
     EXPECT_TRUE(at_once.value().has_code(Precision::Double));
-}
-
-std::size_t parts_of(const Formula& formula) {
-    return formula.kernels[0].memory->of<CsgParts>()->kernels().size();
-}
-
-TEST(CompileFormula, TellsOfThePartsOfSolids) {
-    const Formula solid =
-        compile_formula("max(x^2 + y^2 + z^2 - 1, -min(x - y^2, z + 0.2)) = 0.1").value();
-    EXPECT_EQ(parts_of(solid), 3U);
-    const Formula deep = with_double(solid);
-    ASSERT_EQ(parts_of(deep), 3U);
-    EXPECT_TRUE(deep.kernels[0].memory->of<CsgParts>()->kernels()[0].has_double);
-    EXPECT_EQ(parts_of(compile_formula("x^2 + y^2 + z^2 = 1").value()), 0U);
-    EXPECT_EQ(parts_of(compile_formula("sin(max(x, y)) = z").value()), 0U);
 }
 
 std::string union_of(int count) {

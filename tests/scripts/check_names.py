@@ -12,7 +12,7 @@ import re
 import sys
 from pathlib import Path
 
-ROOMS = ("engine", "jit", "document", "pipeline", "ui", "app")
+ROOMS = ("engine", "jit", "document", "pipeline", "ui", "app", "papers")
 NAMESPACE = re.compile(r"\bnamespace\b\s*([\w:]*)$")
 TYPE = re.compile(
     r"\b(?:enum\s+class|enum|struct|class|union)\s+(?:alignas\([^)]*\)\s*)?(\w+)"

@@ -250,6 +250,12 @@ std::optional<InputError> take_look(const TraceText& text, Document& document) {
     return text.axis_names ? take_axis_names(*text.axis_names, document) : std::nullopt;
 }
 
+std::optional<InputError> check_jumps(const Document& document, const TraceSettings& settings) {
+    if (!document.jumps || find_tracer(settings.tracer)->finds_jumps) return std::nullopt;
+    return InputError{.reason = "--jumps: only the tracer " + std::string(usual_tracer().name) +
+                                " finds jumps; leave out --tracer " + settings.tracer};
+}
+
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
     TraceSettings settings;
     if (text.tracer) {

@@ -76,6 +76,9 @@ OrInputError<Antialias> read_antialias(const std::string& text);
 /// Reads the options for tracing; those for the look belong to the document, see take_look.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
 
+/// An error where the document shows jumps and the tracer does not know of any.
+std::optional<InputError> check_jumps(const Document& document, const TraceSettings& settings);
+
 inline constexpr double default_budget_s = 30.0;
 
 /// Reads the seconds of --budget, 0.001 to 1,000,000; default_budget_s if absent.

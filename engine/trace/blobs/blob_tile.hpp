@@ -1,10 +1,10 @@
 #pragma once
 
-#include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/blobs/blob_hits.hpp"
 #include "engine/trace/blobs/blob_surface.hpp"
 #include "engine/trace/blobs/ray_block.hpp"
 #include "engine/trace/blobs/slab_balls.hpp"
+#include "engine/trace/ray_lines.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/trace/along_rays/ray_lines.hpp"
 #include "engine/trace/field_gradients.hpp"
+#include "engine/trace/ray_lines.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/voxels/ray_cubic.hpp"
 #include "engine/volume/geometry.hpp"

@@ -17,7 +17,7 @@
 
 #pragma once
 
-#include "engine/trace/along_rays/ray_lines.hpp"
+#include "engine/trace/ray_lines.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/voxels/block_walk.hpp"
 #include "engine/trace/voxels/grid_borders.hpp"

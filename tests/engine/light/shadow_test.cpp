@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, Shadow, testing::ValuesIn(names_of(proving_
 // A quotient is drawn as its numerator with the denominator's sign. Where that is not known the
 // form is the numerator's, whose sign tells nothing of the quotient's before and behind.
 TEST(Shadows, OfAQuotientAreThoseOfItsNumerator) {
-    const std::string tracer(tracers().front().name);
+    const std::string tracer(usual_tracer().name);
     const std::string numerator = "(sin(5 x) + sin(4 y) + sin(5 z) - 0.1 x)";
     const Box clip = Box::cube(1.5);
     const Camera camera = default_camera(clip);

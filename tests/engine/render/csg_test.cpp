@@ -56,7 +56,10 @@ TEST_P(Solid, IsTheSameWithSpecializedKernels) {
     EXPECT_GT(counts.certified, 1000U);
     EXPECT_LE(differences(picture_of(scene, "beams", camera), expected), 40);
     EXPECT_LE(differences(picture_of(scene, "k-bisection", camera), expected), 80);
-    EXPECT_LE(differences(picture_of(scene, "csg-by-roots", camera), expected), 80);
+    for (const Tracer& tracer : tracers()) {
+        if (tracer.name != "csg-by-roots") continue;  // one of papers, in their tests
+        EXPECT_LE(differences(picture_of(scene, "csg-by-roots", camera), expected), 80);
+    }
 }
 
 std::string spheres(const char* function, int count) {

@@ -1,0 +1,289 @@
+// The command line: zeroset [EQUATION | @NAME | FILE] opens the window, zeroset SUBCOMMAND needs no
+// window.
+
+#include "app/cli/commands.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/report.hpp"
+#include "app/cli/window_command.hpp"
+#include "app/desktop/desktop.hpp"
+#include "app/main/add_exports.hpp"
+#include "app/main/add_options.hpp"
+#include "app/main/add_paper_commands.hpp"
+#include "app/platform/process.hpp"
+#include "document/import/import.hpp"
+#include "engine/base/text.hpp"
+#include "engine/export/file.hpp"
+#include "engine/volume/files/mapped_file.hpp"
+#include "jit/compile.hpp"
+#include "papers/tracers/paper_tracers.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// A subcommand draws no pages that are lost.
+bool end_if_lost(const void* address) noexcept {
+    if (is_mapped(address)) end_on_lost_page();
+    return false;
+}
+
+CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
+    CLI::App* const shot_app = app.add_subcommand("ui-shot", "draw the window into a file");
+    shot_app->footer(
+        "Needs no display. An error in the equation is drawn as the window shows it: the exit code "
+        "is 0.");
+    add_value(*shot_app, "EQUATION", shot.equation,
+              "the formula, @NAME, FILE.zeroset.json, or - (default: the gallery's first)");
+    add_value(*shot_app, "-o,--output", shot.output, "the picture: a PNG file");
+    add_value(*shot_app, "--size", shot.size,
+              "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
+    add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
+    add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    add_value(*shot_app, "--language", shot.language,
+              "of the window's texts: en (default), de, fr or es");
+    add_value(*shot_app, "--pointer", shot.pointer,
+              "where the pointer rests: X,Y from the left and the top, at scale 1");
+    add_repeated(*shot_app, "--do", shot.actions,
+                 "the name of an action (Ctrl+K lists them), such as Gallery; may be repeated");
+    shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
+    add_view_options(*shot_app, shot.view);
+    add_trace_options(*shot_app, shot.trace);
+    return shot_app;
+}
+
+/// Puts a space before arguments such as "-x^2+y", which are equations: CLI11 takes words with a
+/// leading space for values, and the readers of values drop the space.
+std::vector<std::string> protected_arguments(int argc, char** argv) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    for (std::string& argument : arguments) {
+        const bool dash = argument.size() > 1 && argument[0] == '-' && argument[1] != '-';
+        const bool flag = argument == "-h" || argument.starts_with("-o");
+        if (dash && !flag) argument.insert(0, 1, ' ');
+    }
+    return {arguments.rbegin(), arguments.rend()};
+}
+
+/// The options of the window alone.
+struct WindowText {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string latency_log;
+    bool present = false;
+};
+
+int open_window(const WindowText& text) {
+    if (text.present && text.equation.empty()) {
+        return report({.reason = "--present: there is nothing to be shown; type zeroset --present "
+                                 "FILE.zeroset.json"});
+    }
+    auto options = read_desktop_options(text.equation, text.view, text.trace, TextErrors::Refused);
+    if (!options) return report(options.error());
+    options->tour = text.equation.empty();
+    options->read_only = text.present;
+    if (!text.latency_log.empty()) {
+        const auto writable = check_writable(text.latency_log);
+        if (!writable) return report_run_time(writable.error().message);
+        options->latency_log = text.latency_log;
+    }
+    const auto ran = run_desktop(*options);
+    return ran ? exit_ok : report_run_time(ran.error());
+}
+
+CLI::App* add_import(CLI::App& app, ImportCommand& imports) {
+    CLI::App* const import_app = app.add_subcommand(
+        "import", "bring other programs' files into a folder of sessions with pictures");
+    import_app->footer("Reads files that end in " + import_endings() +
+                       ". What cannot be taken over goes to stderr, a line for each thing. Exit "
+                       "code 2: a file could not be read.");
+    import_app->add_option("FILE", imports.files, "the files; one may hold many surfaces")
+        ->required();
+    add_value(*import_app, "-o,--output", imports.folder, "the folder, made if need be")
+        ->required();
+    add_value(*import_app, "--size", imports.size, "WIDTHxHEIGHT of the pictures (default 320)");
+    add_value(*import_app, "--budget", imports.budget,
+              "seconds for a picture, which then stays unfinished (default 30)");
+    import_app->add_flag("--no-pictures", imports.no_pictures, "sessions only");
+    add_value(*import_app, "--json", imports.json, "what became of each surface, as a JSON file");
+    return import_app;
+}
+
+CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
+    CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
+    gallery_app->add_flag("--names", gallery.names, "only the names, one a line");
+    gallery_app->add_flag("--json", gallery.json, "as JSON");
+    return gallery_app;
+}
+
+CLI::App* add_explain(CLI::App& app, ExplainCommand& explain) {
+    CLI::App* const explain_app = app.add_subcommand("explain", "show how a formula is read");
+    add_value(*explain_app, "EQUATION", explain.equation, "the formula, @NAME, or -")->required();
+    add_value(*explain_app, "--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
+    add_parameters(*explain_app, explain.set);
+    explain_app->add_flag("--ir", explain.ir, "also the LLVM IR");
+    explain_app->add_flag("--asm", explain.assembly, "also the machine code's assembly");
+    explain_app->add_flag("--json", explain.json, "as JSON");
+    return explain_app;
+}
+
+CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
+    CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
+    add_value(*bench_app, "--suite", bench.suite,
+              "a JSON file of surfaces (default: the gallery's)");
+    add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
+    auto* const d_stop =
+        add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
+    add_value(*bench_app, "--levels", bench.levels, "as for render")->excludes(d_stop);
+    add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
+    add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
+    add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    bench_app->add_flag("--shadows", bench.shadows, "let the surfaces throw shadows");
+    auto* const smooth =
+        bench_app->add_flag("--antialias", bench.antialias, "smooth edges: --aa iaa");
+    add_value(*bench_app, "--aa", bench.aa, "smooth edges: iaa, none, or 4, 9, 16, 64 rays a pixel")
+        ->excludes(smooth);
+    add_value(*bench_app, "--look", bench.light.look, "as for render (default standard)");
+    add_value(*bench_app, "--reflections", bench.light.reflections,
+              "how often a ray is mirrored, 0 (default) to 5");
+    add_value(*bench_app, "--budget", bench.budget,
+              "seconds after which a frame ends undecided (default 30)");
+    add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
+    bench_app->add_flag("--first-picture", bench.first_picture,
+                        "time the window's way from an edit to its first picture instead, of all "
+                        "of the gallery; without --json, --budget and light");
+    return bench_app;
+}
+
+CLI::App* add_sample(CLI::App& app, SampleCommand& sample) {
+    CLI::App* const sample_app = app.add_subcommand(
+        "sample", "write f, or the distance to its surface, on a grid as a volume (NRRD)");
+    sample_app->footer(R"(Draw it again with "scan = volume(\"FILE.nrrd\"); scan(x,y,z) = 0".)");
+    add_equation(*sample_app, sample.equation);
+    add_value(*sample_app, "-o,--output", sample.output, "FILE.nrrd to write")->required();
+    add_value(*sample_app, "--size", sample.size,
+              "samples: NXxNYxNZ, or N along the box's longest edge (default 128)");
+    add_value(*sample_app, "--box", sample.box, "L or x0,x1,y0,y1,z0,z1, as for render");
+    add_value(*sample_app, "--w", sample.w, "the value of w");
+    add_value(*sample_app, "--surface", sample.surface, "of several surfaces the N-th");
+    sample_app->add_flag("--distance", sample.distance,
+                         "the distance to the surface, negative where f < 0, in place of f");
+    add_value(*sample_app, "--tolerance", sample.tolerance,
+              "how far off distances may be (default: a twentieth of the spacing)");
+    add_parameters(*sample_app, sample.set);
+    return sample_app;
+}
+
+/// The values of all subcommands' options.
+struct Commands {
+    RenderCommand render;
+    FilmCommand turntable, animate;
+    MeshCommand mesh;
+    SampleCommand sample;
+    DrawCommand draw;
+    ShareCommand share;
+    ImportCommand imports;
+    UiShotCommand shot;
+    GalleryCommand gallery;
+    ExplainCommand explain;
+    BenchCommand bench;
+    PaperCommands papers;
+};
+
+/// A subcommand and what it does.
+using Subcommand = std::pair<const CLI::App*, std::function<int()>>;
+
+/// Adds all of them in the order of the help. `commands` must outlive the result.
+std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
+    CLI::App* const language_app =
+        app.add_subcommand("language", "print the page of the formula language (Markdown)");
+    Commands& c = commands;
+    return {
+        {add_render(app, c.render), [&c] { return run_render(c.render); }},
+        {add_turntable(app, c.turntable), [&c] { return run_film(c.turntable); }},
+        {add_animate(app, c.animate), [&c] { return run_film(c.animate); }},
+        {add_mesh(app, c.mesh), [&c] { return run_mesh(c.mesh); }},
+        {add_sample(app, c.sample), [&c] { return run_sample(c.sample); }},
+        {add_draw(app, c.draw), [&c] { return run_draw(c.draw); }},
+        {add_share(app, c.share), [&c] { return run_share(c.share); }},
+        {add_import(app, c.imports), [&c] { return run_import(c.imports); }},
+        {add_ui_shot(app, c.shot), [&c] { return run_ui_shot(c.shot); }},
+        {add_gallery(app, c.gallery), [&c] { return run_gallery(c.gallery); }},
+        {add_explain(app, c.explain), [&c] { return run_explain(c.explain); }},
+        {add_bench(app, c.bench), [&c] { return run_bench(c.bench); }},
+        {add_compare(app, c.papers.compare), [&c] { return run_compare(c.papers.compare); }},
+        {add_traversal(app, c.papers.traversal),
+         [&c] { return run_traversal(c.papers.traversal); }},
+        {language_app, [] { return run_language(); }},
+    };
+}
+
+int run(int argc, char** argv) {
+    add_paper_tracers();
+    CLI::App app{
+        "Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
+        "Without a subcommand it opens the window.",
+        "zeroset"};
+    app.require_subcommand(0, 1);
+    app.set_version_flag("--version", "zeroset " ZEROSET_VERSION, "print the version and end");
+    WindowText window;
+    add_value(app, "EQUATION", window.equation,
+              "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
+              "gallery, FILE.zeroset.json, a PNG that holds a session, another program's FILE (see "
+              "zeroset "
+              "import --help), a FOLDER/ of files to choose from, zeroset:... as shared, or - for "
+              "standard input");
+    app.add_flag(
+        "--present", window.present,
+        "show EQUATION, a FILE mostly, to a class: the picture on the full screen with the "
+        "sliders chosen for it; nothing else can be changed or saved");
+    add_view_options(app, window.view);
+    add_trace_options(app, window.trace);
+    add_value(app, "--latency-log", window.latency_log,
+              "a file of JSON lines: how long each input took to change the picture");
+    Commands commands;
+    const std::vector<Subcommand> subcommands = add_subcommands(app, commands);
+    try {
+        app.parse(protected_arguments(argc, argv));
+    } catch (const CLI::CallForVersion& answer) {
+        return app.exit(answer);
+    } catch (const CLI::Success& answer) {  // --help
+        describe_formats(app);
+        return app.exit(answer);
+    } catch (const CLI::ParseError& error) {
+        return report(
+            {.reason = std::string(error.what()) + " (zeroset --help lists what there is)"});
+    }
+    if (window.present && !app.get_subcommands().empty()) {
+        return report({.reason = "--present opens the window: leave out " +
+                                 app.get_subcommands().front()->get_name()});
+    }
+    if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
+    on_lost_pages(app.get_subcommands().empty() ? fill_lost_pages : end_if_lost);
+    for (const auto& [subcommand, run_subcommand] : subcommands) {
+        if (!*subcommand) continue;
+        const int result = run_subcommand();
+        const auto missing = jit::missing_code();
+        if (missing && result == exit_ok) std::cerr << "note: " << *missing << '\n';
+        return result;
+    }
+    return open_window(window);
+}
+
+}  // namespace
+}  // namespace zeroset
+
+int main(int argc, char** argv) {
+    if (!__builtin_cpu_supports("sse4.2") || !__builtin_cpu_supports("aes") ||
+        !__builtin_cpu_supports("pclmul")) {
+        std::cerr << "error: Zeroset needs a processor with SSE4.2, AES and PCLMULQDQ\n";
+        return zeroset::exit_run_time;
+    }
+    return zeroset::run(argc, argv);
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "papers/commands/paper_commands.hpp"
+#include "papers/compare/animations.hpp"
+
+namespace zeroset {
+
+/// `zeroset compare` of an animation: frames by one grid for several of them, and by one for each.
+int run_compare_animation(const CompareCommand& command, const PrintedAnimation& animation);
+
+}  // namespace zeroset

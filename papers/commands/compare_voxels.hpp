@@ -1,0 +1,11 @@
+#pragma once
+
+#include "papers/commands/paper_commands.hpp"
+#include "papers/compare/voxel_tables.hpp"
+
+namespace zeroset {
+
+/// `zeroset compare` of a table of rays in voxels [Marmitt04]; returns the exit code.
+int run_compare_voxels(const CompareCommand& command, const VoxelTable& table);
+
+}  // namespace zeroset
