@@ -6,6 +6,7 @@
 steps=(
     'tests        the whole suite, as test.sh runs it, but long; builds the benchmarks'
     'mutants      programs that round wrongly are found out'
+    'pictures     the documents show what the program draws'
     'alone        each header and test includes what it uses'
     'tidy         clang-tidy over the whole program'
     'avx2         the suite on registers of 32 bytes'
@@ -51,6 +52,10 @@ step_mutants() {
     cmake --build --preset test --target mutants
     suite build/release -C mutants -R '^mutants/'
 }
+step_pictures() {
+    cmake --build --preset test --target zeroset
+    scripts/pictures.py --check build/release/zeroset
+}
 step_alone() {
     local files
     # The tidy step reads each of the program's sources by itself.
@@ -61,14 +66,17 @@ step_tidy() { scripts/tidy.sh; }
 step_avx2() { ZEROSET_WIDEST=32 suite build/release; }
 step_sse4() { ZEROSET_WIDEST=16 suite build/release; }
 step_random() {
-    "$released/inclusion_checks" --checks 20000000
-    "$released/inclusion_checks" --forms 1 --checks 3000000
-    ZEROSET_FORMULAS=20000 "$released/oracle_tests" --gtest_filter='KernelInclusion*'
-    ZEROSET_FORMULAS=2000 "$released/jit_tests" --gtest_filter='*HasTheInterpretersBits*'
-    ZEROSET_FORMULAS=200 "$released/oracle_tests" --gtest_filter='-KernelInclusion*'
-    "$released/ray_checks" --rays 500 --edges 500
-    "$released/ray_checks" --cut 1 --gallery 0 --rays 500 --edges 500
-    "$released/ray_checks" --size 512 --dstop 22 --surfaces 500 --rays 300 --edges 300 --bits 21 beams
+    local seed=$RANDOM  # others each time, as many short runs see more than one long run again
+    printf 'seed %s\n' "$seed"
+    "$released/inclusion_checks" --checks 10000000 --seed "$seed"
+    "$released/inclusion_checks" --forms 1 --checks 2000000 --seed "$seed"
+    ZEROSET_FORMULAS=5000 "$released/oracle_tests" --gtest_filter='KernelInclusion*'
+    ZEROSET_FORMULAS=500 "$released/jit_tests" --gtest_filter='*HasTheInterpretersBits*'
+    ZEROSET_FORMULAS=50 "$released/oracle_tests" --gtest_filter='-KernelInclusion*'
+    "$released/ray_checks" --rays 300 --edges 300 --surfaces 100 --seed "$seed"
+    "$released/ray_checks" --cut 1 --gallery 0 --rays 300 --edges 300 --surfaces 100 --seed "$seed"
+    "$released/ray_checks" --size 512 --dstop 22 --surfaces 100 --rays 300 --edges 300 --bits 21 \
+        --seed "$seed" beams
 }
 step_exhaustive() { "$released/elementary_exhaustive"; }
 step_lean() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Generates from rooms.txt the tables of rooms in README.md and resources/docs/architecture.md, and
-the lists of folders in .clang-format and .clang-tidy.
+"""Generates from rooms.txt the table of rooms in resources/docs/architecture.md, and the lists of
+folders in .clang-format and .clang-tidy.
 
 Usage: room_tables.py [--check]. With --check nothing is written: prints the files that do not match
 rooms.txt and exits 1 if there are any.
@@ -25,8 +25,17 @@ def rooms(lines):
     return [(row[0].strip(), row[2].strip()) for row in rows if row[2].strip()]
 
 
-def table(head, rows):
-    return "\n".join([f"| {head} | |", "|---|---|"] + [f"| `{a}/` | {b} |" for a, b in rows])
+def links(folder, names):
+    """Returns links to the pages of a folder's rooms, as seen from resources/docs."""
+    inside = [name for name in names if name == folder or name.startswith(folder + "/")]
+    return ", ".join(f"[{name.removeprefix(folder + '/')}](../../{name}/README.md)"
+                     for name in inside if (ROOT / name / "README.md").exists())
+
+
+def table(lines):
+    names = [name for name, _ in rooms(lines)]
+    rows = [f"| `{name}/` | {purpose} | {links(name, names)} |" for name, purpose in folders(lines)]
+    return "\n".join(["| folder | | rooms |", "|---|---|---|"] + rows)
 
 
 def replaced(text, pattern, replacement, name):
@@ -42,8 +51,7 @@ def written(lines):
     code = "|".join(name for name, _ in folders(lines) if name != "resources")
     between = r"(?<=<!-- rooms -->\n).*?(?=\n<!-- end -->)"
     changes = {
-        "README.md": (between, table("folder", folders(lines))),
-        "resources/docs/architecture.md": (between, table("room", rooms(lines))),
+        "resources/docs/architecture.md": (between, table(lines)),
         ".clang-format": (r"(?<=\{Regex: '\^\"\()[^)]*(?=\)/', Priority: 1\})", code),
         ".clang-tidy": (r"(?<=HeaderFilterRegex: '/\()[^)]*(?=\)/')", code),
     }

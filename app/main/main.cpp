@@ -9,6 +9,9 @@
 #include "app/main/add_exports.hpp"
 #include "app/main/add_options.hpp"
 #include "app/main/add_paper_commands.hpp"
+#include "app/main/command_line_page.hpp"
+#include "app/main/help_format.hpp"
+#include "app/main/help_groups.hpp"
 #include "app/platform/process.hpp"
 #include "document/import/import.hpp"
 #include "engine/base/text.hpp"
@@ -21,6 +24,7 @@
 
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -201,8 +205,6 @@ using Subcommand = std::pair<const CLI::App*, std::function<int()>>;
 
 /// Adds all of them in the order of the help. `commands` must outlive the result.
 std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
-    CLI::App* const language_app =
-        app.add_subcommand("language", "print the page of the formula language (Markdown)");
     Commands& c = commands;
     return {
         {add_render(app, c.render), [&c] { return run_render(c.render); }},
@@ -220,7 +222,14 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
         {add_compare(app, c.papers.compare), [&c] { return run_compare(c.papers.compare); }},
         {add_traversal(app, c.papers.traversal),
          [&c] { return run_traversal(c.papers.traversal); }},
-        {language_app, [] { return run_language(); }},
+        {app.add_subcommand("language", "print the page of the formula language (Markdown)"),
+         [] { return run_language(); }},
+        {app.add_subcommand("command-line", "print the page of the command line (Markdown)"),
+         [&app] {
+             describe_formats(app);
+             print(command_line_page(app));
+             return exit_ok;
+         }},
     };
 }
 
@@ -247,8 +256,14 @@ int run(int argc, char** argv) {
     add_trace_options(app, window.trace);
     add_value(app, "--latency-log", window.latency_log,
               "a file of JSON lines: how long each input took to change the picture");
+    app.formatter(std::make_shared<HelpFormat>());
     Commands commands;
     const std::vector<Subcommand> subcommands = add_subcommands(app, commands);
+    group_options(app);
+    for (const char* const name : {"ui-shot", "bench", "language", "command-line"})
+        app.get_subcommand(name)->group("To develop Zeroset");
+    for (const char* const name : {"compare", "traversal"})
+        app.get_subcommand(name)->group("To compare with papers");
     try {
         app.parse(protected_arguments(argc, argv));
     } catch (const CLI::CallForVersion& answer) {

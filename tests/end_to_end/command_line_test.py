@@ -375,6 +375,21 @@ class HelpTest(ProgramTest):
         for command in ("render", "draw", "gallery", "explain", "bench", "compare", "traversal"):
             self.assertIn("--help", self.run_ok(command, "--help").out)
 
+    def test_the_page_of_the_command_line_is_the_one_in_the_documents(self):
+        page = SOURCE_DIR / "resources" / "docs" / "command-line.md"
+        self.assertEqual(self.run_ok("command-line").out, page.read_text(encoding="utf-8"),
+                         f"write it anew: zeroset command-line > {page}")
+
+    def test_help_shows_what_matters_first_in_lines_that_fit(self):
+        text = self.run_ok("render", "--help").out
+        groups = [line for line in text.splitlines() if line.endswith(":") and line[0] != " "]
+        self.assertEqual(groups[:4], ["Positionals:", "Often used:", "Camera:", "Clip:"])
+        first = text[text.index("Often used:"):text.index("Camera:")]
+        for option in ("--output", "--size", "--box", "--set", "--fit", "--section", "--look",
+                       "--color-by", "--shadows", "--aa"):
+            self.assertIn(option, first)
+        self.assertLessEqual(max(map(len, text.splitlines())), 100)
+
 
 if __name__ == "__main__":
     main()

@@ -104,10 +104,10 @@ TEST(Actions, AreDescribedWithTheirFirstKeys) {
     EXPECT_EQ(described(action_named("Light theme")), "Light theme");
 }
 
-TEST(Actions, HaveTheirKeysInTheReadme) {
-    std::ifstream file(ZEROSET_SOURCE_DIR "/README.md");
-    const std::string readme(std::istreambuf_iterator<char>(file), {});
-    const std::string table = readme.substr(readme.find("| key, mouse |"));
+TEST(Actions, HaveTheirKeysOnTheWindowsPage) {
+    std::ifstream file(ZEROSET_SOURCE_DIR "/resources/docs/window.md");
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    const std::string table = page.substr(page.find("| key, mouse |"));
     for (const Action& action : actions()) {
         const std::string keys = shown_keys(action);
         EXPECT_TRUE(keys.empty() || table.contains(keys)) << keys;
