@@ -8,6 +8,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/base/utf8.hpp"
 #include "engine/volume/files/volume_file.hpp"
+#include "pipeline/input/input_source.hpp"
 #include "pipeline/volume_document.hpp"
 #include "pipeline/volume_source.hpp"
 #include "ui/style/label.hpp"
@@ -246,7 +247,7 @@ void Session::choose_file_to_open(Purpose purpose) {
 }
 
 bool Session::browse(const std::string& path) {
-    if (!browse_ || is_volume_file(path)) return false;
+    if (!browse_ || classify(path).kind == InputKind::Volume) return false;
     auto collection = collection_at(path);
     if (!collection) {
         say_failure(collection.error());
@@ -272,10 +273,10 @@ void Session::begin(Document document, const std::string& path) {
 }
 
 void Session::load(const std::string& path) {
-    if (is_volume_file(path)) return load_volume(path);
+    if (classify(path).kind == InputKind::Volume) return load_volume(path);
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
-    use_volume_folder({.folder = std::filesystem::path(path).parent_path(), .closed = true});
+    use_volume_folder(volumes_beside(path));
     begin(std::move(loaded->document), loaded->is_source ? "" : path);
     if (!loaded->is_source) recent_.add(path);
     const bool is_list = loaded->note.contains('\n');

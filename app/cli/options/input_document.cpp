@@ -9,6 +9,7 @@
 #include "engine/base/text.hpp"
 #include "engine/volume/files/volume_file.hpp"
 #include "pipeline/gallery.hpp"
+#include "pipeline/input/input_source.hpp"
 #include "pipeline/volume_document.hpp"
 #include "pipeline/volume_source.hpp"
 
@@ -19,19 +20,10 @@
 #include <iostream>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace zeroset {
 namespace {
-
-/// The folder from which an equation names its volumes: a typed one may name any file, a document
-/// or a shared session only those beside it.
-VolumeFolder folder_of_volumes(const std::string& equation) {
-    if (is_document_name(equation) || is_picture_name(equation) || is_import_path(equation))
-        return {.folder = std::filesystem::path(equation).parent_path(), .closed = true};
-    return {.folder = {}, .closed = is_share_text(equation)};
-}
 
 /// The document of a text, in the clip box of its volumes.
 ReadDocument typed_document(std::string_view text) {
@@ -48,13 +40,6 @@ OrInputError<InputDocument> imported_document(const std::string& path) {
         std::cerr << "zeroset: " << printable(note_text(path, note)) << "\n";
     return InputDocument{
         read_document(std::move(imported->document)), {}, notes_listed(imported->notes), {}, true};
-}
-
-/// Whether the text is the name of a file rather than a formula, though of none that is opened.
-bool names_other_file(const std::string& equation) {
-    std::error_code ignored;
-    return std::filesystem::path(equation).has_extension() &&
-           std::filesystem::is_regular_file(equation, ignored);
 }
 
 /// Whether a text that is no formula may well name a file: /tmp/scene.json, scan.dcm.
@@ -85,45 +70,56 @@ OrInputError<InputDocument> formula_document(const std::string& equation) {
     return InputDocument{std::move(read)};
 }
 
+/// The document of a file of a session, or of a picture that holds one.
+OrInputError<InputDocument> saved_document(const std::string& path) {
+    auto loaded = load_document(path);
+    if (!loaded) return wrong_input(loaded.error());
+    if (loaded->shown_on && !loaded->document.light.background)
+        loaded->document.light.background = loaded->shown_on;
+    return InputDocument{read_document(std::move(loaded->document)), loaded->is_source ? "" : path,
+                         loaded->note, loaded->shown_on, true};
+}
+
+OrInputError<InputDocument> volume_document(const std::string& path) {
+    auto volume = document_of_volume(path);
+    if (!volume) return std::unexpected(volume.error());
+    return InputDocument{read_document(std::move(*volume))};
+}
+
+OrInputError<InputDocument> shared_document(const std::string& text) {
+    auto shared = document_from(text);
+    if (!shared) return wrong_input("zeroset:...: " + shared.error());
+    return InputDocument{read_document(std::move(shared->document)), {}, {}, {}, true};
+}
+
+OrInputError<InputDocument> gallery_document(std::string_view name) {
+    const auto item = gallery_item(name);
+    if (!item) return std::unexpected(item.error());
+    return InputDocument{read_document(*item)};
+}
+
 }  // namespace
 
 OrInputError<InputDocument> stored_document(const std::string& equation) {
-    use_volume_folder(folder_of_volumes(equation));
-    if (is_document_name(equation) || is_picture_name(equation)) {
-        auto loaded = load_document(equation);
-        if (!loaded) return wrong_input(loaded.error());
-        if (loaded->shown_on && !loaded->document.light.background)
-            loaded->document.light.background = loaded->shown_on;
-        return InputDocument{read_document(std::move(loaded->document)),
-                             loaded->is_source ? "" : equation, loaded->note, loaded->shown_on,
-                             true};
+    const InputSource source = classify(equation);
+    use_volume_folder(source.volumes);
+    switch (source.kind) {
+        case InputKind::Document: return saved_document(equation);
+        case InputKind::OtherProgram: return imported_document(equation);
+        case InputKind::Volume: return volume_document(equation);
+        case InputKind::Folder:
+            return wrong_input("'" + equation +
+                               "' is a folder: the window shows what is in it, with zeroset " +
+                               equation + "; for a picture type one of its files");
+        case InputKind::Shared: return shared_document(equation);
+        case InputKind::Gallery: return gallery_document(std::string_view(equation).substr(1));
+        case InputKind::OtherFile: return wrong_input(what_is_opened(equation));
+        case InputKind::StandardInput:
+            return InputDocument{
+                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}))};
+        case InputKind::Formula: break;
     }
-    if (is_import_path(equation)) return imported_document(equation);
-    if (is_volume_file(equation) && !equation.contains('"')) {
-        auto volume = document_of_volume(equation);
-        if (!volume) return std::unexpected(volume.error());
-        return InputDocument{read_document(std::move(*volume))};
-    }
-    std::error_code ignored;
-    if (equation.contains('/') && std::filesystem::is_directory(equation, ignored)) {
-        return wrong_input("'" + equation +
-                           "' is a folder: the window shows what is in it, with zeroset " +
-                           equation + "; for a picture type one of its files");
-    }
-    if (is_share_text(equation)) {
-        auto shared = document_from(equation);
-        if (!shared) return wrong_input("zeroset:...: " + shared.error());
-        return InputDocument{read_document(std::move(shared->document)), {}, {}, {}, true};
-    }
-    if (equation.starts_with('@')) {
-        const auto item = gallery_item(std::string_view(equation).substr(1));
-        if (!item) return std::unexpected(item.error());
-        return InputDocument{read_document(*item)};
-    }
-    if (names_other_file(equation)) return wrong_input(what_is_opened(equation));
-    if (equation != "-") return formula_document(equation);
-    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    return InputDocument{typed_document(text)};
+    return formula_document(equation);
 }
 
 }  // namespace zeroset
