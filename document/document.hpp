@@ -28,7 +28,7 @@ struct Thickness {
 };
 inline constexpr double most_pixels_thick = 1000.0;
 
-/// As it is typed: "0.05", or "3 px".
+/// The thickness as it is typed: "0.05", or "3 px".
 std::string thickness_text(const Thickness& thickness);
 std::optional<Thickness> thickness_from(std::string_view text);
 

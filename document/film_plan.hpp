@@ -39,7 +39,7 @@ enum class FilmEnd : std::uint8_t {
 /// How a change begins and ends.
 enum class Easing : std::uint8_t { Linear, Smooth };
 
-/// What changes in a film.
+/// The frames of a film and what changes in them.
 struct FilmPlan {
     int frames = 180;
     FrameRate rate;

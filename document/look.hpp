@@ -22,7 +22,7 @@ enum class Contours : std::uint8_t {
     Coordinates,  ///< each of x, y and z: the grid of the coordinate system
     Expression,
 };
-/// As it is typed: none, height, xyz, expression.
+/// The name as it is typed: none, height, xyz, expression.
 std::string_view name_of(Contours contours);
 std::optional<Contours> contours_named(std::string_view name);
 

@@ -69,7 +69,7 @@ Document document_of(const std::vector<TextRow>& rows) {
     return renumbered(std::move(document), 1);
 }
 
-/// What a document's rows say; `row_at` finds the index of the row at an offset.
+/// The program of a document's rows; `row_at` finds the index of the row at an offset.
 template <class RowAt>
 RowProgram row_program(std::string text, Program program, const Document& document,
                        const RowAt& row_at) {

@@ -12,7 +12,7 @@
 
 namespace zeroset {
 
-/// What a drawing of a document is to show. Contour lines are the document's.
+/// The choice of what a drawing of a document shows. Contour lines are the document's.
 struct DrawingChoice {
     PageSize page;
     std::array<bool, 5> kinds{true, true, true, true, true};  ///< by CurveKind

@@ -3,8 +3,6 @@
 #include "engine/base/clock.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/kernel/field_level.hpp"
-#include "engine/kernel/sheet_mark.hpp"
 #include "engine/rewrite/level_of_field.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
 #include "engine/rewrite/traceable.hpp"
@@ -44,13 +42,14 @@ std::vector<Expr> implicit_surfaces(const Formula& formula) {
 }
 
 /// The kernels of all surfaces, from those of `implicit_surfaces`. Those of parametric surfaces
-/// stay, if there are any, with what is known of them.
+/// stay, if there are any.
 std::vector<Kernel> with_patches(const Formula& formula, std::vector<Kernel> implicit) {
     std::vector<Kernel> kernels;
     auto next = implicit.begin();
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
         if (!is_patch(formula.drawn[i])) {
             kernels.push_back(std::move(*next++));
+            kernels.back().facts = formula.facts[i];
         } else if (i < formula.kernels.size()) {
             kernels.push_back(formula.kernels[i]);
         } else {
@@ -82,24 +81,18 @@ std::expected<std::vector<Kernel>, InputError> machine_code(const Formula& formu
     return with_patches(formula, std::move(*kernels));
 }
 
-/// Adds to each kernel what its code does not tell: the witnesses of its function's zeros, the
-/// field that it is.
-void add_facts(Formula& formula) {
-    for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
-        if (is_patch(formula.drawn[i])) continue;
-        Kernel& kernel = formula.kernels[i];
-        if (const auto is = level_of_field(formula.drawn[i])) {
-            *kernel.memory->of<FieldLevel>() = {.field = is->field,
-                                                .level = interpret(is->level).in_double.range};
-        }
-        for (const Expr& witness : root_witnesses(formula.drawn[i]))
-            kernel.witnesses.push_back(interpret(witness).in_double.range);
-        if (formula.program->sheets[i]) kernel.memory->of<SheetMark>();
-        kernel.defined_everywhere = is_defined_everywhere(formula.drawn[i]);
-        if (kernel.witnesses.empty()) continue;
-        if (const auto domain = domain_witness(formula.drawn[i]))
-            kernel.domain = interpret(*domain).in_double.range;
+/// The facts known of a surface that is drawn as f = 0.
+std::shared_ptr<const SurfaceFacts> found_facts(const Expr& f, bool is_sheet) {
+    SurfaceFacts facts{.defined_everywhere = is_defined_everywhere(f), .is_sheet = is_sheet};
+    if (const auto is = level_of_field(f))
+        facts.field = {.field = is->field, .level = interpret(is->level).in_double.range};
+    for (const Expr& witness : root_witnesses(f))
+        facts.witnesses.push_back(interpret(witness).in_double.range);
+    if (!facts.witnesses.empty()) {
+        if (const auto domain = domain_witness(f))
+            facts.domain = interpret(*domain).in_double.range;
     }
+    return std::make_shared<const SurfaceFacts>(std::move(facts));
 }
 
 /// Returns the formula with the interpreter's code, which always evaluates in float and in double.
@@ -111,7 +104,6 @@ Formula interpreted(Formula formula) {
         if (!has_many_choices(surface)) kernel.specializer = nullptr;
     }
     formula.kernels = with_patches(formula, std::move(kernels));
-    add_facts(formula);
     return formula;
 }
 
@@ -150,10 +142,12 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
                                                          : interpret_points(value_side(shown)));
         if (is_patch(surface)) {
             formula.drawn.push_back(surface);
+            formula.facts.emplace_back();
             formula.unrestricted.emplace_back();
             continue;
         }
         const Expr& drawn = formula.drawn.emplace_back(traceable(surface, sample_region(region)));
+        formula.facts.push_back(found_facts(drawn, formula.program->sheets[index]));
         const auto whole = unrestricted(drawn);
         auto& value = formula.unrestricted.emplace_back();
         if (whole) value = interpret(*whole).in_float.value;
@@ -165,7 +159,6 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
         auto kernels = machine_code(formula, use, Precision::Float);
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
-        add_facts(formula);
     }
     formula.compile_ms = ms_since(start);
     return formula;
@@ -181,14 +174,6 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
     }
     auto kernels = machine_code(formula, use, precision);
     if (!kernels) return std::unexpected(kernels.error());
-    for (std::size_t i = 0; i < kernels->size(); ++i) {
-        if (is_patch(formula.drawn[i])) continue;
-        (*kernels)[i].witnesses = formula.kernels[i].witnesses;
-        (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
-        (*kernels)[i].domain = formula.kernels[i].domain;
-        *(*kernels)[i].memory->of<FieldLevel>() = *formula.kernels[i].memory->of<FieldLevel>();
-        if (formula.program->sheets[i]) (*kernels)[i].memory->of<SheetMark>();
-    }
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;
     result.compile_ms += ms_since(start);

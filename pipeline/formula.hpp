@@ -2,6 +2,7 @@
 
 #include "document/row_program.hpp"
 #include "engine/expr/patch_graph.hpp"
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/box.hpp"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,13 +42,16 @@ struct Formula : RowProgram {
     std::vector<Expr> drawn{};
     Box region;                     ///< the region in which `drawn` is tightest
     std::vector<Kernel> kernels{};  ///< one for each of `drawn`
+    /// The facts known of each of `drawn`, whatever its code is: its kernels have them. nullptr for
+    /// parametric ones, whose only kernel has them.
+    std::vector<std::shared_ptr<const SurfaceFacts>> facts{};
     /// The surfaces that are curves or points, as the uniforms behind the parameters tell their
     /// thickness (pipeline/patch_surface.hpp), one after the other.
     std::vector<ThickSurface> thick{};
     std::vector<PointRow> points{};  ///< the surfaces that are points
     /// Solid::unrestricted for each of `drawn`.
     std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted{};
-    /// What sections show of each surface, as it was typed; none for parametric ones.
+    /// The function that sections show of each surface, as it was typed; none for parametric ones.
     std::vector<PointFunction> section_values{};
     CodeState code = CodeState::Machine;
     double compile_ms = 0.0;  ///< time from text to code

@@ -17,7 +17,7 @@
 
 namespace zeroset {
 
-/// What is asked for of the meshes of a document.
+/// The settings for the meshes of a document.
 struct MeshSettings {
     std::optional<double> tolerance =
         std::nullopt;                ///< world units; none: a thousandth of the clip box's edge
@@ -26,7 +26,7 @@ struct MeshSettings {
     std::optional<std::size_t> surface =
         std::nullopt;   ///< its number, from 1 on; none: all that are shown
     bool open = false;  ///< without what ends the solid
-    /// Of each surface, open, a wall of this thickness instead, millimetres.
+    /// The thickness of a wall that each surface, taken as open, becomes instead; millimetres.
     std::optional<double> wall_mm = std::nullopt;
     bool thin = true;
     int depth = 0;  ///< MeshOptions::depth
@@ -64,8 +64,8 @@ std::string nothing_found(const DocumentMeshes& meshes);
 /// One line on what of a surface's topology is proved.
 std::string proof_line(const MeshReport& report);
 
-/// What ended the work on a surface before it was done, one line for each; `more_time`: how to give
-/// it more of it.
+/// The limits that ended the work on a surface before it was done, one line for each; `more_time`:
+/// how to give it more of it.
 std::vector<std::string> limit_lines(const MeshReport& report, const std::string& more_time);
 
 }  // namespace zeroset

@@ -24,7 +24,7 @@ struct ShownSurface {
     std::optional<std::uint32_t> color;  ///< front colour, 0xRRGGBB; none: the palette's
     SolidSide solid = SolidSide::Automatic;
     SurfaceLook look = {};
-    /// Of a curve or a point; none: as suits the clip box.
+    /// The thickness of a curve or a point; none: as suits the clip box.
     std::optional<Thickness> thickness = std::nullopt;
 
     bool operator==(const ShownSurface&) const = default;

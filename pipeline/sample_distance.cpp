@@ -76,7 +76,7 @@ double reach_beyond(const GridPlan& plan, const NearSurface& inside) {
     return *std::ranges::max_element(reach);
 }
 
-/// What is proved of f's sign at a point.
+/// The sign of f that is proved at a point.
 enum class PointSign : std::uint8_t { Below, Above, Unknown, Undefined };
 
 class PointSigns {
@@ -85,7 +85,7 @@ public:
         boxes_.resize(batch_multiple);
     }
 
-    /// Of a row of samples. In upward rounding.
+    /// Finds the signs at a row of samples. In upward rounding.
     void find(const GridPoints& points, std::size_t row) {
         const std::size_t count = points.width();
         boxes_.make_room(count);
@@ -120,7 +120,7 @@ struct Answer {
     double error;  ///< bounds how far it is off
 };
 
-/// Of the samples of a row that are not proved.
+/// The errors of the samples of a row that are not proved.
 struct RowErrors {
     std::uint64_t count = 0;
     double worst = 0;
@@ -163,7 +163,7 @@ DistanceGrid distances(const SurfaceFunction& function, const GridPlan& plan,
             signs.find(points, row);
         }
         each_distance_in(points, surface, row, [&](std::size_t i, DistanceBounds bounds) {
-            // What lies beyond the region was not looked at.
+            // The surface beyond the region was not looked at.
             bounds.lo = std::min(bounds.lo, depth_in(region, points.point(row, i)));
             const Answer answer = answer_of(bounds, signs.at(i), signs.guess(i));
             (*numbers)[row * points.width() + i] = static_cast<float>(answer.value);

@@ -22,17 +22,6 @@ std::string slider_name(const Expr& coordinate) {
     return is_slider ? std::string(variable_name(root.number, coordinate.parameters())) : "";
 }
 
-bool is_in(const Box& box, const glm::dvec3& at) {
-    return glm::all(glm::lessThanEqual(box.lo, at)) && glm::all(glm::lessThanEqual(at, box.hi));
-}
-
-bool is_in(const Region& region, const glm::dvec3& at) {
-    if (region.ball && glm::distance(at, region.ball->centre) > region.ball->radius) return false;
-    return std::ranges::all_of(region.sections, [&](const Section& section) {
-        return glm::dot(section.normal, at) <= section.offset;
-    });
-}
-
 }  // namespace
 
 std::vector<ShownPoint> shown_points(const Formula* formula, const Document& document,
@@ -55,9 +44,9 @@ std::vector<ShownPoint> shown_points(const Formula* formula, const Document& doc
             point.at[static_cast<int>(k)] = at;
             point.sliders.at(k) = slider_name(coordinate);
         }
-        const bool is_shown = is_somewhere && is_in(document.clip, point.at) &&
-                              (!row->box || is_in(*row->box, point.at)) &&
-                              is_in(document.region, point.at);
+        const bool is_shown = is_somewhere && document.clip.contains(point.at) &&
+                              (!row->box || row->box->contains(point.at)) &&
+                              document.region.contains(point.at);
         if (!is_shown) continue;
         const ThicknessUniforms q =
             thickness_of(PatchKind::Point, row->thickness, document.clip, camera, height_px);

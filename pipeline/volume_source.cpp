@@ -46,7 +46,7 @@ bool is_within(const fs::path& file, const fs::path& folder) {
     return end == folder.end() || (end != folder.end() && end->empty());
 }
 
-/// What is typed behind the file's name.
+/// The arguments that are typed behind the file's name.
 struct Wanted {
     VolumeOptions options;
     std::optional<SplineKind> spline;  ///< absent: trilinear
@@ -267,7 +267,7 @@ private:
                                               .hint = {},
                                               .at = call.file.empty() ? call.text : call.file});
         }
-        // Of a file that has changed only the newest is kept.
+        // Only the newest volume of a file that has changed is kept.
         std::erase_if(latest_, [&](const auto& old) { return old->text() == call.text; });
         latest_.push_back(*volume);
         if (latest_.size() > most_kept) latest_.pop_front();

@@ -150,7 +150,7 @@ int finish(const DrawCommand& command, const DrawJob& job, const LineDrawing& dr
     return written ? exit_ok : report_run_time(written.error());
 }
 
-/// What is drawn already by a thread that is still running.
+/// The drawing as far as a thread that is still running has made it.
 LineDrawing stuck_drawing(DrawJob& job) {
     const DrawingChoice& choice = job.plan.choice;
     LineDrawing drawing{.size = choice.page,

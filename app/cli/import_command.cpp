@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What became of one document of a file.
+/// The result for one document of a file.
 struct Brought {
     std::string file, name, session;
     std::string failure;  ///< why nothing is drawn; empty where something is

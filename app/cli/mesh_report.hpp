@@ -4,7 +4,7 @@
 
 #include <string>
 
-// What `mesh` says of what it made.
+// The texts that `mesh` prints about what it made.
 
 namespace zeroset {
 

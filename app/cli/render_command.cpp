@@ -52,7 +52,7 @@ bool is_drawn_in_bands(const RenderPlan& plan) {
     return pixels > (needs_light(plan.picture) ? whole_light_pixels : whole_pixels);
 }
 
-/// What cannot be asked of a picture that is never in memory as a whole.
+/// The error for an option that cannot go with a picture that is never in memory as a whole.
 std::optional<InputError> refused_in_bands(const RenderCommand& command, const RenderPlan& plan) {
     if (!plan.in_bands) return std::nullopt;
     const auto refused = [&](const std::string& option) {

@@ -27,11 +27,11 @@ public:
     /// Gives the complete files their names.
     std::expected<void, FileError> finish();
 
-    /// What was counted for --stats.
+    /// The counts for --stats.
     [[nodiscard]] const CertificateCounts& certificates() const { return certificates_; }
     /// Number of pixels that show each surface.
     [[nodiscard]] const std::vector<std::size_t>& surfaces() const { return surfaces_; }
-    /// What the files took.
+    /// The time spent on the files.
     [[nodiscard]] double writing_ms() const { return writing_ms_; }
 
 private:

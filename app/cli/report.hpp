@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-// What a command prints, and its end: the exit code, and one line on stderr for an error.
+// The output of a command, and its end: the exit code, and one line on stderr for an error.
 
 namespace zeroset {
 

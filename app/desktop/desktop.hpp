@@ -115,7 +115,7 @@ private:
     void play();
     /// Has saved what is wished for, and tells of what has ended.
     void follow_exports();
-    /// Of what files are made; nothing while the rows have an error.
+    /// The source of all files that are made; nothing while the rows have an error.
     [[nodiscard]] std::optional<ExportSubject> export_subject() const;
     [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<PictureRequest> wanted_picture() const;

@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// Of what everything is made that the window saves.
+/// The source of everything that the window saves.
 struct ExportSubject {
     Document document;  ///< with its camera
     std::shared_ptr<const Formula> formula;

@@ -39,7 +39,7 @@ ExportWork picture_work(ExportSubject subject, const ui::PictureExport& wish,
 
 /// A film, or numbered pictures where the name has a #.
 ExportWork film_work(ExportSubject subject, const ui::FilmExport& wish, std::filesystem::path path);
-/// What changes in the film that is wished for.
+/// The changes in the film that is wished for.
 FilmPlan plan_of(const ui::FilmExport& wish, const Document& document);
 
 /// Makes the meshes, or says in one line why there are none.

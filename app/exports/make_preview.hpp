@@ -8,7 +8,7 @@
 
 namespace zeroset {
 
-/// What a preview is made of: equal requests give equal previews.
+/// The source of a preview: equal requests give equal previews.
 struct PreviewRequest {
     ExportSubject subject;
     ui::ExportWish wish;
@@ -23,7 +23,7 @@ struct PreviewRequest {
     bool operator==(const PreviewRequest&) const = default;
 };
 
-/// What is known of a file beforehand. Its texture and `doing` are empty.
+/// A preview of a file that is not yet made. The texture and `doing` of `shown` are empty.
 struct Preview {
     PreviewRequest request;
     ui::ExportPreview shown;

@@ -85,7 +85,7 @@ ExportOutcome write_level_sets(const ExportSubject& subject, const ui::MeshExpor
                               {path.filename().string(), std::to_string(encoded->nodes)}));
 }
 
-/// What a file is made of, with code that takes no time to make.
+/// The request that a file is made from, with code that takes no time to make.
 std::expected<PictureRequest, std::string> request_of(const ExportSubject& subject) {
     auto prepared = prepare(subject.document, subject.rows(), Preparation::Interpreted);
     if (!prepared) return std::unexpected(prepared.error().reason);

@@ -27,7 +27,7 @@ public:
     void want(std::optional<PreviewRequest> request);
     /// The newest preview not yet taken.
     std::optional<Preview> take();
-    /// What is being done, while a preview is being made.
+    /// The work in progress, in words, while a preview is being made.
     [[nodiscard]] std::string doing() const;
     /// True while the wanted preview is not taken.
     [[nodiscard]] bool busy() const;

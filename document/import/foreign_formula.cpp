@@ -112,7 +112,7 @@ private:
         return result;
     }
 
-    /// What a minus that binds more than ^ stands before.
+    /// The operand of a minus that binds more tightly than ^.
     ReadTerm tight_operand() {
         if (tokens_.at_sign("-") || tokens_.at_sign("+")) return prefix();
         return operand();

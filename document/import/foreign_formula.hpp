@@ -16,7 +16,7 @@
 
 namespace zeroset {
 
-/// What differs between the programs' formulas.
+/// The differences between the programs' formulas.
 struct Dialect {
     bool minus_before_power = false;  ///< -x^2 is (-x)^2, as in surf
     bool power_from_left = false;     ///< x^y^z is (x^y)^z

@@ -17,7 +17,8 @@ struct ImportPlace {
     std::string choice;  ///< a name, or a number from 1; empty: the first
 };
 
-/// What a path means: as a whole, or up to a # where there is no such file.
+/// The place that a path names: the file is all of it, or the part before a # where there is no
+/// such file.
 ImportPlace import_place(const std::string& path);
 
 /// Whether the path is one of a file that is read as an import.

@@ -27,7 +27,7 @@ struct ImportNote {
 struct ImportedDocument {
     std::string name;  ///< as the file calls it; empty where it does not
     Document document{};
-    /// Of each row its line in the file, 0 where there is none, and whether it is a surface.
+    /// For each row: its line in the file, 0 where there is none, and whether it is a surface.
     std::vector<std::size_t> row_lines = {};
     std::vector<bool> row_draws = {};
     bool tells_box = false;    ///< the clip box is the file's own
@@ -42,7 +42,7 @@ struct ImportedDocument {
     void add_definition(std::string text, std::size_t line);
 };
 
-/// What a file holds.
+/// The contents of a file.
 struct Imported {
     std::vector<ImportedDocument> documents;  ///< at least one
     std::vector<ImportNote> notes = {};       ///< about no single document

@@ -252,7 +252,8 @@ private:
         return box;
     }
 
-    /// What keeps a component in its box: ", x0 < x < x1" for each axis that needs it.
+    /// The conditions that keep a component in its box: ", x0 < x < x1" for each axis that needs
+    /// it.
     static std::string within(const Box& box, const Box& all) {
         std::string text;
         for (int axis = 0; axis < 3; ++axis) {

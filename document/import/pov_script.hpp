@@ -33,8 +33,7 @@ class PovScript {
 public:
     explicit PovScript(std::string_view text);
 
-    /// What follows "#declare NAME =", where it is no value: reads it, and returns whether it knew
-    /// it.
+    /// Reads what follows "#declare NAME =" where it is no value, and returns whether it knew it.
     std::function<bool(const std::string& name)> on_declare;
     std::function<void(std::size_t line, std::string_view entry, std::string reason)> on_note;
 

@@ -5,7 +5,7 @@
 
 namespace zeroset {
 
-/// What a field's answer over a box encloses.
+/// The enclosure that a field's answer over a box tells.
 template <class Question, class Answers>
 auto field_enclosure(const Field& field, int derivative, const Answers& out) {
     using Real = typename Answers::value_type;

@@ -124,7 +124,7 @@ void Card::add_directions() {
     at_.y += line_em * unit;
 }
 
-/// What is told of marked pixels.
+/// The kinds of marked pixels that the legend explains, each with its text.
 std::vector<std::pair<PixelMark, const char*>> marks_of(const CornerLegend& legend) {
     if (!legend.undecided) return {};
     std::vector<std::pair<PixelMark, const char*>> marks{

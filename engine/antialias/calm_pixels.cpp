@@ -35,7 +35,7 @@ HWY_INLINE std::uint64_t alike(const LitLayer& layer, std::size_t a, std::size_t
         for (int channel = 0; channel < 3; ++channel) {
             const auto p = light(a, channel);
             const auto q = light(b, channel);
-            // By gamma 2, as pixels are shown: (p - q) / (sqrt p + sqrt q) is the difference.
+            // Compare by gamma 2, as shown: the difference is (p - q) / (sqrt p + sqrt q).
             const auto change = hn::Sub(p, q);
             near = hn::And(near, hn::Le(hn::Mul(change, change), hn::Mul(most, hn::Add(p, q))));
         }

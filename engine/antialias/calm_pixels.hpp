@@ -7,8 +7,8 @@
 
 namespace zeroset {
 
-/// Pixels in the rows of those of `wanted` that look like the eight pixels around them, all of them
-/// hits of one surface, all in the tile: what lies between these is nearly of their colour.
+/// The pixels of `wanted` that look like the eight pixels around them, all of them hits of one
+/// surface, all in the tile: what lies between these is nearly of their colour.
 TileBits calm_pixels(const Tile& tile, std::span<const LitLayer> layers, const TileBits& wanted);
 
 }  // namespace zeroset

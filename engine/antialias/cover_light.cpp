@@ -120,6 +120,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
                     .rows = tile_size,
                     .limits = nullptr,
                     .places = &places};
+    // Light the samples by the tile, each in the place of a pixel.
     for (std::size_t first = 0; first < samples.size() && !limit.over(); first += slots) {
         const std::size_t count = std::min(slots, samples.size() - first);
         for (TileHits& hits : hits_)
@@ -151,6 +152,7 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
     };
     thread_local std::vector<Sum> sums;
     thread_local std::vector<std::uint16_t> sum_of_pixel(slots);
+    // Add up the light of each pixel's samples, by area.
     sums.assign(pixels.size(), Sum());
     for (std::size_t i = 0; i < pixels.size(); ++i)
         sum_of_pixel[pixels[i].pixel] = static_cast<std::uint16_t>(i);

@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What is left of a square beside an edge.
+/// The rest of a square beside an edge.
 struct SquareRest {
     double share;           ///< of the square
     SquarePart part;        ///< of share 0: not known

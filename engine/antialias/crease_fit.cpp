@@ -49,7 +49,7 @@ std::optional<Creased> fit_crease(SquareRoots roots, double half_side) {
             roots, [&](const RayRoot& root) { return are_within(even_sheet, roots[0], root); });
         return Creased{.parts = {whole, nothing}, .rays = {0, 0}, .grazed = grazed, .bent = bent};
     }
-    // They meet where they are equally deep; the nearer one is seen, or the farther one.
+    // The sheets meet where they are equally deep; the nearer one is seen, or the farther one.
     LinearOnSquare farther = plane_at(roots[0], square_rays[0], half_side) -
                              plane_at(roots[other], square_rays[other], half_side);
     if (farther.at(square_rays[0]) > 0.0) farther = -farther;

@@ -29,9 +29,9 @@ struct EdgeSamples {
     [[nodiscard]] std::size_t nearest_hit(const SquareRay& place) const;
 };
 EdgeSamples edge_samples(SquareStretches stretches);
-/// Samples of f at one end of stretches on none of which f has a root, nor is least within: where f
-/// surely keeps its sign at the other end all over the square, roots are where it does not at this
-/// one. Nothing unless that is so of one end.
+/// Samples of f at one end of the stretches, where f surely keeps its sign at the other end all
+/// over the square: roots are where f has the other sign at this end. Nothing where that holds of
+/// neither end, or where f has a root, or is least, within a stretch.
 std::optional<EdgeSamples> one_end_samples(SquareStretches stretches);
 /// Whether the rays' stretches begin in a plane, and end in one: in one wall of the clip region, or
 /// at one depth. They may be empty, where a wall is beyond the other end.

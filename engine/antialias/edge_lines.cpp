@@ -231,7 +231,7 @@ HWY_INLINE void LineSearch::put_line(std::size_t i, const Edges& edges,
 }
 
 HWY_INLINE void LineSearch::decide(std::size_t i, const Edges& edges) {
-    // As fit_edge in edge_fit.cpp.
+    // Fit a line to the heights, by the formulas of edge_fit.cpp.
     const Five& h = edges.height;
     const V<double> half = number(0.5);
     const V<double> left = hn::Add(h[1], h[3]);

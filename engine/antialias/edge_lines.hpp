@@ -23,7 +23,7 @@ struct LineRules {
 /// kinks are in them. In columns, plain data, nothing of it set at first.
 struct EdgeLines {
     static constexpr std::size_t room = 64;
-    static constexpr std::size_t room_of_all_rays = 24;  ///< so many squares of which all are asked
+    static constexpr std::size_t room_of_all_rays = 24;  ///< with all_rays
     using Column = std::array<double, room>;
 
     double side;  ///< in pixels

@@ -10,15 +10,15 @@ namespace zeroset {
 /// The state of a front and its flags: vectors of fronts hold them in a word each.
 struct FrontMarks {
     enum class State : std::uint8_t {
-        Going,   ///< before `at` there is no root
-        Rooted,  ///< nor is there; between `at` and `to` every ray has its first one
-        Edged,   ///< nor is there; between `at` and `to` some rays may have roots
+        Going,   ///< the search goes on; no ray has a root before `at`
+        Rooted,  ///< every ray has its first root between `at` and `to`
+        Edged,   ///< some rays may have roots between `at` and `to`; none has one before `at`
         Gone,    ///< no ray has a root
     };
 
     State state = State::Going;
     std::uint8_t open_cells = 0;  ///< of a stretch from open_from on
-    bool continuous : 1 = true;   ///< f is, between open_from and `at`, if that is a stretch
+    bool continuous : 1 = true;   ///< f is so between open_from and `at`, if that is a stretch
     bool kinked : 1 = false;      ///< f may have a kink there, or between `at` and `to`
     bool stretched : 1 = false;   ///< the last cell was made longer for the roots that it holds
     bool monotone : 1 = false;    ///< Rooted: there is one root on each ray; else maybe more

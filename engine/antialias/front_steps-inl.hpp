@@ -1,5 +1,5 @@
-// What the form of a front's next cell tells, and the step that follows from it; for a vector of
-// fronts at once.
+// The verdict of the form of a front's next cell, and the step that follows from it; for a vector
+// of fronts at once.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_FRONT_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -21,7 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// To the digits of float.
+/// The square root, to the digits of float.
 HWY_INLINE V<double> root_of(V<double> square) {
     const hn::Rebind<float, Tag<double>> narrow;
     return hn::PromoteTo(d<double>, hn::Sqrt(hn::DemoteTo(narrow, square)));
@@ -32,8 +32,8 @@ HWY_INLINE V<float> root_of(V<float> square) { return hn::Sqrt(square); }
 template <class Real>
 struct FrontRules {
     Real fair_width;  ///< times the distance from the eye: the longest cell that is not halved
-    Real half_width;  ///< so, half the width of a square; 0: rays
-    Real distance;    ///< of depth 0
+    Real half_width;  ///< times the distance from the eye: half the width of a square; 0: rays
+    Real distance;    ///< from the eye, of depth 0
     Real margin;      ///< by which cells are longer than their slabs, at both ends
 
     /// How far roots may be off by rounding, in parts of their cells.
@@ -62,7 +62,7 @@ struct CellVerdict {
     M<Real> monotone;    ///< f rises on all rays, or falls: there is at most one root on each
     M<Real> kinked;      ///< f may have a kink
     M<Real> precise;     ///< the form's error is small beside its change across the square
-    M<Real> rough;       ///< it is not even nearly so
+    M<Real> rough;       ///< the form is not even nearly precise
     /// Where its linear part lets roots be, perhaps beyond the slab.
     V<Real> root_from, root_to;
     V<Real> turn;  ///< the width of the enclosure of normal . view, where roots end in the slab
@@ -154,6 +154,7 @@ HWY_INLINE CellVerdict<Real> judge(const CellForm<Real>& form, const FrontRules<
     verdict.continuous = hn::And(known, form.continuous);
     verdict.monotone = hn::Or(hn::Lt(form.slope_hi, zero), hn::Lt(form.slope_neg_lo, zero));
     verdict.kinked = form.kinked;
+    // Compare the form's error with its change across the square.
     const V<Real> most_error =
         hn::Mul(hn::IfThenElse(MarkWords<Real>(hn::LoadU(MarkWords<Real>::tag, &fronts.marks[i]))
                                    .has(MarkWords<Real>::calm),
@@ -162,6 +163,7 @@ HWY_INLINE CellVerdict<Real> judge(const CellForm<Real>& form, const FrontRules<
     verdict.precise = hn::And(known, hn::Le(form.error, most_error));
     const V<Real> rough_error = hn::Mul(number<Real>(rough_errors), most_error);
     verdict.rough = hn::Not(hn::And(known, hn::Le(form.error, rough_error)));
+    // Set the lengths that steer the next cell.
     verdict.margin = hn::MulAdd(number<Real>(FrontRules<Real>::unit), hn::Abs(verdict.from),
                                 number<Real>(rules.margin));
     verdict.fair = hn::Max(hn::Mul(number<Real>(rules.fair_width),
@@ -199,7 +201,7 @@ HWY_INLINE CellVerdict<Real> judge(const CellForm<Real>& form, const FrontRules<
 }
 
 inline constexpr std::uint8_t most_open_cells = 8;  // a power of two
-/// In fair lengths: cells whose forms are rough are not longer.
+/// The longest cell with a rough form, in fair lengths.
 inline constexpr double most_rough_lengths = 2.0;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
 inline constexpr double most_fair_lengths = 8.0;
@@ -218,8 +220,8 @@ struct CellSteps {
     M<Real> open;         ///< it is left as a part of a stretch
 };
 
-/// A little before the first place where the cell may hold a root: all of it that lies before this
-/// is free. Not where rays enter the clip region, of which stretches begin outside.
+/// A depth a little before the first place where the cell may hold a root: the cell is free up to
+/// there. Its begin where rays enter the clip region: their stretches begin outside.
 template <class Real>
 HWY_INLINE V<Real> before_roots_of(const FrontBlock<Real>& fronts, std::size_t i,
                                    const CellVerdict<Real>& cell) {
@@ -245,7 +247,7 @@ HWY_INLINE CellSteps<Real> steps_of(const FrontBlock<Real>& fronts, std::size_t 
     CellSteps<Real> steps{};
     steps.free = hn::AndNot(is_open, cell.rejected);
     steps.free_behind = hn::And(is_open, cell.rejected);
-    // Roots of all rays.
+    // Find the cells that hold roots of all rays: behind a stretch, halved, narrowed or rooted.
     const M<Real> all =
         hn::AndNot(cell.rejected, hn::And(hn::And(cell.continuous, inside), hn::And(begins, ends)));
     steps.root_behind = hn::And(is_open, all);
@@ -258,7 +260,7 @@ HWY_INLINE CellSteps<Real> steps_of(const FrontBlock<Real>& fronts, std::size_t 
     steps.narrowed = hn::AndNot(marks.has(MarkWords<Real>::calm),
                                 hn::And(hn::AndNot(steps.halved, first), coarse));
     steps.rooted = hn::AndNot(hn::Or(steps.halved, steps.narrowed), first);
-    // Of some, or none.
+    // Shorten or lengthen cells with roots of some rays, or of none, or leave them open.
     const M<Real> others = hn::Not(hn::Or(cell.rejected, all));
     steps.shortened =
         hn::And(hn::And(cell.rough, others), hn::Gt(length, times(most_rough_lengths, cell.fair)));

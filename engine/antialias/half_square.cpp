@@ -15,7 +15,7 @@ SquarePart corner_part(double max, double min, double depth) {
         const double y = depth / min;
         return {.share = x * y / 8.0, .x = x / 3.0, .y = y / 3.0};
     }
-    // From side to side: so far at the one and at the other.
+    // Cut from side to side: `first` along the one, `last` along the other.
     const double per_max = 1.0 / max;
     const double first = depth * per_max;
     const double last = (depth - 2.0 * min) * per_max;
@@ -47,7 +47,7 @@ SquarePart part_below_zero(const LinearOnSquare& f) {
         const bool along_x = by_x > by_y;
         part = corner_part(std::max(by_x, by_y), std::min(by_x, by_y), depth);
         if (!along_x) std::swap(part.x, part.y);
-        // From the corner where f is least, or greatest.
+        // Place the part from the corner where f is least, or greatest.
         part.x = (f.by_x > 0.0) != is_rest ? part.x - 1.0 : 1.0 - part.x;
         part.y = (f.by_y > 0.0) != is_rest ? part.y - 1.0 : 1.0 - part.y;
     }

@@ -16,7 +16,7 @@ struct LinearOnSquare {
     }
     /// How steep it is.
     [[nodiscard]] double slope() const {
-        // As std::hypot, but fast: squares may overflow.
+        // Scale first, since squares may overflow; std::hypot is slow.
         const double most = std::max(std::abs(by_x), std::abs(by_y));
         const double part = std::min(std::abs(by_x), std::abs(by_y)) / most;
         return most > 0.0 ? most * std::sqrt(1.0 + part * part) : 0.0;

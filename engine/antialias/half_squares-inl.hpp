@@ -58,7 +58,7 @@ HWY_INLINE SquareParts parts_below_zero(const LinearOnSquares& f) {
     const V<double> share = hn::IfThenElseZero(any, corner.share);
     const V<double> x = hn::Sub(hn::IfThenElse(along_x, corner.x, corner.y), one);
     const V<double> y = hn::Sub(hn::IfThenElse(along_x, corner.y, corner.x), one);
-    // From the corner where f is least, or greatest; what is left of the square is opposite.
+    // Place the part from the corner where f is least, or greatest; the rest is opposite.
     const auto placed = [&](V<double> at, V<double> by) {
         const M<double> kept = hn::Xor(hn::Gt(by, zero), is_rest);
         return hn::IfThenElseZero(any, hn::IfThenElse(kept, at, hn::Neg(at)));

@@ -23,7 +23,7 @@ struct Places {
     V<double> s, f, slope;
 };
 
-/// `part` of the way from a to b; half of it where that is not between them.
+/// The depth at `part` of the way from a to b; halfway where that is not between them.
 HWY_INLINE V<double> between(const Places& a, V<double> length, V<double> part) {
     const M<double> inner = hn::And(hn::Gt(part, hn::Zero(d<double>)), hn::Lt(part, number(1.0)));
     const V<double> within = hn::IfThenElse(inner, part, number(0.5));
@@ -57,12 +57,12 @@ HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least,
     const V<double> zero = hn::Zero(d<double>);
     const V<double> length = hn::Sub(b.s, a.s);
     const V<double> turn = hn::Sub(b.slope, a.slope);
-    // From the flatter place a parabola falls by so much: slope^2 / (2 turn / length); four times
-    // that is little.
+    // Test that four times the fall of a parabola from the flatter place is little: it falls by
+    // slope^2 / (2 turn / length).
     const V<double> flatter = hn::Min(hn::Neg(a.slope), b.slope);
     const V<double> fall = hn::Mul(hn::Mul(number(2.0), length), hn::Mul(flatter, flatter));
     const M<double> flat = hn::Le(fall, hn::Mul(error, turn));
-    // The tangents meet between the places, and above that: a.f - a.slope rise / turn >= lower
+    // Test that the tangents meet between the places: a.f - a.slope rise / turn >= lower
     const V<double> rise = hn::NegMulAdd(b.slope, length, hn::Sub(b.f, a.f));
     const M<double> inner =
         hn::And(hn::Le(rise, zero), hn::Ge(hn::MulAdd(turn, length, rise), zero));
@@ -71,8 +71,8 @@ HWY_INLINE M<double> is_least(const Places& a, const Places& b, V<double> least,
     return hn::Or(flat, hn::And(inner, above));
 }
 
-/// How f bends along rays, by cubics: d^2 f/ds^2; by how much it may be off, in parts of it, up to
-/// so far away.
+/// The bend of f along rays, by cubics: d^2 f/ds^2, and how far it may be off, in parts of it, up
+/// to `length` away.
 struct Bends {
     V<double> curvature, doubt, length;
 };
@@ -242,9 +242,11 @@ HWY_INLINE bool LeastSearch::begin(std::size_t i, const LinesOfRays& lines, cons
     store(zero, inner_ + i);
     store(zero, kinked_ + i);
     store(hn::Mul(number(1e-7), hn::Max(hn::Abs(lo), hn::Abs(hi))), tolerance_ + i);
+    // Begin with the end where f is less as the least place.
     const M<double> farther = hn::Lt(hi, lo);
     keep_best(i, hn::Not(farther), load(lo_s_ + i), lo, near_gradient);
     keep_best(i, farther, load(hi_s_ + i), hi, far_gradient);
+    // Search on where f falls at the near end and rises at the far end.
     const M<double> open = hn::And(hn::Lt(lo_slope, zero), hn::Gt(hi_slope, zero));
     store(flags(open), open_ + i);
     return !hn::AllFalse(d<double>, open);
@@ -283,7 +285,7 @@ HWY_INLINE bool LeastSearch::take(std::size_t i, const LinesOfRays& lines, std::
     store_in(is_hi, place.s, hi_s_ + i);
     store_in(is_hi, place.f, hi_f_ + i);
     store_in(is_hi, place.slope, hi_slope_ + i);
-    // Near 0 it tells whether there is a root, and how wide a thread is.
+    // Ask for more where f is near 0: it tells whether there is a root, and how wide a thread is.
     const V<double> least = load(f_ + i);
     const V<double> of_least = hn::Mul(number(most_error_of_least), hn::Abs(least));
     const V<double> error = hn::Max(load(tolerance_ + i), of_least);
@@ -307,6 +309,7 @@ inline void LeastSearch::search_loaded(const TraceFrame& frame, const TileRays& 
     const std::size_t size = padded(count);
     const auto lines_at = [&](std::size_t i) { return lines.at(load(u_ + i), load(v_ + i)); };
     OpenParts<room> open(size);
+    // Evaluate f at both ends of all stretches.
     open.for_each([&](std::size_t i, std::size_t) {
         points_.ask(i, lines_at(i), load(lo_s_ + i));
         points_.ask(size + i, lines_at(i), load(hi_s_ + i));
@@ -314,6 +317,7 @@ inline void LeastSearch::search_loaded(const TraceFrame& frame, const TileRays& 
     points_.evaluate(frame, 2 * size);
     counters.value += 2 * count;
     open.keep([&](std::size_t i, std::size_t) { return begin(i, lines_at(i), lines, size); });
+    // Narrow the brackets until the least f is known well enough.
     for (int step = 0; step < most_steps && open.size() > 0 && !frame.stopped(); ++step) {
         open.for_each([&](std::size_t i, std::size_t point) {
             const V<double> next = choose(i, step);

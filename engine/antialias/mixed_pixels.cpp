@@ -179,6 +179,7 @@ void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const Lit
         if (layer.any_dark()) add_shadow_edges(layer, tile, rays, edges);
         if (contrasts) add_contrasts(layer, tile, edges);
     }
+    // Set the level of edge pixels that are mixed already, and take them from the edges.
     for (std::size_t i = 0; i < before; ++i) {
         const std::uint16_t at = mixed[i].pixel;
         std::uint64_t& row = edges[at / tile_size];

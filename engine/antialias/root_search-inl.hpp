@@ -23,15 +23,15 @@ namespace zeroset::HWY_NAMESPACE {
 class RootSearch {
 public:
     static constexpr std::size_t room = 64;
-    /// So many samples show the roots of a stretch that may hold several.
+    /// The number of samples that show the roots of a stretch that may hold several.
     static constexpr std::size_t several_samples = 8;
 
-    /// For the roots of these indices; `samples`: of each stretch.
+    /// Finds the roots of these indices; `samples`: of each stretch.
     void search(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
                 std::span<const std::uint32_t> some, std::size_t samples, Counters& counters);
 
 private:
-    /// The first bracket that samples show; whether any of a vector's stretches has one.
+    /// Sets the first bracket that samples show; whether any of a vector's stretches has one.
     HWY_INLINE bool bracket(std::size_t i, std::size_t size, std::size_t samples);
     [[nodiscard]] HWY_INLINE V<double> sample_at(std::size_t i, std::size_t sample,
                                                  std::size_t samples) const;
@@ -72,6 +72,7 @@ HWY_INLINE bool RootSearch::bracket(std::size_t i, std::size_t size, std::size_t
     V<double> hi = load(to_ + i);
     V<double> f_lo = first;
     V<double> f_hi = first;
+    // Find the first two samples between which f changes its sign.
     for (std::size_t k = 1; k < samples; ++k) {
         const V<double> f = points_.f_at(k * size + i);
         const M<double> here = hn::AndNot(found, hn::Lt(hn::Mul(before, f), zero));
@@ -113,6 +114,7 @@ HWY_INLINE bool RootSearch::take(std::size_t i, const TileLines& tile, const Lin
     store_in(hn::And(open, before), f, f_lo_ + i);
     const M<double> same = hn::Not(hn::Xor(before, flags_at(was_before_ + i)));
     const V<double> stood = hn::IfThenElseZero(same, hn::Add(load(stood_ + i), number(1.0)));
+    // Go on by Newton's method, or in the middle of the bracket.
     const V<double> newton = hn::Sub(next, hn::Div(f, slope));
     const M<double> fits =
         hn::And(hn::And(hn::Gt(newton, lo), hn::Lt(newton, hi)), hn::Lt(stood, number(3.0)));
@@ -125,6 +127,7 @@ HWY_INLINE bool RootSearch::take(std::size_t i, const TileLines& tile, const Lin
     store(flags(before), was_before_ + i);
     store(after, next_ + i);
     store_in(open, after, s_ + i);
+    // End where the step or the bracket is short enough.
     const V<double> tolerance = tile.error_of_root(next);
     const M<double> is_near = hn::Le(hn::Abs(hn::Sub(after, next)), tolerance);
     const M<double> wide = hn::Gt(hn::Sub(hi, lo), tolerance);
@@ -144,7 +147,7 @@ HWY_INLINE void RootSearch::end(std::size_t i, const TileLines& tile, const Line
     const V<double> along_square = dot(lines.direction, lines.direction);
     const V<double> sizes = hn::Sqrt(hn::Mul(dot(gradient, gradient), along_square));
     store(hn::Div(hn::Abs(slope), sizes), cosine_ + i);
-    // Turn it until it is upright on the ray, and a little more.
+    // Turn the gradient until it is upright on the ray, and a little more.
     const M<double> falls = flags_at(falls_ + i);
     const M<double> turned = hn::Xor(hn::Lt(slope, zero), falls);
     const V<double> least = hn::Mul(number(1e-3), sizes);
@@ -183,6 +186,7 @@ inline void RootSearch::search(const TraceFrame& frame, const TileRays& rays,
     }
     const auto lines_at = [&](std::size_t i) { return tile.at(load(u_ + i), load(v_ + i)); };
     const OpenParts<room> all(size);
+    // Sample all stretches, and bracket their first roots.
     all.for_each([&](std::size_t i, std::size_t) {
         for (std::size_t k = 0; k < samples; ++k)
             points_.ask(k * size + i, lines_at(i), sample_at(i, k, samples));
@@ -201,8 +205,8 @@ inline void RootSearch::search(const TraceFrame& frame, const TileRays& rays,
         open.keep(
             [&](std::size_t i, std::size_t point) { return take(i, tile, lines_at(i), point); });
     }
-    // The branch that leads to the root is the one before it. Where f only comes to 0, its gradient
-    // vanishes there.
+    // Take the gradients a little before the roots: on the branch that leads there, and where the
+    // gradient of an f that only comes to 0 does not vanish.
     constexpr double before = 1.0 / 64;  // in pixels
     all.for_each([&](std::size_t i, std::size_t) {
         const V<double> s = load(s_ + i);

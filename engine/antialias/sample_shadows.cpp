@@ -13,7 +13,7 @@
 namespace zeroset {
 namespace {
 
-/// So many hits tell.
+/// The least number of hits on the sheet that tell a shadow.
 constexpr int least_hits = 4;
 /// Hits whose normals have at least this cosine may be on the same sheet, if they are not too far
 /// from each other.
@@ -41,6 +41,7 @@ SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRa
     const int first = std::max(row - 1, 0);
     const int last = std::min(row + 1, tile.rows - 1);
     const std::uint64_t around = bits_around(sample.pixel % tile_size);
+    // Count the hits of the surface around, and the dark ones among them.
     int hits = 0;
     int dark_hits = 0;
     for (auto r = static_cast<std::size_t>(first); r <= static_cast<std::size_t>(last); ++r) {
@@ -56,6 +57,7 @@ SampleShadow shadow_around(const LitLayer& layer, const Tile& tile, const TileRa
                           static_cast<double>(sample.distance),
                           {sample.gradient[0], sample.gradient[1], sample.gradient[2]});
     if (!sheet.shows_side_to(to_light)) return SampleShadow::Unknown;
+    // Count those on the sample's sheet until they disagree, or enough agree.
     int lit = 0;
     int dark = 0;
     for (int r = first; r <= last && lit + dark < enough; ++r) {

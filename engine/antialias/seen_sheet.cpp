@@ -6,7 +6,7 @@
 namespace zeroset {
 namespace {
 
-/// A sheet is as far away as it may be so many pixels beside the hit.
+/// How far beside the hit, in pixels, the sheet's reach along rays is taken.
 constexpr double most_pixels = 4.0;
 /// The least cosine between ray and normal: sheets seen more from aside are taken as seen so.
 constexpr double least_slant = 0.02;

@@ -35,7 +35,7 @@ public:
           margin_(upper_end(
               Real{}, std::max(field.width_of(cell_margin, 0.0), 2.0 * rays_.depth_error()))) {}
 
-    /// `to_end`: until no front goes on; else by one cell each.
+    /// Takes the fronts of some squares on; `to_end`: until none goes on; else by one cell each.
     void advance(std::span<const std::size_t> squares, bool to_end, Counters& counters);
 
 private:
@@ -70,7 +70,7 @@ private:
     FormCells<Real, FrontBlock<Real>::room> cells_;
     std::array<ContinuityMask<Real>, FrontBlock<Real>::room> branches_;
     FrontBlock<Real> fronts_;
-    std::size_t filled_ = 0;  ///< so many of them hold something
+    std::size_t filled_ = 0;  ///< how many of them hold something
     std::array<std::size_t, FrontBlock<Real>::room> squares_;
     std::array<std::uint64_t, FrontBlock<Real>::room / 64> ended_;  ///< a bit each: goes on no more
 };

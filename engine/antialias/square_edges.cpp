@@ -114,22 +114,26 @@ bool SquareEdges::take_at_walls(std::size_t square, SquareStretches stretches,
                                 CornerStretches corners) {
     const CoverSquare& at = field_.square(square);
     const Front& front = field_.fronts(square)[surface_];
+    // Leave a pixel whose surface lies in a wall to its own hit.
     if (at.whole != nullptr && is_flush(stretches, corners)) {
         field_.leave_plain(square);
         return false;
     }
     const bool may_fold = at.level < first_flat_level && is_long(field_, at, front);
+    // Try a line in one wall that all rays cross.
     switch (walls_.take_line(square, stretches, corners, rules_of(at, false), may_fold)) {
         case SquareWalls::Choice::None: break;
         case SquareWalls::Choice::Taken: return false;
         case SquareWalls::Choice::Outside: return pass(square);
     }
+    // Pass where f keeps its sign on all rays, or divide where it may fold between their ends.
     const Signs signs = front.kinked ? Signs::Unknown : signs_of(stretches);
     if (signs == Signs::Kept) {
         if (!may_fold) return pass(square);
         field_.divide(square);
         return false;
     }
+    // Fit a line to the samples; then seek a wall that cuts the square.
     const EdgeSamples samples = samples_at_walls(stretches, at, front);
     auto fit = samples.before_end.front() ? line_of(samples, at, false)
                                           : line_at_walls(samples, stretches, at);
@@ -156,6 +160,7 @@ bool SquareEdges::take_inside(std::size_t square, SquareStretches stretches) {
         field_.leave_plain(square);
         return false;
     }
+    // Try a line, then a thread.
     const auto fit = line_of(samples, at, true);
     if (!fit) {
         const auto thread = fit_thread(stretches, 0.5 * at.side, 2.0 * thinnest_thread / at.side);
@@ -270,6 +275,7 @@ bool SquareEdges::take_rough(std::size_t square, SquareStretches stretches,
     const bool is_inside = front.is_inside(front.at, front.to);
     const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches) &&
                        is_touched_nearby(stretches);
+    // Divide down to the last level.
     const int last = front.continuous ? last_level_of(is_inside) : last_broken_level;
     const bool all = sheet || (roots == square_ray_count && at.level >= std::min(last, last_level));
     if (!all && at.level < last) {

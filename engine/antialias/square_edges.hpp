@@ -37,7 +37,7 @@ public:
     void decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
 
 private:
-    /// So many rays at once: what is known of them stays near.
+    /// The most rays at once, so few that what is known of them stays in the caches.
     static constexpr std::size_t most_rays = 128;
     static constexpr std::size_t most_squares = most_rays / square_ray_count;
 
@@ -54,11 +54,12 @@ private:
     /// where they are within the clip region; `inside`: all are.
     void set_stretches(std::span<const std::size_t> squares, std::span<const SquareRay> places,
                        bool inside, std::span<RayStretch> stretches) const;
-    /// Whether the search of the square goes on behind the edge.
+    /// Decides a square; whether its search goes on behind the edge.
     bool take(std::size_t square, SquareStretches stretches, CornerStretches corners);
-    /// As take, of square i of lines_.
+    /// Decides a square whose edge is line i of lines_; returns as take.
     bool take_found_line(std::size_t square, std::size_t i);
-    /// As take, where f is continuous: of squares within the clip region, and at walls of it.
+    /// Decide a square where f is continuous, within the clip region or at walls of it; return as
+    /// take.
     bool take_inside(std::size_t square, SquareStretches stretches);
     bool take_at_walls(std::size_t square, SquareStretches stretches, CornerStretches corners);
     bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] double fair_length(const CoverSquare& square, double s) const {
         return width_of(fair_side(square), s);
     }
-    /// Its length in pixels.
+    /// The length of the longest cell that is not halved, in pixels.
     [[nodiscard]] static double fair_side(const CoverSquare& square) {
         return std::max(square.side, 0.25);
     }
@@ -65,7 +65,7 @@ public:
         set_stretch(square, front, place, stretch);
         return stretch;
     }
-    /// Sets what of it is not `out`.
+    /// Sets the fields of that stretch that are not `out`.
     static void set_stretch(const CoverSquare& square, const Front& front, const SquareRay& place,
                             RayStretch& stretch) {
         stretch.col = col_of(square, place);
@@ -89,7 +89,7 @@ public:
         const double spare = width_of(0.25, from);
         return from - spare <= at.hit && at.hit <= to + spare;
     }
-    /// That hit stands for the pixel.
+    /// Lets the pixel's own hit stand for it.
     void leave_plain(std::size_t square) { in_.squares[square].whole->is_plain = true; }
     /// Goes on with the quarters of a square instead of it; of the rest of one, with rays.
     void divide(std::size_t square);

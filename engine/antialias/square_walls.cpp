@@ -82,6 +82,7 @@ auto SquareWalls::take_part(std::size_t square, SquareStretches stretches,
     if (!(part.share > 0.0)) return Choice::Outside;
     const CoverSquare& at = field_.square(square);
     const SquareRay middle{.x = part.x, .y = part.y};
+    // Draw the part by the ray in its middle, or by the nearest ray with a root.
     if (samples.roots() == 0) {
         const RayStretch stretch = stretch_at(stretches, middle);
         drafts_.add(at, middle, part.share, stretch.from, stretch.to, Certificate::Certified);
@@ -107,6 +108,7 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStret
     std::size_t outside_count = 0;
     for (const RayStretch& stretch : stretches)
         outside_count += stretch.is_empty() ? 1U : 0U;
+    // Find corners outside of the clip region, or whose rays enter behind the sheet.
     const auto sheet = fit && front.at < front.inside_from ? sheet_of(stretches) : std::nullopt;
     for (std::size_t i = 0; i < square_corners.size(); ++i) {
         outside_at[i] = corners[i].is_empty();
@@ -118,6 +120,7 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStret
     if (outside_count == 0) return Choice::None;
     const bool outside = outside_count == most_wall_places;
     if (outside && field_.square(square).level >= first_flat_level) return Choice::Outside;
+    // Collect the places whose rays are known to have roots, or none.
     WallPlaces places;
     for (std::size_t i = 0; i < square_ray_count; ++i)
         places.push({.at = square_rays[i], .hit = stretches[i].has_root(), .ray = i});
@@ -128,6 +131,7 @@ auto SquareWalls::add(std::size_t square, SquareStretches stretches, CornerStret
                          .hit = !outside_at[i] && fit->at(corner) <= 0.0,
                          .ray = square_ray_count + i});
     }
+    // Seek the wall along two ways between these places.
     const auto ways = wall_between(places.all());
     if (!ways) return Choice::None;
     Task& task = tasks_.emplace_back();

@@ -23,8 +23,8 @@ public:
                 SampleDrafts& drafts, Counters& counters)
         : frame_(frame), surface_(surface), field_(field), drafts_(drafts), counters_(counters) {}
 
-    /// A square is left to others; is decided here, or a wall is sought in it; or nothing is seen
-    /// in it.
+    /// The outcome for a square: it is left to others; it is decided here, or a wall is sought in
+    /// it; or nothing is seen in it.
     enum class Choice : std::uint8_t { None, Taken, Outside };
     /// Decides a square that all rays enter, or leave, by one wall, where the edge in that is a
     /// line. `is_long`: f may come to 0 and go away again between the ends of its stretches.

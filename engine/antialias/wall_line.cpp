@@ -8,7 +8,7 @@
 namespace zeroset {
 namespace {
 
-/// Between two points of a line, in halves of the square's side.
+/// The least distance of two points that tell a line, in halves of the square's side.
 constexpr double least_length = 0.4;
 
 double square_of_length(const SquareRay& a, const SquareRay& b) {
@@ -75,7 +75,7 @@ std::optional<WallWays> wall_between(std::span<const WallPlace> places) {
                 .middle = {.x = 0.5 * (from.at.x + to.at.x), .y = 0.5 * (from.at.y + to.at.y)}};
         }
     }
-    // The two that are farthest apart.
+    // Choose the two ways that are farthest apart.
     std::array<std::size_t, 2> best{};
     double farthest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {

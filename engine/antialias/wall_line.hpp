@@ -52,8 +52,8 @@ public:
     [[nodiscard]] bool is_done() const {
         return !(miss_at_ - hit_at_ > error) || steps_ == most_steps;
     }
-    /// Whose ray to take next: where the wall seems to be, a little to one side, so that it is
-    /// soon known between two places near to one another.
+    /// The place whose ray to take next: where the wall seems to be, a little to one side, so that
+    /// it is soon known between two places near to one another.
     [[nodiscard]] SquareRay next() { return place_at(next_ = choose()); }
     /// Takes what was found of the ray there.
     void take(const RayStretch& ray);
@@ -74,7 +74,7 @@ private:
     double hit_at_ = 0.0, miss_at_ = 1.0, next_ = 0.0;  ///< in parts of the way
     WallRay hit_, miss_;                                ///< the rays there
     bool last_hit_ = false;                             ///< the ray taken last
-    int same_side_ = 0;                                 ///< so many rays in a row were like it
+    int same_side_ = 0;                                 ///< how many rays in a row were like it
     int steps_ = 0;
 };
 
@@ -83,7 +83,8 @@ struct WallWays {
     std::array<WallPlace, 2> hit, miss;
 };
 
-/// Such ways between places, so many at most, far apart; none if all have roots, or none has.
+/// The two ways from places with roots to places without that are farthest apart; none if all have
+/// roots, or none has.
 std::optional<WallWays> wall_between(std::span<const WallPlace> places);
 
 /// The line through two places of a wall, below 0 where rays have roots; nothing unless it divides

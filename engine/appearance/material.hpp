@@ -17,13 +17,14 @@ struct Material {
     float surroundings = 1.0F;  ///< how much light comes from all around
 };
 
-/// That of a look; Standard's is what a mirror of it needs only.
+/// The material of a look; Standard's is what a mirror of it needs only.
 Material material_of(Look look);
 
 /// The part of light from all around that is mirrored to one who looks at an angle of this cosine,
 /// from a surface that mirrors `head_on` [Karis14].
 glm::vec3 mirrored_share(const glm::vec3& head_on, float roughness, float cosine);
-/// That of light from a direction half of whose angle to the eye has this cosine [Schlick94].
+/// The mirrored part of light from a direction half of whose angle to the eye has this cosine
+/// [Schlick94].
 glm::vec3 fresnel(const glm::vec3& head_on, float half_cosine);
 
 }  // namespace zeroset

@@ -52,7 +52,7 @@ glm::vec3 HitShader::mirror_of(const LitHit& hit) const {
                    glm::dot(hit.normal, hit.towards_eye));
 }
 
-/// As engine/light/shade does it.
+/// The standard look, shaded as engine/light/shade does it.
 HitLight HitShader::shade_standard(const LitHit& hit) const {
     HitLight out{};
     glm::vec3 diffuse(0.16F * (0.5F + 0.5F * glm::dot(hit.normal, up_)) + 0.10F);

@@ -12,7 +12,7 @@ struct FileStamp {
     std::filesystem::file_time_type time;
     std::uint64_t size = 0;  ///< in bytes
 
-    /// As it is now; what is not there has a stamp, too.
+    /// The file's stamp at this moment; a file that is not there has a stamp, too.
     static FileStamp now(const std::filesystem::path& file);
     [[nodiscard]] bool is_still_so() const { return now(file) == *this; }
 

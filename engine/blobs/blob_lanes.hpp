@@ -29,7 +29,7 @@ struct BlobBoxes {
     BlobNumbers hi[3];
     BlobNumbers value_lo, value_hi;
     BlobNumbers slope_lo[3], slope_hi[3];
-    // Of the blobs that reach the box: how many, and the sums of |s| and of |s|/r.
+    // The number of blobs that reach the box, and their sums of |s| and of |s|/r.
     BlobNumbers reached, size, size_per_radius;
     std::size_t count;
 };

@@ -78,8 +78,8 @@ DistanceBounds NearSurface::distance(const glm::dvec3& point, double known) cons
     tasks[count++] = {.node = 0, .from = distance_below(nodes_[0].box, point)};
     while (count > 0) {
         const Task task = tasks[--count];
-        // What lies farther than a zero that is proved changes neither bound, and what lies
-        // farther than the lower one does not change that.
+        // A node farther away than a zero that is proved changes neither bound, and one farther
+        // away than the lower bound does not change that.
         if (task.from > (has_zero_ ? bounds.hi : bounds.lo)) continue;
         const Node& node = nodes_[task.node];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {

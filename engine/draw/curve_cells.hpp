@@ -59,7 +59,7 @@ struct SearchLimits {
     std::vector<const SpaceCurve*> singular = {};
     double singular_pt = 0.4;
 
-    /// The same with half of the time that is left.
+    /// These limits with half of the time that is left.
     [[nodiscard]] SearchLimits with_half_time() const;
 };
 
@@ -72,8 +72,8 @@ struct CurveCells {
     bool in_time = true;             ///< the time sufficed to divide them
 };
 
-/// Those of the cells in which enclosures of the functions leave a point of the curve possible, in
-/// the domain.
+/// The given cells that may hold a point of the curve, by enclosures of the functions, in the
+/// domain.
 std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& domain,
                               const TimeLimit& time, std::vector<CurveCell> cells);
 /// Judges cells of one level; those that the time does not suffice for are open.

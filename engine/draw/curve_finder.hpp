@@ -8,7 +8,7 @@
 
 namespace zeroset {
 
-/// What a search for curves could prove.
+/// A report on what a search for curves could prove.
 struct FindingReport {
     std::size_t cells = 0;     ///< looked at
     std::size_t regular = 0;   ///< in which all of the curve is proved to be what was followed

@@ -138,7 +138,7 @@ bool is_empty(const GradientBounds& two, const glm::dvec3& half) {
            });
 }
 
-/// What the two equations tell of a box with this half diagonal.
+/// The verdict of the two equations on a box with this half diagonal.
 JudgedCell judge_reduced(const GradientBounds& two, const glm::dvec3& half) {
     constexpr double most_off = 0.9;
     if (is_empty(two, half)) return {.state = CellState::Empty};

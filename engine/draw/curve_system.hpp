@@ -36,7 +36,7 @@ struct Linearized {
     [[nodiscard]] glm::dvec3 step(const glm::dvec3& normal) const;
 };
 
-/// What enclosures tell of the curve in a box.
+/// The verdict of enclosures on the curve in a box.
 enum class CellState : std::uint8_t {
     Empty,    ///< no point of it is there
     Regular,  ///< on each plane across `tangent` there is at most one point, in the box around, too

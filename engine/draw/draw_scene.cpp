@@ -20,16 +20,14 @@ namespace {
 /// Curves that are shorter on the page are left out.
 constexpr double least_length_pt = 0.02;
 
+/// Whether a point that a curve was found at is in the region, up to rounding.
 bool is_in(const Region& region, const glm::dvec3& point) {
-    constexpr double slack = 1e-9;
-    const double size = glm::length(point);
-    if (region.ball && glm::distance(point, region.ball->centre) >
-                           region.ball->radius * (1.0 + slack) + slack * size)
-        return false;
-    return std::ranges::all_of(region.sections, [&](const Section& section) {
-        return glm::dot(section.normal, point) <=
-               section.offset + slack * (size + std::abs(section.offset));
-    });
+    constexpr double slack = 2e-9;
+    double size = glm::length(point);
+    if (region.ball) size = std::max(size, size_of(*region.ball));
+    for (const Section& section : region.sections)
+        size = std::max(size, size_of(section));
+    return region.contains(point, slack * size);
 }
 
 /// The curve's points on the page, with its directions there.

@@ -20,7 +20,7 @@ struct ContourNumber {
     Expr formula = {};
 };
 
-/// What a drawing shows, and how well.
+/// The choice of what a drawing shows, and how well.
 struct DrawOptions {
     std::array<bool, 5> kinds{true, true, true, true, true};  ///< by CurveKind
     std::vector<ContourNumber> contours = {};

@@ -17,7 +17,7 @@
 
 namespace zeroset {
 
-/// What a drawn curve is.
+/// The kinds of drawn curves.
 enum class CurveKind : std::uint8_t {
     Silhouette,    ///< where rays from the eye touch the surface
     Crease,        ///< where the surface has an edge, or meets itself

@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// What is made of a session, for use elsewhere.
+/// The kinds of files that are made of a session, for use elsewhere.
 enum class ExportKind : std::uint8_t { Picture, Film, Mesh, Drawing };
 
 /// A kind of file, and what can be chosen of it.

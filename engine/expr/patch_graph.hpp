@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-// What a row shows that is given by a point, not by an equation, as a graph: a node over the three
+// The graph of a row that is given by a point, not by an equation: a node over the three
 // coordinates whose value nothing is known of, so that whoever takes it for an f proves nothing and
 // finds no root. Its text is that of the point.
 
@@ -38,7 +38,7 @@ struct PatchGraphs {
 NodeId make_patch(ExprBuilder& builder, PatchKind kind, const std::array<NodeId, 3>& point,
                   const std::optional<RowBox>& box = std::nullopt);
 
-/// What the root of a graph that `make_patch` made shows; nothing for other graphs.
+/// The coordinates, kind and box of a graph that `make_patch` made; nothing for other graphs.
 std::optional<PatchGraphs> patch_of(const Expr& surface);
 bool is_patch(const Expr& surface);
 

@@ -16,7 +16,7 @@ struct Background {
 /// The background of an image row, RGBA as in Framebuffer.
 std::uint32_t background_color(const Background& background, int row, int height);
 
-/// The same as linear red, green and blue, not rounded to 8 bits.
+/// The background of an image row as linear red, green and blue, not rounded to 8 bits.
 std::array<float, 3> background_light(const Background& background, int row, int height);
 
 }  // namespace zeroset

@@ -14,7 +14,7 @@ inline constexpr ColorMap cost_map = ColorMap::Ember;
 /// Evaluations a pixel at the ends of the scale; beyond them the colour stays.
 inline constexpr double cheapest_pixel = 0.1, dearest_pixel = 1000.0;
 
-/// What each pixel of a frame that keeps its costs took the tracer, as colours of Framebuffer.
+/// The cost of each pixel, for a frame that keeps its costs, as colours of Framebuffer.
 std::vector<std::uint32_t> cost_colors(const Framebuffer& frame);
 
 /// The mean of what a pixel took; 0 for a frame that does not keep costs.

@@ -44,10 +44,11 @@ struct Framebuffer {
     /// background, and how much of the pixel is not background: `color` without its rounding to 8
     /// bits. Empty unless keep_planes made room for it.
     std::vector<std::array<float, 4>> light;
-    /// Of the surface drawn, of length 1, along the gradient of f; 0 for a miss. Empty as `light`.
+    /// The normal of the surface drawn, of length 1, along the gradient of f; 0 for a miss. Empty
+    /// as `light`.
     std::vector<std::array<float, 3>> normal;
-    /// What each pixel cost the tracer: evaluations of f, of its ranges and forms, of those for
-    /// many pixels a share. Empty unless TraceSettings::costs asks for it.
+    /// The cost of each pixel to the tracer: evaluations of f, of its ranges and forms, of those
+    /// for many pixels a share. Empty unless TraceSettings::costs asks for it.
     std::vector<float> cost;
     /// Rows that render_frame left blank when it last drew here, so that it need not draw them
     /// again: for each of its tiles, row by row, a bit for each row of pixels, the first one

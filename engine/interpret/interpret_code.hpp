@@ -10,7 +10,7 @@ namespace zeroset {
 
 class Tape;
 
-/// As the functions of Kernel; `code` is a Tape.
+/// The functions of Kernel as the interpreter has them; `code` is a Tape.
 struct InterpreterCode {
     template <class Batch>
     using Function = void (*)(const void* code, const Batch* batch);

@@ -8,8 +8,7 @@
 
 namespace zeroset {
 
-/// What f is where it is field(x, y, z) - level, or the negative of that: kept in Kernel::memory by
-/// who knows the formula, before tracers ask for it.
+/// The field and the level of an f that is field(x, y, z) - level, or the negative of that.
 struct FieldLevel {
     std::shared_ptr<const Field> field;  ///< nullptr: f is none, or it is not known
     /// Encloses the level, which is of the uniforms alone: the same in all boxes.

@@ -17,6 +17,7 @@
 namespace zeroset {
 
 class FloatCheck;
+struct SurfaceFacts;
 
 /// Code over batches of one kind, with what keeps it alive. Cheap to copy; safe to call from any
 /// number of threads, in upward rounding (engine/real/rounding.hpp), or the enclosures do not hold.
@@ -68,11 +69,7 @@ struct Kernel {
     bool interpreted = false;                        ///< else machine code
     std::size_t steps = 0;  ///< steps of the interpreter for an item; 0: machine code
     std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
-    /// Ranges of functions whose zeros are zeros of f (engine/rewrite/root_witnesses.hpp).
-    std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;
-    bool defined_everywhere = false;  ///< f is surely defined for all values of the variables
-    /// Ranges of a function that is continuous only where f is defined; none: not known.
-    KernelFunction<RangeBatchOf<double>> domain;
+    std::shared_ptr<const SurfaceFacts> facts;      ///< of f; nullptr: none are known
     /// Things that tracers keep of this function from frame to frame; not nullptr.
     std::shared_ptr<KernelMemory> memory = std::make_shared<KernelMemory>();
 

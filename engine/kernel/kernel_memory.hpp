@@ -16,28 +16,16 @@ public:
     template <class Thing>
     std::shared_ptr<Thing> of() {
         const std::scoped_lock lock(mutex_);
-        if (auto kept = kept_of<Thing>()) return kept;
+        for (const auto& [type, thing] : things_) {
+            if (type == typeid(Thing)) return std::static_pointer_cast<Thing>(thing);
+        }
         auto thing = std::make_shared<Thing>();
         things_.emplace_back(typeid(Thing), thing);
         return thing;
     }
-    /// The thing, if it was asked for by `of` before; else nullptr.
-    template <class Thing>
-    std::shared_ptr<const Thing> find() const {
-        const std::scoped_lock lock(mutex_);
-        return kept_of<Thing>();
-    }
 
 private:
-    template <class Thing>
-    std::shared_ptr<Thing> kept_of() const {
-        for (const auto& [type, thing] : things_) {
-            if (type == typeid(Thing)) return std::static_pointer_cast<Thing>(thing);
-        }
-        return nullptr;
-    }
-
-    mutable std::mutex mutex_;
+    std::mutex mutex_;
     std::vector<std::pair<std::type_index, std::shared_ptr<void>>> things_;
 };
 

@@ -1,7 +1,8 @@
 #include "engine/kernel/patch_code.hpp"
 
+#include "engine/kernel/surface_facts.hpp"
+
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -71,13 +72,12 @@ void set(KernelFunction<Batch>& function, const std::shared_ptr<const void>& cod
 Kernel patch_kernel(std::array<Kernel, 3> point, const std::optional<std::array<double, 6>>& box,
                     std::shared_ptr<const PatchModeler> modeler,
                     std::optional<std::vector<std::size_t>> reads) {
+    const auto code = std::make_shared<const PatchCode>(PatchCode{.point = std::move(point),
+                                                                  .box = box,
+                                                                  .modeler = std::move(modeler),
+                                                                  .reads = std::move(reads)});
     Kernel kernel;
-    const std::shared_ptr<PatchCode> code = kernel.memory->of<PatchCode>();
-    code->point.assign(std::make_move_iterator(point.begin()),
-                       std::make_move_iterator(point.end()));
-    code->box = box;
-    code->modeler = std::move(modeler);
-    code->reads = std::move(reads);
+    kernel.facts = std::make_shared<const SurfaceFacts>(SurfaceFacts{.patch = code});
     // The functions of different surfaces differ by what they hold on to.
     const auto identity = std::make_shared<const int>(0);
     visit_functions([&](auto& function) { set(function, identity); }, kernel);
@@ -92,10 +92,6 @@ Kernel patch_kernel(std::array<Kernel, 3> point, const std::optional<std::array<
     return kernel;
 }
 
-std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel) {
-    return kernel.memory->find<PatchCode>();
-}
-
-bool is_patch(const Kernel& kernel) { return patch_code_of(kernel) != nullptr; }
+bool is_patch(const Kernel& kernel) { return surface_facts(kernel).patch != nullptr; }
 
 }  // namespace zeroset

@@ -10,11 +10,11 @@
 
 namespace zeroset {
 
-/// The code of a parametric surface, kept in Kernel::memory: where x and y are in the unit square,
+/// The code of a parametric surface (SurfaceFacts::patch): where x and y are in the unit square,
 /// the point is (point[0], point[1], point[2]). The kernels have code in double
 /// (Kernel::has_double); z is 0.
 struct PatchCode {
-    std::vector<Kernel> point;  ///< empty: the kernel is that of an f
+    std::array<Kernel, 3> point;
     /// The patch is cut to this box, too: from and to in x, in y and in z.
     std::optional<std::array<double, 6>> box = std::nullopt;
     std::shared_ptr<const PatchModeler> modeler = nullptr;  ///< nullptr: there is none
@@ -29,8 +29,7 @@ Kernel patch_kernel(std::array<Kernel, 3> point,
                     std::shared_ptr<const PatchModeler> modeler = nullptr,
                     std::optional<std::vector<std::size_t>> reads = std::nullopt);
 
-/// The code of a kernel made by patch_kernel; nullptr for other kernels.
-std::shared_ptr<const PatchCode> patch_code_of(const Kernel& kernel);
+/// Whether the kernel was made by patch_kernel.
 bool is_patch(const Kernel& kernel);
 
 }  // namespace zeroset

@@ -89,7 +89,7 @@ struct RangeBoxList {
     }
     /// Whether f is surely nowhere 0 in the box.
     [[nodiscard]] bool excludes_zero(std::size_t i) const { return f_neg_lo[i] < 0 || f_hi[i] < 0; }
-    /// As those of RangeBoxes.
+    /// The sign of f, and its least size, as in RangeBoxes.
     [[nodiscard]] int sign(std::size_t i) const { return sign_of_range(f_neg_lo[i], f_hi[i]); }
     [[nodiscard]] Real least_size(std::size_t i) const { return std::max(-f_neg_lo[i], -f_hi[i]); }
     [[nodiscard]] BranchBits branches_of(std::size_t i) const {

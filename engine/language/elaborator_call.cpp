@@ -22,7 +22,7 @@ constexpr double largest_bound = 1e15;       // up to here i + 1 is exact and di
 
 using Join = NodeId (*)(ExprBuilder&, NodeId, NodeId);
 
-/// What takes one term more to a sum, a product, the least or the greatest.
+/// The constructor that adds one term more to a sum, a product, the least or the greatest.
 Join joiner(Composed kind) {
     if (kind == Composed::Sum) return make_add;
     if (kind == Composed::Product) return make_multiply;

@@ -135,7 +135,7 @@ std::expected<EncodedLevelSets, std::string> encode_level_sets(const LevelSetFil
                 ">\n<i:in><i:vector identifier=\"pos\"/></i:in>\n" + nodes.xml() +
                 "<i:out><i:scalarref identifier=\"shape\"" + attribute("ref", *shape) +
                 "/></i:out>\n</i:implicitfunction>\n";
-        // What is undefined is outside: above 0.
+        // Points where a function is undefined are outside: above 0.
         text += "<object" + attribute("id", object_id) + attribute("type", "model") +
                 attribute("name", name) + attribute("pid", color_id) + attribute("pindex", "0") +
                 "><v:levelset" + attribute("functionid", function_id) +

@@ -46,7 +46,7 @@ BlobRay ray_before(const ShadowSearch& search, std::size_t pixel, double spare,
         .u = u, .v = v, .from = entry.first, .to = static_cast<double>(places.s[pixel]) - spare};
 }
 
-/// What is left of the way to the light of a hit, from a depth on.
+/// The part of the way from a hit to the light that is left to search, from a depth on.
 LightRay rest_of(const ShadowSearch& search, std::size_t pixel, const BlobRay& ray, double from) {
     const double per_distance = 1.0 / search.rays.distance();
     const auto s = static_cast<double>(search.places.s[pixel]);
@@ -94,7 +94,7 @@ bool find_blob_shadows(const ShadowSearch& search, ShadowBits& found, Counters& 
     thread_local Room room;
     room.blocks.assign(blocks_across * blocks_across, {});
     room.entries.resize(LightPlaces::pixels);
-    // As near to a hit as single rays look.
+    // Look as near to a hit as single rays do.
     const double spare =
         std::max(search.finest, 4 * (search.places.error + search.rays.depth_error()));
     for_each_hit(search.open, [&](std::size_t pixel) {

@@ -34,7 +34,7 @@ struct LightPlaces {
 struct Square {
     std::uint8_t col, row, side;
 
-    /// Its bits in each of its rows.
+    /// The square's bits in each of its rows.
     [[nodiscard]] std::uint64_t bits() const {
         return (~std::uint64_t{0} >> (tile_size - side)) << col;
     }

@@ -117,7 +117,7 @@ struct RayVerdict {
     M<Real> continuous;
 };
 
-/// As `judge` of shadow_cells.hpp. In upward rounding.
+/// The verdicts of `judge` (shadow_cells.hpp) on a vector of cells. In upward rounding.
 template <class Real, std::size_t room>
 HWY_INLINE RayVerdict<Real> verdict_of(const FormCells<Real, room>& cells, std::size_t i,
                                        hn::Vec<hn::RebindToUnsigned<Tag<Real>>> marks,

@@ -43,7 +43,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<ValuePixel>& pixels() const { return pixels_; }
-    /// What `function` is there.
+    /// Evaluates `function` at the points.
     const PointBatch<double>& evaluate(const PointFunction& function, const TraceFrame& frame) {
         batch_.evaluate(function, frame.scene.uniforms.points<double>(),
                         [&frame] { return frame.stopped(); });
@@ -61,7 +61,7 @@ float line_cover(const ValuePixel& at, double f, const glm::dvec3& gradient, int
     const double size = glm::length(slope);
     if (!(size > 0.0) || !std::isfinite(size)) return 0.0F;
     const glm::dvec3 across = slope / size;
-    // As it is seen: foreshortened.
+    // Foreshorten the way across the line, as the eye sees it.
     const double seen = glm::length(across - glm::dot(across, at.along) * at.along);
     const double pixels = std::abs(f) / size * seen / at.width;
     const double cover = 0.5 * line_width_px * fineness + 0.5 - pixels;

@@ -57,7 +57,7 @@ struct RayDirections {
     }
 };
 
-/// Those of a row.
+/// The directions of a row's rays.
 class RowDirections {
 public:
     RowDirections(const RayDirections& rays, int row)
@@ -67,7 +67,7 @@ public:
         start_ = splat(first);
         key_start_ = hn::Set(d<float>, static_cast<float>(glm::dot(rays.key, first)));
     }
-    /// From a column on.
+    /// The directions from a column on.
     HWY_INLINE RayDirections::Vector at(std::size_t col) const {
         if (rays_.places == nullptr)
             return right_of(start_, key_start_, hn::Iota(d<float>, static_cast<float>(col)));

@@ -15,7 +15,7 @@ enum class ShadowWay : std::uint8_t {
     Boxes,  ///< by beams of 8 x 8 hits, which only tell that all are lit; else single rays
             ///< [Florez08]
     Rays,   ///< by single rays
-    Apart,  ///< the same, where a tile has places of its own: these are too far apart for beams
+    Apart,  ///< by single rays, where a tile has places of its own, too far apart for beams
 };
 
 /// Finds which hits of a tile's layers a light does not reach, by beams from squares of them to the

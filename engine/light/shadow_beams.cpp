@@ -94,14 +94,14 @@ private:
     [[nodiscard]] Start start_of(const Square& square) const;
     /// How many pixels of the square are asked about.
     [[nodiscard]] unsigned count_in(const Square& square) const;
-    /// One of them near its middle; LightPlaces::pixels: there is none.
+    /// A pixel of the square that is asked about, near its middle; LightPlaces::pixels: none is.
     [[nodiscard]] std::size_t pixel_of(const Square& square) const;
     [[nodiscard]] Hits hits_of(const Square& square, float by_u, float by_v, bool keep_plane) const;
     /// Adds the beam of a square, that of a part of `whole` if there is one.
     void add(const Square& square, const Beam* whole);
     /// Adds the ray of a pixel, or what is left of it where it goes on from `whole`.
     void add_ray(std::size_t pixel, const Beam* whole);
-    /// Those of a square.
+    /// Adds the rays of a square's pixels.
     void add_each_ray(const Square& square, const Beam* whole);
     void divide(const Beam& beam);
     void search_group(std::vector<Beam>& beams);
@@ -142,7 +142,7 @@ unsigned BeamSearch<Real>::count_in(const Square& square) const {
 
 template <class Real>
 std::size_t BeamSearch<Real>::pixel_of(const Square& square) const {
-    // From the middle on, around.
+    // Begin in the middle row, and wrap around.
     for (std::size_t i = 0; i < square.side; ++i) {
         const std::size_t row = square.row + (square.side / 2U + i) % square.side;
         const std::uint64_t bits = search_.open[row] & square.bits();

@@ -230,17 +230,7 @@ std::optional<SpecialKind> SpecialPointFinder::kind_of_level(const Jet& jet) con
 
 bool SpecialPointFinder::is_shown(const glm::dvec3& point) const {
     const double slack = 1e-9 * size_;
-    const Box& clip = search_.clip;
-    const Region& region = search_.region;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (point[axis] < clip.lo[axis] - slack || point[axis] > clip.hi[axis] + slack)
-            return false;
-    }
-    const auto& ball = region.ball;
-    if (ball && glm::distance(point, ball->centre) > ball->radius + slack) return false;
-    return std::ranges::all_of(region.sections, [&](const Section& section) {
-        return glm::dot(section.normal, point) <= section.offset + slack;
-    });
+    return search_.clip.contains(point, slack) && search_.region.contains(point, slack);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ public:
     /// Divides these leaves, and all that then should be. Neighbours of cells that the surface may
     /// go through are at most twice as large.
     void divide(std::vector<std::uint32_t> leaves);
-    /// The same for the proof's sake: as long as cells are not too many for it.
+    /// Divides leaves as `divide` does, but for the proof's sake: as long as they are not too many
+    /// for it.
     void divide_uncertain(std::vector<std::uint32_t> leaves);
     /// Whether the number of cells or the time has ended the division.
     [[nodiscard]] bool is_cut() const { return cut_; }

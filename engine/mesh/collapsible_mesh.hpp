@@ -28,7 +28,7 @@ public:
     /// Whether the mesh stays closed and of the same topology if `from` goes into `into`, its
     /// neighbour: the link condition [Dey99].
     [[nodiscard]] bool may_collapse(std::uint32_t from, std::uint32_t into) const;
-    /// The same where the ring of `from` is known.
+    /// Whether `from` may go into `into`, where the ring of `from` is known.
     [[nodiscard]] bool may_collapse(std::uint32_t from, std::uint32_t into,
                                     std::span<const std::uint32_t> ring_of_from) const;
     /// The triangles that are then in place of those about `from`, and what they were.
@@ -38,7 +38,7 @@ public:
     void changes(std::uint32_t from, std::uint32_t into, std::vector<Change>& changed) const;
     void collapse(std::uint32_t from, std::uint32_t into);
 
-    /// What is left, its vertices numbered anew.
+    /// The mesh that is left, its vertices numbered anew.
     TriangleMesh finish();
 
 private:

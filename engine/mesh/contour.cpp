@@ -39,7 +39,7 @@ private:
     Contour contour_;
 };
 
-/// The same tetrahedron of positive volume with vertex `i` first.
+/// The vertices of a tetrahedron with vertex `i` first, in an order that keeps its volume positive.
 Four with_first(const Four& v, std::size_t i) {
     switch (i) {
         case 0: return v;

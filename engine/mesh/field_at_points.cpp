@@ -30,7 +30,7 @@ SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
 class PartValues {
 public:
     void evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points);
-    /// What the nodes make of them at point i.
+    /// The solid's value at point i: what the nodes make of the parts' values there.
     [[nodiscard]] SolidValue at(const MeshSolid& solid, std::size_t i);
 
 private:

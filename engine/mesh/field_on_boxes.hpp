@@ -10,7 +10,8 @@
 #include <span>
 #include <vector>
 
-// What enclosures tell of a solid's function, the greatest of its parts and cuts, over boxes.
+// Facts over boxes, by enclosures, about a solid's function: the greatest of what its nodes make of
+// the parts and of its cuts.
 
 namespace zeroset {
 
@@ -24,7 +25,7 @@ struct GradientBox {
     [[nodiscard]] glm::dvec3 middle() const { return 0.5 * (lo + hi); }
 };
 
-/// What is proved of the solid's function in a box.
+/// The facts proved of the solid's function in a box.
 struct BoxFacts {
     static constexpr std::size_t most_gradients = 3;
 
@@ -35,7 +36,7 @@ struct BoxFacts {
     bool kinked = false;  ///< whether it may have a kink near its zeros
     std::uint8_t count = 0;
     std::uint32_t part = 0;  ///< SolidValue::part of the last of `gradients`
-    /// Of each part and cut whose zeros may be the function's in the box.
+    /// The gradients of each part and cut whose zeros may be the function's in the box.
     std::array<GradientBox, most_gradients> gradients{};
 
     [[nodiscard]] std::span<const GradientBox> all() const { return {gradients.data(), count}; }

@@ -93,7 +93,7 @@ std::vector<std::uint32_t> MeshMaker::wanted_finer() {
     return divisible(std::move(cells));
 }
 
-/// Those of these cells that can be divided.
+/// The given cells that can be divided.
 std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells) const {
     std::erase_if(cells, [&](std::uint32_t cell) { return tree_[cell].level >= tree_.deepest(); });
     return cells;

@@ -38,7 +38,7 @@ struct UnprovedPlace {
     std::size_t cells = 0;
 };
 
-/// What is known of a mesh.
+/// A report on how a mesh was made and what of it is proved.
 struct MeshReport {
     std::size_t cells = 0;     ///< of the octree, in all
     std::size_t proved = 0;    ///< leaves at the surface whose topology is proved

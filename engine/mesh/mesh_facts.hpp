@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// What can be counted and measured of a mesh.
+/// Counts and measures of a mesh.
 struct MeshFacts {
     std::size_t vertices = 0, edges = 0, triangles = 0, components = 0;
     std::size_t open_edges = 0;  ///< with one triangle

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-// What is meshed, as plain values: the points of a box where no function is above 0.
+// The solid that is meshed, as plain values: the points of a box where its function is not above 0.
 
 namespace zeroset {
 
@@ -21,7 +21,7 @@ struct SolidPart {
     std::array<KernelFunction<RangeBatchOf<double>>, 3> gradient;
     KernelFunction<ValueBatchOf<double>> value;
     bool branches = false;            ///< Kernel::branches
-    bool defined_everywhere = false;  ///< Kernel::defined_everywhere
+    bool defined_everywhere = false;  ///< SurfaceFacts::defined_everywhere
 };
 
 /// A step of what the solid's function is made of its parts.

@@ -65,7 +65,7 @@ std::optional<GradientBox> linear_gradient(const Lattice& lattice, const Tetrahe
     return GradientBox{.lo = gradient - rounding, .hi = gradient + rounding};
 }
 
-/// What is proved to rise in a star.
+/// The functions that are proved to rise in a star.
 enum class Rise : std::uint8_t { None, Function, Both };
 
 class Prover {
@@ -100,7 +100,7 @@ Rise Prover::rise(std::size_t vertex) const {
         kinked = kinked || facts.kinked;
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
     }
-    // What does not rise alone does not rise with the levels, of which there are many.
+    // A function that does not rise alone does not rise with the levels, of which there are many.
     if (!common_rise(gradients)) return Rise::None;
     const Rise function = kinked ? Rise::Function : Rise::None;
     for (const std::uint32_t id : stars_.of(vertex)) {

@@ -12,7 +12,7 @@ namespace zeroset {
 /// Three numbers of vertices, counter-clockwise as seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What a vertex lies on.
+/// The kind of place on the surface where a vertex lies.
 enum class VertexKind : std::uint8_t { Smooth, Crease, Corner };
 
 struct MeshVertex {

@@ -122,7 +122,7 @@ std::optional<TriangleTree::Hit> TriangleTree::way_out(const glm::dvec3& from,
             if (triangle != own) meet(triangle, from, direction, nearest);
         }
         if (node.count > 0) continue;
-        // What is asked first lies on top: the nearer of the two, as the ray runs.
+        // The node that is asked first lies on top: the nearer of the two, as the ray runs.
         const Node& first = nodes_[number + 1];
         const Node& second = nodes_[node.second];
         const bool swapped =

@@ -158,7 +158,7 @@ private:
         return with_coordinate(hash, cell_[axis] + static_cast<std::uint32_t>(step));
     }
     [[nodiscard]] double gap(std::size_t axis, int step) const;
-    /// Of F2: whether it is nearer than all others everywhere in the box.
+    /// Whether, for F2, the candidate is nearer than all others everywhere in the box.
     [[nodiscard]] bool is_surely_nearest(const Candidate& candidate) const {
         return rank_ == 2 && candidate.greatest + distance_error < least_[1];
     }

@@ -17,7 +17,6 @@
 //              whole line are proper, a point at infinity is not. Proper operands give a proper
 //              range wherever the function is defined somewhere.
 //   empty      lo > hi, as of a box that was cut to nothing; or a range beside a false
-//   empty      lo > hi, as of a box that was cut to nothing; or a range beside a false
 //              Enclosure::somewhere. Its members mean nothing, as no point belongs to it.
 //   unknown    NaN in both members, or in one beside +inf. Sums, multiples, powers and roots pass
 //              it on; every other operation answers as for the whole line, or wider. So an unknown

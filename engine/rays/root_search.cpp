@@ -3,6 +3,7 @@
 #include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/form_signs.hpp"
 #include "engine/kernel/range_boxes.hpp"
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/real/scalar.hpp"
 #include "engine/trace/closed_jump.hpp"
 
@@ -277,11 +278,11 @@ void Search<Real>::evaluate_boxes(const KernelFunction<RangeBatchOf<double>>& ra
 
 template <class Real>
 bool Search<Real>::is_defined(double from, double to) const {
-    const Kernel& kernel = surface_.kernel;
-    if (kernel.defined_everywhere || !kernel.domain) return kernel.defined_everywhere;
+    const SurfaceFacts& facts = surface_facts(surface_.kernel);
+    if (facts.defined_everywhere || !facts.domain) return facts.defined_everywhere;
     RangeBoxes<double, parts> boxes;
     set_box(boxes, 0, from, to);
-    evaluate_boxes(kernel.domain, 1, boxes);
+    evaluate_boxes(facts.domain, 1, boxes);
     return boxes.continuous[0] != 0;
 }
 

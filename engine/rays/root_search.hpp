@@ -27,12 +27,12 @@ enum class RootWish : std::uint8_t {
     Any,    ///< whether there is any
 };
 
-/// What is known of where a ray begins.
+/// The place where a ray begins, as far as it is known.
 enum class RayStart : std::uint8_t {
     Anywhere,
     OnSurface,  ///< within the ray's own_error of a root that is none of the ray's
-    /// So near to a place at which f is 0 or above: a part of a union whose surface is left
-    /// outwards.
+    /// Within the ray's own_error of a place where f is 0 or above: the ray leaves the surface of a
+    /// part of a union outwards.
     NotBelow,
 };
 

@@ -24,7 +24,7 @@ public:
 
     /// Different for all that were ever made in this process.
     [[nodiscard]] std::uint64_t id() const { return id_; }
-    /// What stands for it in a printed formula, in front of its operands' parenthesis.
+    /// The text of the field in a printed formula, in front of its operands' parenthesis.
     [[nodiscard]] virtual std::string text() const = 0;
     /// Whether it is defined everywhere, and whether it is continuous wherever it is defined.
     [[nodiscard]] virtual bool is_total() const = 0;
@@ -57,7 +57,7 @@ constexpr int once_more_by(int derivative, std::size_t axis) {
 /// The highest order of which fields know values and ranges.
 inline constexpr int highest_order = 2;
 
-// What is asked and answered, by place. Masks are numbers: 1 where it holds, else 0.
+// The questions and answers of fields, by place. Masks are numbers: 1 where it holds, else 0.
 
 /// The function or a derivative at points, with its slopes; NaN where it is not defined or not
 /// known. Not rounded outward: the error of the value is at most that which `forms` tells.

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <limits>
 
-// What fields share that compute their answers in double, lane by lane, in any rounding mode.
+// Helpers of fields that compute their answers in double, lane by lane, in any rounding mode.
 
 namespace zeroset {
 

@@ -134,7 +134,7 @@ private:
     static std::vector<TraceSettings> stages_of(const RenderRequest& request, bool at_once);
     /// Whether a full picture with shadows is known to fit in the time of a first one.
     [[nodiscard]] bool shadows_fit(const RenderRequest& request);
-    /// What is to know how long pictures of these settings take; or nullptr.
+    /// The governor that is told how long pictures of these settings take; or nullptr.
     ResolutionGovernor* governor_of(const TraceSettings& stage);
     /// Whether no other request has come, nor comes for a while if this one was part of a motion.
     bool rests(const Work& work);

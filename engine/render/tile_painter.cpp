@@ -155,7 +155,7 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());
-    // By the balls near each pixel, where a surface is one of soft balls alone.
+    // Use the balls near each pixel where a surface is one of soft balls alone.
     const std::optional<Kernel> by_balls =
         surfaces_.size() == 1 ? blob_kernel(surfaces_.front(), tile) : std::nullopt;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)

@@ -13,8 +13,8 @@ struct LevelOfField {
     Expr level;  ///< without x, y and z
 };
 
-/// What f is where it is field(x, y, z) - level or level - field(x, y, z), if it is that: neither
-/// scaled, nor at another point, nor restricted.
+/// The field and the level of an f that is field(x, y, z) - level or level - field(x, y, z):
+/// neither scaled, nor at another point, nor restricted. Nothing for any other f.
 std::optional<LevelOfField> level_of_field(const Expr& f);
 
 }  // namespace zeroset

@@ -8,7 +8,7 @@
 namespace zeroset {
 namespace {
 
-/// Of each node, whether x, y or z is below it.
+/// Whether x, y or z is below a node, for each node.
 std::vector<bool> depend_on_space(const Expr& f) {
     std::vector<bool> depends;
     for (const Node& node : f.nodes()) {

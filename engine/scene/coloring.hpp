@@ -27,7 +27,7 @@ enum class ColorBy : std::uint8_t {
 };
 
 std::span<const ColorBy> color_modes();
-/// As it is typed: "mean-curvature".
+/// The name as it is typed: "mean-curvature".
 std::string_view name_of(ColorBy by);
 std::optional<ColorBy> color_by_named(std::string_view name);
 
@@ -56,7 +56,8 @@ struct SectionValues {
     ColorMap map = ColorMap::Gray;
     ValueRange range = {};
     ValueRange usual_range = {};  ///< that holds most of the values in the clip box
-    /// Of each surface what it is a level of (engine/rewrite/value_side.hpp); of those beyond: f.
+    /// The function that each surface is a level of (engine/rewrite/value_side.hpp); for surfaces
+    /// beyond these: f.
     std::vector<PointFunction> values = {};
 
     bool operator==(const SectionValues&) const = default;

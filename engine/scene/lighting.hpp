@@ -24,7 +24,7 @@ enum class Look : std::uint8_t {
     Technical,  ///< pale, with lines at silhouettes, creases and boundaries
 };
 std::span<const Look> looks();
-/// As it is typed: "porcelain".
+/// The name as it is typed: "porcelain".
 std::string_view name_of(Look look);
 std::optional<Look> look_named(std::string_view name);
 
@@ -58,7 +58,7 @@ inline constexpr int max_reflections = 5;
 /// Surfaces that a ray passes, at most, before it is given up.
 inline constexpr int max_layers = 32;
 
-/// What one surface looks like where it is not as all do.
+/// The look of one surface where it differs from that of all.
 struct SurfaceLook {
     std::optional<Look> look = std::nullopt;       ///< none: Lighting::look
     std::optional<double> opacity = std::nullopt;  ///< 0 to 1; none: the look's own

@@ -1,5 +1,6 @@
 #include "engine/scene/region.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace zeroset {
@@ -7,6 +8,13 @@ namespace zeroset {
 double size_of(const Section& section) { return std::abs(section.offset); }
 
 double size_of(const Ball& ball) { return glm::length(ball.centre) + ball.radius; }
+
+bool Region::contains(const glm::dvec3& point, double slack) const {
+    if (ball && glm::distance(point, ball->centre) > ball->radius + slack) return false;
+    return std::ranges::all_of(sections, [&](const Section& section) {
+        return glm::dot(section.normal, point) <= section.offset + slack;
+    });
+}
 
 Section make_section(const glm::dvec3& normal, double offset, bool cap) {
     const double length = glm::length(normal);

@@ -39,6 +39,8 @@ struct Region {
     bool operator==(const Region&) const = default;
     /// Whether it is all of space.
     [[nodiscard]] bool is_whole() const { return !ball && sections.empty(); }
+    /// Whether a point is in it, or no farther than `slack` beyond the ball or a section's plane.
+    [[nodiscard]] bool contains(const glm::dvec3& point, double slack = 0.0) const;
 };
 
 /// Rounding errors of distances from the shape are proportional to this size and the places'.

@@ -47,7 +47,7 @@ void call_part(const void* code, const Batch* batch) {
     pick(part.shape->kernel)(batch_of_part(part, *batch));
 }
 
-/// As call_part, but never waits for code.
+/// Calls a function as call_part does, but never waits for code.
 template <auto pick, class Batch>
 void call_part_meanwhile(const void* code, const Batch* batch) {
     const auto& part = *static_cast<const PartCode*>(code);

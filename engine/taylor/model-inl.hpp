@@ -117,7 +117,7 @@ inline Model product_of(const Model& a, const Model& b) {
             }
         }
     }
-    // What is beyond the degree, what the errors make of it, and what rounding does.
+    // The product's error: terms beyond the degree, the errors of the factors, and rounding.
     const Sizes a_sizes = sizes_of(a);
     const Sizes b_sizes = sizes_of(b);
     V error = number(underflow);

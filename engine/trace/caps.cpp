@@ -2,7 +2,7 @@
 
 #include "engine/kernel/point_batch.hpp"
 #include "engine/kernel/range_boxes.hpp"
-#include "engine/kernel/sheet_mark.hpp"
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
 #include "engine/trace/tile_costs.hpp"
@@ -79,7 +79,7 @@ bool is_mostly_negative(const Scene& scene, const KernelFunction<ValueBatchOf<fl
 
 int solid_sign(const Scene& scene, std::size_t surface) {
     const Solid solid = surface < scene.solids.size() ? scene.solids[surface] : Solid();
-    if (scene.surfaces[surface].memory->find<SheetMark>() != nullptr) return 0;
+    if (surface_facts(scene.surfaces[surface]).is_sheet) return 0;
     if (solid.side != SolidSide::Automatic) return solid.side == SolidSide::Below ? -1 : 1;
     const auto& value =
         solid.unrestricted ? solid.unrestricted : scene.surfaces[surface].in_float.value;

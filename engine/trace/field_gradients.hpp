@@ -27,7 +27,7 @@ public:
     /// written: it cannot be known here.
     bool put(std::uint32_t pixel, const std::array<double, 3>& position,
              const glm::dvec3& of_field);
-    /// Of f's gradient against the field's; 0: not known yet.
+    /// The sign of f's gradient against the field's; 0: not known yet.
     [[nodiscard]] int sign() const { return sign_; }
 
 private:

@@ -13,7 +13,7 @@ namespace zeroset {
 class NearestSurfaces {
 public:
     NearestSurfaces();
-    /// To a tile without surfaces.
+    /// Empties it: a tile without surfaces.
     void clear();
     void add(const TileHits& hits, std::uint8_t surface);
     /// Distances beyond which nothing changes the answer any more (see Tile::limits).

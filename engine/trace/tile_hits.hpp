@@ -17,7 +17,7 @@ namespace zeroset {
 /// The way that f goes along a ray at its root.
 enum class Trend : std::int8_t { Falling = -1, Unknown = 0, Rising = 1 };
 
-/// What a hit on a section shows.
+/// The kind of section that a hit is on, and so what it shows.
 enum class CapKind : std::uint8_t {
     None,    ///< it is on the surface itself
     Solid,   ///< what the surface's solid is filled with
@@ -27,21 +27,21 @@ enum class CapKind : std::uint8_t {
 /// A gradient of whatever size in floats, of which the direction counts.
 std::array<float, 3> float_gradient(const std::array<double, 3>& gradient);
 
-/// What is known of all rays of pixels, not only of those through their centres; in depths along
-/// the view axis, as TileRays has them. One item a pixel, in rows of tile_size.
+/// Bounds for all rays of pixels, not only for those through their centres; in depths along the
+/// view axis, as TileRays has them. One item a pixel, in rows of tile_size.
 struct PixelCover {
     bool known = false;  ///< else nothing here says anything
     /// A bit for each block in which something is marked; no ray of a pixel in any other
     /// meets anything.
     std::uint64_t blocks = 0;
-    /// Those of which a sheet is not known to cover each pixel of which something is marked.
+    /// A bit for each of these blocks in which sheets are not known to cover each marked pixel.
     std::uint64_t open_blocks = 0;
     /// Where one smooth sheet covers the pixel: on every ray f goes through 0 once between these.
     /// +inf: none is known.
     std::vector<float> from, to;
-    /// Before this no ray meets anything but that sheet; +inf: nor behind it, as far as it is seen.
+    /// Before this no ray meets anything but that sheet; +inf: nothing else is met in what is seen.
     std::vector<float> other_from;
-    /// Behind this no ray meets anything; +inf: not known; -inf: nor before it.
+    /// Behind this no ray meets anything; +inf: not known; -inf: no ray meets anything at all.
     std::vector<float> last;
 
     /// Nothing is marked.
@@ -111,7 +111,7 @@ struct TileHits {
     [[nodiscard]] bool is_cap(std::size_t pixel) const {
         return any_cap && cap[pixel] != CapKind::None;
     }
-    /// That of the hit of a pixel, in rows of tile_size.
+    /// The gradient at the hit of a pixel, in rows of tile_size.
     [[nodiscard]] glm::dvec3 gradient_at(std::size_t pixel) const {
         return {gradient[0][pixel], gradient[1][pixel], gradient[2][pixel]};
     }

@@ -13,7 +13,7 @@ struct TimeLimit {
 
     /// True: nothing of the work is wanted any more.
     const std::atomic<bool>* cancel = nullptr;
-    /// From then on no more is to be found; what has been found is drawn.
+    /// The time from which on no more is to be found; what has been found is drawn.
     Clock::time_point until = never;
 
     [[nodiscard]] bool cancelled() const {

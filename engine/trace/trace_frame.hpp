@@ -12,7 +12,8 @@ namespace zeroset {
 
 class OpenView;
 
-/// What a tracer has made of a surface before it is asked for tiles (Tracer::prepare). Read-only.
+/// Data that a tracer prepares of a surface before it is asked for tiles (Tracer::prepare).
+/// Read-only.
 struct PreparedSurface {
     virtual ~PreparedSurface() = default;
 };
@@ -44,13 +45,14 @@ struct TraceFrame {
     /// Where in this view the surface may be, of rays through the pixels of the image; nullptr: not
     /// known. Tracers may leave out what is elsewhere.
     const OpenView* open = nullptr;
-    /// By the tracer, of the whole surface; nullptr: nothing was prepared.
+    /// The tracer's data of the whole surface; nullptr: nothing was prepared.
     const PreparedSurface* prepared = nullptr;
 
     /// Whether the search is to end. Tracers look at it before each call of a kernel or so, not for
     /// each cell.
     [[nodiscard]] bool stopped() const { return limit.over(); }
-    /// This surface by another kernel of it, or of a part of it; without union_members and `open`.
+    /// The frame of this surface by another kernel of it, or of a part of it; without union_members
+    /// and `open`.
     [[nodiscard]] TraceFrame with(const Kernel& other, const TimeLimit& new_limit) const {
         return {.scene = scene,
                 .kernel = other,

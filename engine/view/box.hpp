@@ -16,6 +16,11 @@ struct Box {
     [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (lo + hi); }
     /// Longest edge: the "domain" that d_stop divides.
     [[nodiscard]] double size() const;
+    /// Whether a point is in it, or no farther than `slack` beyond one of its faces' planes.
+    [[nodiscard]] bool contains(const glm::dvec3& point, double slack = 0.0) const {
+        return glm::all(glm::lessThanEqual(lo - slack, point)) &&
+               glm::all(glm::lessThanEqual(point, hi + slack));
+    }
 };
 
 /// `box` about its own centre, `factor` times as large.

@@ -24,7 +24,7 @@ inline Weights<4, 4> cubic_weights(double a, double b) {
     };
     return {row(a, a, a), row(a, a, b), row(a, b, b), row(b, b, b)};
 }
-/// Those of the slope, from the differences of the coefficients.
+/// The Bernstein coefficients of the slope, from the differences of the coefficients.
 inline Weights<3, 3> slope_weights(double a, double b) {
     const auto row = [](double u, double v) {
         return std::array{(1 - u) * (1 - v) / 2, (1 + u + v - 2 * u * v) / 2, u * v / 2};

@@ -21,7 +21,8 @@ class ControlPoints {
 public:
     static constexpr std::size_t most = 216;
 
-    /// Of a cubic over so many cells along each axis: `fits` says whether there is room.
+    /// Control points of a cubic over so many cells along each axis: `fits` says whether there is
+    /// room.
     explicit ControlPoints(const std::array<std::size_t, 3>& cells)
         : count_{cells[0] + 3, cells[1] + 3, cells[2] + 3} {}
     static bool fits(const std::array<std::size_t, 3>& cells) {

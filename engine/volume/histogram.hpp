@@ -27,8 +27,8 @@ struct Histogram {
 std::optional<Histogram> histogram_of(const Samples& samples, const SampleRange& range,
                                       std::size_t most, const std::atomic<bool>& stop);
 
-/// As histogram_of of some of the samples, as many from few slices, so that little of a file is
-/// read.
+/// The histogram_of some of the samples, equally many from each of a few slices, so that little of
+/// a file is read.
 std::optional<Histogram> quick_histogram(const Samples& samples, const SampleRange& range,
                                          std::size_t most);
 

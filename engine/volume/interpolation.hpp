@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-// What the ways to interpolate between samples tell of points and boxes.
+// Answers of the ways to interpolate between samples, at points and over boxes.
 
 namespace zeroset {
 

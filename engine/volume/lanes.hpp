@@ -66,7 +66,7 @@ void mix_points(const IndexMap& map, Digits digits, bool with_slopes, PointLanes
 /// The part of a kernel's unit that roundings of values take, which are computed with more digits.
 inline constexpr double wide_share = 0x1p-8;
 
-/// What is known of boxes in the grid without holes.
+/// Bounds over boxes in the grid without holes.
 struct FormLanes {
     alignas(64) Lanes16 lo, hi, largest;
     Lanes16 slope_lo[3], slope_hi[3];  ///< by the indices

@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What a sample is stored as.
+/// The type in which a sample is stored.
 enum class SampleType : std::uint8_t {
     Int8,
     UInt8,

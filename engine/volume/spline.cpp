@@ -78,7 +78,7 @@ public:
           depth_(samples[2] + 2),
           numbers_(numbers) {}
 
-    /// Of sample (i, j, k).
+    /// The coefficient of sample (i, j, k).
     [[nodiscard]] Number& at(std::uint64_t i, std::uint64_t j, std::uint64_t k) const {
         return numbers_[((k + 1) * height_ + j + 1) * width_ + i + 1];
     }

@@ -28,7 +28,7 @@ public:
         const std::shared_ptr<const VolumeData>& volume, SplineKind kind);
 
     [[nodiscard]] const std::shared_ptr<const VolumeData>& volume() const { return volume_; }
-    /// As Float where the samples are exact in it, else as Double.
+    /// The coefficients, as Float where the samples are exact in it, else as Double.
     [[nodiscard]] const Samples& coefficients() const { return coefficients_; }
     /// The pyramid over them; `Number` must be their type. Its cell i lies between the coefficients
     /// i and i + 1.

@@ -13,7 +13,7 @@
 
 namespace zeroset {
 
-/// What a volume is beyond its outermost samples.
+/// The behaviour of a volume beyond its outermost samples.
 enum class Outside : std::uint8_t {
     Undefined,
     Edge,     ///< as at the nearest point of the grid
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const Samples& samples() const { return samples_; }
     [[nodiscard]] const Geometry& geometry() const { return geometry_; }
     [[nodiscard]] const IndexMap& map() const { return map_; }
-    /// Of all samples.
+    /// The range of all samples.
     [[nodiscard]] const SampleRange& range() const { return range_; }
     /// The box about the grid in the world: lower ends, then upper ends.
     [[nodiscard]] std::array<double, 6> bounds() const;

@@ -56,7 +56,8 @@ public:
     }
 
 private:
-    /// What points are computed in: the indices shall be good to the last places of a kernel.
+    /// The type that points are computed in: the indices shall be good to the last places of a
+    /// kernel.
     template <class Real>
     using WideOf = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
 

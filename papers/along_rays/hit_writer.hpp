@@ -26,7 +26,7 @@ public:
         hits_.push(at(pixel), line.at(s), static_cast<float>(distance),
                    certified ? Certificate::Certified : Certificate::Undecided);
     }
-    /// What is at depth s could be neither rejected nor drawn.
+    /// Leaves a pixel unsettled: a root at depth s could be neither rejected nor drawn.
     void leave_unsettled(std::uint32_t pixel, double s) {
         if (unsettled_[pixel]) return;
         unsettled_[pixel] = true;

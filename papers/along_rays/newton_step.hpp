@@ -31,7 +31,7 @@ inline void take_newton_step(const Stretch& t, const Interval<double>& f_middle,
     outcome.bisect(left);
 }
 
-/// The same for 0 inside F'(T) and outside F(m): the parts of T on both sides of m that are left
+/// The step for 0 inside F'(T) and outside F(m): the parts of T on both sides of m that are left
 /// [Caprani00]. A ray whose slope is not known keeps both halves.
 inline void take_alefeld_hansen_step(const Stretch& t, const Interval<double>& f_middle,
                                      const Interval<double>& slope, TaskOutcome& outcome) {

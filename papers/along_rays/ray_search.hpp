@@ -16,7 +16,7 @@
 
 namespace zeroset {
 
-/// What a search keeps from one tile to the next.
+/// The memory that a search keeps from one tile to the next.
 template <class Real>
 struct RayMemory {
     RayField<Real> field;

@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// What is known of a stretch that is not to be divided any further.
+/// The verdict on a stretch that is not to be divided any further.
 enum class StretchAnswer : std::uint8_t {
     Free,       ///< no root
     Unsettled,  ///< f is not proved continuous: the ray goes on

@@ -35,7 +35,7 @@ struct RayTask {
     double finest;  ///< a stretch that is no wider than this is not divided
 };
 
-/// What a method says of a task.
+/// The answer of a method to a task.
 struct TaskOutcome {
     enum class Kind : std::uint8_t {
         Parts,  ///< only these stretches, front to back, may hold a root; none: there is none

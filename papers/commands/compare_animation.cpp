@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What n frames took together.
+/// The time that n frames took together.
 struct GroupTime {
     double grid_ms = 0.0, frames_ms = 0.0;
     std::size_t crossed = 0;  ///< cells of the last grid

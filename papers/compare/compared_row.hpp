@@ -13,7 +13,7 @@
 
 namespace zeroset {
 
-/// What all rows of a comparison share.
+/// The facts that all rows of a comparison share.
 struct Comparison {
     const PrintedTable* table;
     int width, height, threads, repeats;

@@ -21,7 +21,7 @@ struct PrintedSurface {
     double domain;
 };
 
-/// What Florez printed of the boxes of an image; 0: not printed.
+/// The numbers that Florez printed of the boxes of an image; 0: not printed.
 struct PrintedBoxes {
     std::string_view surface;
     double trimming_s;  ///< of finding the boxes

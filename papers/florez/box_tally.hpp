@@ -33,7 +33,7 @@ struct ImageBoxCounters {
     }
 };
 
-/// What the tracers with boxes have counted on a surface (Kernel::memory). Any thread.
+/// The counts of the tracers with boxes on a surface (Kernel::memory). Any thread.
 class BoxTally {
 public:
     void add(const ImageBoxCounters& counters) {

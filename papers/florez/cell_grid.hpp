@@ -31,7 +31,7 @@ public:
     [[nodiscard]] const Box& clip() const { return clip_; }
     /// Whether it serves several frames.
     [[nodiscard]] bool of_frames() const { return of_frames_; }
-    /// What beams have found in it, kept from frame to frame.
+    /// The findings of beams in the grid, kept from frame to frame.
     [[nodiscard]] KernelMemory& memory() const { return memory_; }
 
 private:

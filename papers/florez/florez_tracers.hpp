@@ -11,7 +11,7 @@ namespace zeroset {
 /// florez_boxes.cpp.
 void trace_tile_florez_boxes(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                              Counters& counters);
-/// The same with the rejection test alone.
+/// Boxes of the image by the rejection test alone, and single rays in what is left.
 void trace_tile_florez_trimming(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                                 Counters& counters);
 /// A regular grid walked by beams; see regular_grid.cpp.

@@ -98,8 +98,8 @@ void LeafTests<Real>::partial_differential_test(const TraceFrame& frame,
     }
 }
 
-/// As K-bisection does: the sign at the leaf's beginning, and the opposite one at its end, or up to
-/// extra_slices leaves behind it.
+/// Certifies roots as K-bisection does: by the sign at the leaf's beginning, and the opposite one
+/// at its end, or up to extra_slices leaves behind it.
 template <class Real>
 void LeafTests<Real>::certify(const TraceFrame& frame, std::span<LeafCase* const> open,
                               Counters& counters) {

@@ -12,7 +12,7 @@
 
 namespace zeroset {
 
-/// What a leaf is for its ray.
+/// The verdict on a leaf for its ray.
 enum class LeafVerdict : std::uint8_t {
     Refused,    ///< surely without a root on the ray
     Passed,     ///< where f is not known to be continuous: the ray goes on, unsettled

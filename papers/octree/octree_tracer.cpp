@@ -42,7 +42,7 @@ namespace {
 constexpr std::size_t most_marching = 32;
 constexpr int most_refused_leaves = 1 << 13;
 
-/// What these tracers prepare.
+/// A surface as these tracers prepare it.
 struct PreparedOctree : PreparedSurface {
     std::shared_ptr<const Octree> octree;
 };
@@ -179,7 +179,7 @@ void OctreeWalks<Real, Method, Source>::judge_asked() {
         frame_.kernel.range(
             boxes_.batch(padded(count), frame_.scene.uniforms.template boxes<Real>()));
     }
-    // Those that go on are put in again.
+    // Walks that go on are put in again.
     std::array<RayWalk*, most_walks> judged_walks{};
     const std::size_t walks = marching_.size();
     std::ranges::copy(marching_, judged_walks.begin());

@@ -10,10 +10,10 @@ namespace zeroset {
 /// Stolte's octree [Stolte05]; see octree_tracer.cpp.
 void trace_tile_octree(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                        Counters& counters);
-/// The same with bounds of the ray that are not rounded outward: nothing is proved.
+/// Stolte's octree with bounds of the ray that are not rounded outward: nothing is proved.
 void trace_tile_octree_unrounded(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                                  Counters& counters);
-/// The same with Gargantini's traversal: nothing is proved.
+/// Stolte's octree with Gargantini's traversal: nothing is proved.
 void trace_tile_gargantini(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                            Counters& counters);
 

@@ -17,7 +17,8 @@ struct RoundedVoxelisation {
     static void pass(const OctreeRay& ray, const Octant& octant, SubOctants& passed);
 };
 
-/// The same without a thought for rounding: each plane's number is both bounds.
+/// The ray voxelised by its implicit form, regardless of rounding: each plane's number is both
+/// bounds.
 struct UnroundedVoxelisation {
     static constexpr bool proves = false;
     static void pass(const OctreeRay& ray, const Octant& octant, SubOctants& passed);

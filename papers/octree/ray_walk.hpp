@@ -12,7 +12,7 @@
 
 namespace zeroset {
 
-/// What a frame's walks have in common.
+/// The values that a frame's walks have in common.
 struct WalkPlan {
     const Octree* octree;  ///< of this space
     OctreeSpace space;

@@ -6,7 +6,7 @@
 
 namespace zeroset {
 
-/// What is proved of a ray in a voxel, of the numbers of the VoxelRay as they are.
+/// A proof about the roots of a ray in a voxel, for the numbers of the VoxelRay as they are.
 struct ProvedRoot {
     enum class Kind : std::uint8_t {
         None,     ///< rho is nowhere 0

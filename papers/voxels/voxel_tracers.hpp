@@ -27,7 +27,7 @@ void trace_tile_voxels(const TraceFrame& frame, const Tile& tile, TileHits& hits
 void find_first_hits(VoxelMethod method, RaysAtOnce rays, const VoxelRays& voxels,
                      std::span<float> t);
 
-/// What a method works with in a tile.
+/// The values that a method works with in a tile.
 struct VoxelTile {
     const TraceFrame& frame;
     const RayLines& lines;

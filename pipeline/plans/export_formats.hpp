@@ -20,7 +20,7 @@ const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::pat
 /// empty.
 std::string export_endings(ExportKind kind);
 
-/// Those of the formats that have this member, as &ExportFormat::alpha.
+/// The endings of this kind's formats that have this member, as &ExportFormat::alpha.
 std::string export_endings(ExportKind kind, bool ExportFormat::* has);
 
 /// "; it is for .jpg or .webp", of an option that the formats with this member have; empty where
@@ -31,8 +31,8 @@ std::string export_use(ExportKind kind, bool ExportFormat::* has);
 /// Zeroset was built without FFmpeg"; empty where it can write all.
 std::string missing_endings(ExportKind kind);
 
-/// What to type instead of a path of which this kind has no format: "type a name that ends in
-/// ...", and the command for files with that ending, if there is one. For films
+/// A hint on what to type instead of a path of which this kind has no format: "type a name that
+/// ends in ...", and the command for files with that ending, if there is one. For films
 /// "name####.png", which stands for numbered pictures, is one of the names.
 std::string other_name(ExportKind kind, const std::filesystem::path& path);
 

@@ -49,7 +49,7 @@ struct FilmWatch {
 
 using TakeFrame = std::function<std::expected<void, FileError>(const FilmFrame&)>;
 
-/// What a finished film took.
+/// The work that a finished film took.
 struct FilmWork {
     int drawn = 0;  ///< frames
     Counters counters;

@@ -18,7 +18,7 @@ using FrameRangeChoice = std::optional<int>;
 
 inline constexpr int longest_frame_range = 100'000;
 
-/// What frame ranges did in a film.
+/// The work of frame ranges in a film.
 struct FrameRangeWork {
     int frames = 0;            ///< frames that were drawn with them
     int searches = 0;          ///< searches for empty space

@@ -44,7 +44,7 @@ struct PosterWatch {
 /// Takes the bands, from the top to the bottom.
 using TakeBand = std::function<std::expected<void, FileError>(const PictureBand&)>;
 
-/// What a finished poster took.
+/// The work that a finished poster took.
 struct PosterWork {
     Counters counters;
     double drawing_ms = 0.0;  ///< without that of taking the bands

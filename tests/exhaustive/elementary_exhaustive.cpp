@@ -173,7 +173,7 @@ private:
             floats.close[i] = function_.close(a, a);
         }
     }
-    /// As `approximate`, from the values at the negatives.
+    /// Approximates as `approximate` does, from the values at the negatives.
     void reflect(Stretch& floats) const {
         if (shape_.symmetry == Symmetry::None) return approximate(floats);
         if (shape_.symmetry == Symmetry::Even) return;

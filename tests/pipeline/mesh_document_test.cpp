@@ -228,7 +228,7 @@ TEST(MeshOpen, EndsWhereTheBoxDoes) {
 }
 
 TEST(MeshWall, HasItsThicknessAndIsClosed) {
-    // Of a hemisphere of radius 1, 100 mm wide with a wall of 4 mm: 96/2 mm to the middle of it.
+    // A hemisphere of radius 1, 100 mm wide with a wall of 4 mm: 96/2 mm to the middle of it.
     const auto half = [](Document& document) {
         document.region.sections.push_back(make_section({0, 0, 1}, 0));
     };

@@ -23,8 +23,8 @@ Framebuffer picture(const PictureRequest& request, int side) {
     return out;
 }
 
-/// The same surface by an equation and by a point shows the same pixels at the same depths, but for
-/// those at its edges.
+/// A surface shows the same pixels at the same depths by an equation and by a point, but for those
+/// at its edges.
 void expect_alike(const std::string& equation, const std::string& point) {
     constexpr int side = 128;
     const Framebuffer a = picture(picture_of(equation), side);

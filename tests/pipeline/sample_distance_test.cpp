@@ -72,8 +72,8 @@ TEST(SampleDistance, OfATorus) {
     expect_distances("(x^2 + y^2 + z^2 + 0.91)^2 = 4 (x^2 + y^2)", torus, cube(1.5, 20), 5e-3);
 }
 
-/// Of two balls that meet in a crease; outside it is the least of both, inside the nearest place
-/// may be on the crease.
+/// Two balls that meet in a crease: outside, the distance is the least of both; inside, the nearest
+/// place may be on the crease.
 TEST(SampleDistance, OfAUnion) {
     const Distance both = [](const glm::dvec3& p) {
         const double a = glm::length(p - glm::dvec3(0.5, 0, 0)) - 1;

@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-// What sections show of typed surfaces: the colours of the function whose level they are.
+// Sections of typed surfaces show the colours of the function whose level they are.
 
 namespace zeroset::test::section_values_test {
 namespace {

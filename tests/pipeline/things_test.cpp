@@ -205,7 +205,7 @@ std::shared_ptr<const PatchTree> tree_in(const Scene& scene, std::size_t surface
     return patch_tree(scene.surfaces.at(surface), scene.uniforms);
 }
 
-/// Of two surfaces, this one alone has another tree when the picture changes.
+/// Expects that of two surfaces this one alone has another tree when the picture changes.
 void expect_new_tree_only_of(std::size_t surface, const PictureRequest& first,
                              const PictureRequest& moved) {
     const Scene before = scene_of(first);

@@ -20,7 +20,7 @@ using References = std::map<std::string, FunctionReference>;
 
 /// The references by the names of the functions.
 References library_references();
-/// Those among them that are noise.
+/// The references of the functions that are noise.
 References noise_references();
 
 }  // namespace zeroset::test

@@ -6,9 +6,9 @@
 
 namespace zeroset::test {
 
-/// What is wrong with a mesh that is to be closed: an edge without exactly two triangles that run
-/// along it in opposite directions, a vertex whose triangles are not one ring, a triangle without
-/// three vertices, one that is there twice, a vertex of no triangle. Empty: nothing.
+/// The defect of a mesh that is to be closed: an edge without exactly two triangles that run along
+/// it in opposite directions, a vertex whose triangles are not one ring, a triangle without three
+/// vertices, one that is there twice, a vertex of no triangle. Empty: none.
 std::string defect_of(const TriangleMesh& mesh);
 
 /// V - E + F, counted apart from the engine's own.

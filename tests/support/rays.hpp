@@ -120,8 +120,8 @@ inline std::vector<Tracer> proving_tracers() {
     return proving;
 }
 
-/// Those of them that a test of many places tries: in a long run all, else the two usual ones,
-/// which come first, and a third of the others.
+/// The proving tracers that a test of many places tries: in a long run all, else the two usual
+/// ones, which come first, and a third of the others.
 inline std::vector<Tracer> proving_tracers_to_try() {
     std::vector<Tracer> tried;
     for (std::size_t i = 0; const Tracer& tracer : proving_tracers()) {

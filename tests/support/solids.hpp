@@ -30,8 +30,7 @@ inline MeshSolid solid_of(const std::vector<std::string>& texts, const Box& box)
         SolidPart part{.range = kernel.in_double.range,
                        .gradient = {},
                        .value = kernel.in_double.value,
-                       .branches = kernel.branches,
-                       .defined_everywhere = kernel.defined_everywhere};
+                       .branches = kernel.branches};
         const std::array<Expr, 3> slopes = gradient_of(*f);
         for (std::size_t axis = 0; axis < 3; ++axis)
             part.gradient[axis] = interpret(slopes[axis]).in_double.range;

@@ -2,7 +2,7 @@
 
 #include "engine/expr/expr.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/kernel/field_level.hpp"
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/rewrite/level_of_field.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/volume/volume.hpp"
@@ -51,8 +51,8 @@ inline Expr level_set(std::shared_ptr<const Volume> volume, double level) {
 inline Kernel kernel_with_level(const Expr& f) {
     Kernel kernel = interpret(f);
     if (const auto is = level_of_field(f)) {
-        *kernel.memory->of<FieldLevel>() = {.field = is->field,
-                                            .level = interpret(is->level).in_double.range};
+        kernel.facts = std::make_shared<const SurfaceFacts>(SurfaceFacts{
+            .field = {.field = is->field, .level = interpret(is->level).in_double.range}});
     }
     return kernel;
 }

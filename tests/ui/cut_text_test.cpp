@@ -262,7 +262,7 @@ protected:
 
     void report(const std::string& what) {
         for (const std::string& line : cut_texts()) {
-            // What is typed scrolls in its field: a camera's three numbers are longer than some.
+            // Typed text scrolls in its field: a camera's three numbers are longer than some.
             if (!line.contains("/##camera_")) found_.emplace(line, what);
         }
         // The sections' heights are known before they are drawn; only all of them together scroll.

@@ -5,7 +5,7 @@
 
 #include <span>
 
-// What the parts of the table of actions are made of.
+// The parts that the table of actions is made of.
 
 namespace zeroset::ui {
 

@@ -10,7 +10,7 @@ const RowError* error_of(const UiState& state, const Statement& statement);
 bool has_errors(const UiState& state);
 /// Puts the caret where the row is wrong.
 void go_to_error(UiState& state, int row);
-/// The same in the next row that has an error, behind the one that is typed into.
+/// Puts the caret where the next row with an error is wrong, behind the row that is typed into.
 void go_to_next_error(UiState& state);
 
 }  // namespace zeroset::ui

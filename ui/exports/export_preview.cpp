@@ -103,7 +103,7 @@ void draw_texts(const ExportPreview& preview, const Palette& colors) {
     ImGui::PopTextWrapPos();
 }
 
-/// What stands in the room where there is nothing to be seen yet.
+/// The text in the room where there is nothing to be seen yet.
 const char* waiting_text(const UiState& state) {
     if (!state.shown.export_preview.warnings.empty()) return "";
     return state.shown.export_progress.name.empty() ? "..." : tr("after what is being saved");

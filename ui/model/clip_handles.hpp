@@ -44,7 +44,7 @@ struct Clipping {
     bool operator==(const Clipping&) const = default;
 };
 
-/// Those that can be moved in this view: a handle whose line is seen end-on is left out. `stem`:
+/// The handles that can be moved in this view: one whose line is seen end-on is left out. `stem`:
 /// the length of a section's arrow in heights of the picture.
 std::vector<Handle> clip_handles(const Clipping& clipping, const ViewFrame& view, double stem);
 

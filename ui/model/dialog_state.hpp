@@ -23,9 +23,9 @@ struct FileChoice {
     enum class Purpose : std::uint8_t { Open, OpenFolder, Save, Export };
     Purpose purpose = Purpose::Open;
     std::string title;
-    /// Of the files that are offered, and of names without one.
+    /// The ending of the files that are offered, and of names without one.
     std::string ending = ".zeroset.json";
-    /// Of other files that are offered; small letters.
+    /// The endings of other files that are offered; small letters.
     std::vector<std::string> other_endings;
     std::string folder;         ///< shown; absolute
     std::string name;           ///< in the field

@@ -15,8 +15,8 @@
 
 namespace zeroset::ui {
 
-/// What a wheel, or two fingers on a touchpad, do over the picture. Those that it is not do so with
-/// Ctrl (zoom) or Shift (the other one).
+/// The use of a wheel, or of two fingers on a touchpad, over the picture. Ctrl makes it zoom; Shift
+/// makes it pan where it orbits, and orbit where it pans.
 enum class WheelUse : std::uint8_t { Zoom, Orbit, Pan };
 std::string_view name_of(WheelUse use);
 std::optional<WheelUse> wheel_use_named(std::string_view name);

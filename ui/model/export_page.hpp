@@ -16,7 +16,7 @@
 
 namespace zeroset::ui {
 
-/// What is asked for of a picture.
+/// The settings of a picture that is to be saved.
 struct PictureExport {
     glm::ivec2 size_px{1920, 1080};
     int bits = 8;
@@ -28,7 +28,7 @@ struct PictureExport {
     bool operator==(const PictureExport&) const = default;
 };
 
-/// What is asked for of a film.
+/// The settings of a film that is to be saved.
 struct FilmExport {
     glm::ivec2 size_px{1280, 720};
     double seconds = 6.0;
@@ -36,7 +36,7 @@ struct FilmExport {
     double degrees = 360.0;
     int axis = 0;                ///< 0: what is up; 1 to 3: x, y, z
     bool through_views = false;  ///< the way of `plan` leads through all saved views instead
-    /// What else changes, with its rate, end and easing; frames and turn are made of the above.
+    /// The other changes, with their rate, end and easing; frames and turn are made of the above.
     FilmPlan plan = {};
     bool alpha = false;
     bool smooth = true;
@@ -52,7 +52,7 @@ struct FilmExport {
     }
 };
 
-/// What is asked for of meshes.
+/// The settings of meshes that are to be saved.
 struct MeshExport {
     /// Formula: no triangles but the formula itself, which 3MF alone can hold.
     enum class Shape : std::uint8_t { Solid, Open, Wall, Formula };
@@ -65,7 +65,7 @@ struct MeshExport {
     bool operator==(const MeshExport&) const = default;
 };
 
-/// What is asked for of a drawing in lines.
+/// The settings of a drawing in lines that is to be saved.
 struct DrawingExport {
     enum class Hidden : std::uint8_t { Remove, Dash, Show };
     glm::dvec2 size_mm{120.0, 90.0};
@@ -115,7 +115,7 @@ struct PreviewLine {
     bool dashed = false;
 };
 
-/// What is known beforehand of the file that is wished for.
+/// A preview of the file that is wished for.
 struct ExportPreview {
     unsigned int texture = 0;  ///< OpenGL's name of the picture; 0: none
     glm::ivec2 size_px{0};     ///< of the picture

@@ -20,7 +20,7 @@ struct ViewMove {
     bool begun = false;
 };
 
-/// What the field of a row showed that had the keyboard last.
+/// The row whose field had the keyboard last, and the text that the field showed.
 struct TypedField {
     int row = 0;
     WrappedText shown;

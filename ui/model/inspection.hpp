@@ -14,7 +14,7 @@
 
 namespace zeroset::ui {
 
-/// What is to be looked into. Not kept from window to window.
+/// The choice of what is to be looked into. Not kept from window to window.
 struct Inspection {
     std::string tracer = "beams";      ///< that draws the picture
     std::optional<std::string> other;  ///< that draws the same picture beside it
@@ -47,7 +47,7 @@ struct OtherPicture {
     unsigned int texture = 0;  ///< OpenGL's name of it, or of the difference; 0: none
     double frame_ms = 0.0;     ///< of a complete picture
     bool complete = false;
-    /// Of two complete pictures of the same view, where the difference is wanted.
+    /// The wrong pixels of two complete pictures of the same view, where the difference is wanted.
     std::optional<WrongPixels> wrong;
     Reference reference = Reference::None;  ///< what `wrong` is told by
 };

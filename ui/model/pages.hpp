@@ -37,7 +37,7 @@ struct HelpPage {
     std::string filter;  ///< words that are looked for
 };
 
-/// What a new user is shown, step by step, on the window itself.
+/// The tour that a new user is shown, step by step, on the window itself.
 struct Tour {
     std::optional<std::size_t> step;  ///< that is shown; nothing: no tour
 };

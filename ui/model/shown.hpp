@@ -40,7 +40,7 @@ struct ReadingFacts {
     std::vector<int> surface_rows;        ///< the row of each surface
     std::vector<int> thick_rows;          ///< the rows that are curves or points
     std::vector<std::string> parameters;  ///< that have a slider
-    /// Of the volumes of which sliders choose a value, by the slider's name.
+    /// The histograms of the volumes of which sliders choose a value, by the slider's name.
     std::map<std::string, std::shared_ptr<const Histogram>> histograms;
     bool uses_w = false;
     bool calls_w_t = false;     ///< the rows say t for w

@@ -14,7 +14,7 @@ bool ends_well(std::string_view character) {
     return character.size() == 1 && std::string_view(" +-*/=<>,;").contains(character.front());
 }
 
-/// What two texts have in common at their beginnings.
+/// The length of the common beginning of two texts.
 std::size_t common_start(std::string_view a, std::string_view b) {
     return static_cast<std::size_t>(std::distance(a.begin(), std::ranges::mismatch(a, b).in1));
 }

@@ -36,8 +36,9 @@ struct PlainEdit {
     std::size_t caret = 0;
 };
 
-/// What a person meant who made `after`, with its caret at `caret`, of what was shown. Deleting
-/// nothing but a break that was put in takes the character beside it: the one `ahead`, or before.
+/// The edit that a person meant who made `after`, with its caret at `caret`, of what was shown.
+/// Deleting nothing but a break that was put in takes the character beside it: the one `ahead`, or
+/// before.
 PlainEdit plain_edit(const WrappedText& shown, std::string_view after, std::size_t caret,
                      bool ahead);
 

@@ -15,7 +15,7 @@ constexpr double zoom_per_notch = 0.88;
 constexpr double orbit_per_notch = 1.0 / 24.0;
 constexpr double pan_per_notch = 1.0 / 16.0;
 
-/// What the wheel does while these keys are held.
+/// The use of the wheel while these keys are held.
 WheelUse use_with_keys(WheelUse use, bool ctrl, bool shift) {
     if (use == WheelUse::Zoom || ctrl) return WheelUse::Zoom;
     if (!shift) return use;

@@ -28,7 +28,7 @@ struct TurnMode {
     bool freely = false;           ///< unless it turns as a ball does
 };
 
-/// What a turn of the wheel, or a way of two fingers, does to the view. `x`, `y` are notches, as
+/// The motion of the view by a turn of the wheel, or a way of two fingers. `x`, `y` are notches, as
 /// GLFW has them: what scrolls follows the fingers.
 PointerMotion scrolled(WheelUse use, double x, double y, bool ctrl, bool shift);
 

@@ -27,7 +27,8 @@ char plain_letter(unsigned code) {
     return code < 0xE0U ? capitals[code - 0xC0U] : small[code - 0xE0U];
 }
 
-/// What people type for a sign that begins the text, and its bytes; 0 bytes: it is none of these.
+/// The characters that people type for a sign that begins the text, and the sign's bytes; 0 bytes:
+/// it is none of these.
 std::pair<std::string_view, std::size_t> in_ascii(std::string_view text) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{
         {{"\xE2\x80\x99", "'"}, {"\xC5\x93", "oe"}, {"\xC5\x92", "oe"}, {"\xE2\x80\xAF", " "}}};

@@ -75,7 +75,7 @@ const std::vector<HelpSection>& keys_help() {
     return sections;
 }
 
-/// What is typed, as in the user's language: formulas are the same in all of them.
+/// The typed text in the user's language: formulas are the same in all of them.
 std::string typed_text(const HelpEntry& entry, FontRole typed) {
     if (typed == FontRole::SmallFormula) return entry.typed;
     return keys_in_language(tr(entry.typed.c_str()));

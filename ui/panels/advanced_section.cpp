@@ -62,7 +62,7 @@ std::string drawn_by(const std::string& tracer, double frame_ms, const Framebuff
                   {tracer, time, localized(short_number(mean_cost(frame), 3))});
 }
 
-/// What is told of the pictures.
+/// The lines of text on the pictures.
 std::vector<std::string> lines_of(const UiState& state) {
     const Inspection& wanted = state.edited.inspection;
     std::vector<std::string> lines;

@@ -89,7 +89,7 @@ void draw_picture(UiState& state, const SavedView& view, ViewPictureWish& wish) 
                                             std::max(em(0.12F), 1.0F));
 }
 
-/// What the icons on the card of a saved view do.
+/// The wishes that the icons on the card of a saved view stand for.
 enum class CardWish : std::uint8_t { Nothing, MoveUp, Remove };
 
 CardWish draw_card(UiState& state, std::size_t index, ViewPictureWish& wish) {

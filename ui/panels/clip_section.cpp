@@ -30,7 +30,7 @@ constexpr int free_axis = 3;
 constexpr std::array<const char*, 4> axis_names{"x", "y", "z", marked("free")};
 const char* axis_name(int axis) { return tr(axis_names.at(static_cast<std::size_t>(axis))); }
 
-/// What was done to fields of numbers.
+/// The changes made to fields of numbers.
 struct Typed {
     bool changed = false;
     bool finished = false;  ///< the keyboard has left a field that was changed

@@ -107,7 +107,7 @@ void draw_name(const std::string& name, const std::string& called, const Palette
     draw_tooltip(first + (first.empty() ? "" : "\n") + tr(how));
 }
 
-/// What a right click makes of a slider: of an isovalue, the middle of the volume's values.
+/// The slider after a right click: of an isovalue, the middle of the volume's values.
 Slider usual_slider(const std::string& name, const ReadingFacts& reading) {
     Slider usual = first_slider(name);
     const auto found = reading.histograms.find(name);

@@ -110,7 +110,7 @@ void draw_kind(const Row& row, const ImVec2& centre) {
                    sign);
 }
 
-/// What the sign in place of a swatch says; empty: there is none.
+/// The meaning of the sign in place of a swatch, in words; empty: there is none.
 std::string kind_name(const Row& row) {
     if (row.error() != nullptr && !row.error()->unfinished) return row.error()->reason;
     if (row.report == nullptr || row.report->readings.empty()) return "";

@@ -72,7 +72,7 @@ std::uint32_t color_of(const Handle& handle, Theme theme) {
 
 double opacity_of(std::uint32_t color) { return static_cast<double>(color >> 24U) / 255.0; }
 
-/// As opaque as the colour.
+/// White, as opaque as the colour.
 std::uint32_t white_on(std::uint32_t color) { return faded(0xFFFFFFFFU, opacity_of(color)); }
 
 struct HandlePen {

@@ -102,7 +102,7 @@ void draw_contents(UiState& state, Emptiness why, float width) {
     }
 }
 
-/// What framing has found, until the next press of a button.
+/// Draws what framing has found, until the next press of a button.
 void draw_framed(const std::string& text, const PictureArea& area) {
     if (text.empty()) return;
     const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;

@@ -38,7 +38,7 @@ struct Palette {
 
 const Palette& palette(Theme theme);
 
-/// What a theme shows behind the picture.
+/// The background of the picture in a theme.
 Background picture_background(Theme theme);
 
 /// Sets ImGui's style; `scale` is in window coordinates per design unit.

@@ -14,7 +14,7 @@ namespace zeroset::ui {
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
                     const Statement& statement, const Palette& colors, bool hovered);
 
-/// What the popup of a surface has to offer.
+/// The kind of a surface, which decides what its popup offers.
 struct SurfaceKind {
     bool is_thick = false;  ///< it is a curve or a point
     Box clip;               ///< the document's clip box

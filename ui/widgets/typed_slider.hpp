@@ -12,7 +12,7 @@ namespace zeroset::ui {
 /// beyond an end becomes that end. Returns true when the value changed.
 bool slide(const char* id, double& value, double lo, double hi, const char* format,
            ImGuiSliderFlags flags = 0);
-/// The same for whole numbers; another number is no number.
+/// A slider for whole numbers; another number is no number.
 bool slide(const char* id, int& value, int lo, int hi, const char* format,
            ImGuiSliderFlags flags = 0);
 

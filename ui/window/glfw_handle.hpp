@@ -13,7 +13,7 @@ namespace zeroset::ui {
 
 inline constexpr float max_scale = 4.0F;
 
-/// What ZEROSET_SCALE says; nothing: the screen's scale counts.
+/// The scale that ZEROSET_SCALE says; nothing: the screen's scale counts.
 std::optional<float> scale_override();
 
 /// GLFW's description of its last error.

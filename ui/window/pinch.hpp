@@ -6,7 +6,7 @@
 
 namespace zeroset::ui {
 
-/// What an event of a pinch tells, as X11's XInput 2.4 has it.
+/// An event of a pinch, as X11's XInput 2.4 has it.
 struct PinchEvent {
     bool begins = false;
     /// How far the fingers are apart, as a part of how far they were at the beginning: 16.16 fixed

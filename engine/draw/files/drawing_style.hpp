@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// What becomes of the parts of curves that surfaces hide.
+/// The treatment of the parts of curves that surfaces hide.
 enum class HiddenLines : std::uint8_t { Remove, Dash, Show };
 /// "remove", "dash", "show".
 std::optional<HiddenLines> hidden_lines_named(std::string_view name);

@@ -37,7 +37,7 @@ FilmCodecRow film_codec_row(FilmCodec codec);
 std::expected<std::unique_ptr<FilmEncoder>, std::string> open_ffmpeg_film(
     const FilmCodecRow& row, const std::filesystem::path& path, const FilmSettings& settings);
 
-/// The same for GIF, which needs all frames before it can choose its colours.
+/// Begins a GIF in a new file at `path`; it needs all frames before it can choose its colours.
 std::expected<std::unique_ptr<FilmEncoder>, std::string> open_ffmpeg_gif(
     const FilmCodecRow& row, const std::filesystem::path& path, const FilmSettings& settings);
 

@@ -124,7 +124,7 @@ Sum left_sum(const std::uint32_t* upper, const std::uint32_t* lower, int col) {
     return sum;
 }
 
-/// The same where transparent pixels do not count, unless all of them are.
+/// The sum of left_sum where transparent pixels do not count, unless all of them are.
 Sum left_sum_of_drawn(const std::uint32_t* upper, const std::uint32_t* lower, int col) {
     std::array<float, 3> light{};
     float weights = 0.0F;

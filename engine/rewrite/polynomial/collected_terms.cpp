@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t least_nodes = 500;
 constexpr std::size_t most_nodes_collected = 20'000;
 constexpr std::size_t most_new_nodes = 8'000;
-/// Those that take the least time are measured.
+/// Ways that are measured, at most: those that are estimated to take the least time.
 constexpr std::size_t most_measured = 6;
 /// A way pays if it is estimated to take less than this share of the time.
 constexpr double clearly = 0.7;

@@ -65,7 +65,7 @@ public:
     [[nodiscard]] bool is_finite() const;
     /// Whether all coefficients are finite and of known sign.
     [[nodiscard]] bool is_certain() const;
-    /// As a polynomial in one atom, falling exponents; no zero coefficients.
+    /// The coefficients as a polynomial in one atom, falling exponents; none of them is zero.
     [[nodiscard]] std::vector<Coefficient> coefficients(int atom) const;
     /// The terms for which `keep(monomial)` holds.
     template <class Keep>

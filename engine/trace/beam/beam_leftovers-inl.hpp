@@ -9,6 +9,7 @@
 #define ZEROSET_BEAM_LEFTOVERS_INL
 #endif
 
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/trace/beam/beam_rays-inl.hpp"
 #include "engine/trace/closed_jump.hpp"
 
@@ -44,7 +45,7 @@ void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges,
 template <class Real, class Cell>
 bool RayMarcher<Real, Cell>::is_defined(const LeftoverSegment<Real>& what, Real finest) {
     if constexpr (std::is_same_v<Real, double>) {
-        const auto& domain = frame_.kernel.domain;
+        const auto& domain = surface_facts(frame_.kernel).domain;
         if (!domain) return false;
         const Margins margins = margins_around(finest);
         witness_ranges_.clear();
@@ -63,7 +64,7 @@ template <class Real, class Cell>
 auto RayMarcher<Real, Cell>::witnessed(const LeftoverSegment<Real>& what, Real finest,
                                        bool continuous) -> std::optional<Crossing> {
     if constexpr (std::is_same_v<Real, double>) {
-        const Kernel& f = frame_.kernel;
+        const SurfaceFacts& f = surface_facts(frame_.kernel);
         if (!frame_.union_members.empty() || f.witnesses.empty()) return std::nullopt;
         if (!continuous && !f.defined_everywhere && !is_defined(what, finest)) return std::nullopt;
         for (const auto& witness : f.witnesses) {
@@ -178,9 +179,9 @@ std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t lefto
             return std::nullopt;
         }
         // At a hole, where f is not defined, there is no root.
-        const bool is_drawn =
-            continuous || (closes(ranges_, box, settings.finest) &&
-                           (frame_.kernel.defined_everywhere || is_defined(what, settings.finest)));
+        const bool is_drawn = continuous || (closes(ranges_, box, settings.finest) &&
+                                             (surface_facts(frame_.kernel).defined_everywhere ||
+                                              is_defined(what, settings.finest)));
         goes_on =
             undecided(segment.part(what.from, what.to, what.to - what.from), segment.to, is_drawn);
     }

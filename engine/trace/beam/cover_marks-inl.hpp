@@ -1,4 +1,4 @@
-// What is proved of whole pixels, not only of the rays through their centres.
+// Marks of what is proved of whole pixels, not only of the rays through their centres.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_COVER_MARKS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] bool wanted() const { return out_ != nullptr; }
     /// Whether something is marked in the block of a pixel.
     [[nodiscard]] bool is_marked(std::size_t pixel) const { return out_->is_marked(pixel); }
-    /// Something is; `covered`: and a sheet covers each pixel of which something is marked.
+    /// Marks the block of a pixel; `covered`: a sheet covers each marked pixel of the block.
     void mark_block(std::size_t pixel, bool covered) {
         if (covered) return out_->mark_covered(pixel);
         out_->mark(pixel);
@@ -73,7 +73,7 @@ public:
                                   hn::LoadU(tag, &last_[pixel])),
                    tag, &last_[pixel]);
     }
-    /// As `mark`, in a block in which nothing is marked so far.
+    /// Marks pixels as `mark` does, in a block in which nothing is marked so far.
     template <class D>
     HWY_INLINE void mark_first(D tag, std::size_t pixel, hn::Vec<D> from, hn::Vec<D> to,
                                hn::Mask<D> some, hn::Mask<D> covered) {
@@ -81,7 +81,7 @@ public:
         hn::StoreU(hn::IfThenElse(covered, from, none), tag, &from_[pixel]);
         hn::StoreU(hn::IfThenElse(covered, to, none), tag, &to_[pixel]);
         hn::StoreU(hn::IfThenElse(hn::AndNot(covered, some), from, none), tag, &other_from_[pixel]);
-        // Not all is searched behind a sheet.
+        // Leave the last depth unknown behind a sheet: not all is searched there.
         const auto last = hn::IfThenElse(covered, none, to);
         hn::StoreU(hn::IfThenElse(some, last, hn::Neg(none)), tag, &last_[pixel]);
     }

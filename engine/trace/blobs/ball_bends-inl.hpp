@@ -57,7 +57,7 @@ HWY_INLINE Vector most_bend(D tag, const StretchOf<Vector>& on) {
     return bend_at<kind>(tag, hn::Max(hn::Min(on.to, top), on.from), on.least);
 }
 
-/// The greatest lower bound, or 0 where that is above.
+/// The greatest lower bound of bend_at on a stretch, or 0 where that is above 0.
 template <BlobKind kind, class D, class Vector>
 HWY_INLINE Vector least_bend(D tag, const StretchOf<Vector>& on) {
     namespace hn = hwy::HWY_NAMESPACE;

@@ -21,7 +21,7 @@ void for_each_column(BinColumns<float>& a, BinColumns<double>& b, const auto& vi
 struct Indices {
     std::size_t first, last;
 };
-/// The bins that places between two ones of the image may be in.
+/// The bins along an axis of the image that places between two pixels may be in.
 Indices bins_between(double from, double to) {
     constexpr double reach = 0.5 + 2 * BallBins::margin;
     const auto index = [](double pixel) {
@@ -45,7 +45,7 @@ void BallBins::begin(const TraceFrame& frame, const Tile& tile, const BlobSurfac
         listed.packed = 0;
     }
     balls_.clear();
-    // Somewhat more than all pixels.
+    // Bound the rays somewhat beyond all pixels.
     const double half = 0.5 + 2 * margin;
     const NearBalls::Rays whole{.u = rays_->u(0.5 * (tile.cols - 1)),
                                 .v = rays_->v(0.5 * (tile.rows - 1)),
@@ -62,7 +62,7 @@ void BallBins::begin(const TraceFrame& frame, const Tile& tile, const BlobSurfac
         found_to_ = unbounded;
         return;
     }
-    // Cells are a little longer than what they are asked about.
+    // Widen the depths: cells are a little longer than the stretches they stand for.
     const double spare = rays_->pixel() * (rays_->distance() + std::max(std::abs(inside.enter_lo),
                                                                         std::abs(inside.exit_hi)));
     from_ = inside.enter_lo - spare;
@@ -95,7 +95,7 @@ void BallBins::put(std::uint32_t number) {
     const double reach = (1 + 0x1p-40) * ball.support * longest_;
     Indices cols{.first = 0, .last = across - 1};
     Indices rows = cols;
-    // It is |x - u w| <= reach of rays that it reaches.
+    // Rays that the ball reaches have |x - u w| <= reach.
     if (w > reach) {
         cols = bins_between(col((ball.x - reach) / w), col((ball.x + reach) / w));
         rows = bins_between(row((ball.y + reach) / w), row((ball.y - reach) / w));
@@ -138,7 +138,7 @@ void BallBins::pack(Listed& listed, std::size_t col, std::size_t row) {
         bin.most_support = std::max(bin.most_support, ball.support);
         const double w = rays_->distance() + ball.z;
         const double z = ball.z - bin.depth;
-        // More than these floats are rounded.
+        // Widen the reach by more than these floats are rounded.
         const double support = ball.support + 0x1p-20 * (std::abs(z) + ball.support);
         bin.from[i] = static_cast<float>(z - support);
         bin.to[i] = static_cast<float>(z + support);

@@ -79,7 +79,7 @@ public:
 private:
     struct Listed {
         std::vector<std::uint32_t> balls;
-        std::size_t packed = 0;  ///< so many of them are in the columns
+        std::size_t packed = 0;  ///< how many of them are in the columns
         BallBin bin;
     };
 

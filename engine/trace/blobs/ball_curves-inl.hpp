@@ -35,7 +35,7 @@ HWY_INLINE CurvesOf<Vector> curves_between(D tag, Vector lo, Vector hi) {
             return hn::Mul(number(4), height_at<kind, Rounds::Once>(tag, q).value);
         }
     };
-    // It falls with q; metaballs' is 0 up to 4/9.
+    // Take h'' at the ends: it falls with q; metaballs' is 0 up to 4/9.
     Vector most = curve_at(hn::Min(lo, reach));
     Vector least = hn::IfThenElseZero(hn::Lt(hi, reach), curve_at(hn::Min(hi, reach)));
     if constexpr (kind == BlobKind::Metaball) {

@@ -1,9 +1,9 @@
 // The sum of balls over cells of beams, a cell a lane, by Taylor's formula about the middle.
 //   eu, ev, es   the place in the cell: each in [-1, 1]
-//   way          the place's from the middle, up to `CellReach::off`: linear in these but for eu es
-//   and ev es q            the square of the distance from the ball by its radius: over the cell it
-//   is
-//                  q + linear + rest,  linear in eu, ev, es
+//   way          from the middle to the place, up to `CellReach::off`: linear in eu, ev, es but for
+//                the terms in eu es and ev es
+//   q            the square of the distance from the ball by its radius; over the cell it is
+//                  q in the middle + linear + rest,  linear in eu, ev, es
 //   h(q)         the ball's height: convex, falling, with a continuous derivative; h'' is between
 //                two bounds on the cell
 // So the sum is a constant, a linear and a quadratic form, and a rest of third order; bends of
@@ -82,6 +82,7 @@ private:
 
     HWY_INLINE void add(std::size_t i) {
         const Vector reach = number(facts.reach);
+        // Find where the cells are from the ball, and skip it if it reaches none.
         const Vector z = hn::Sub(reach_.at, same(balls_.z[i]));
         const Place from{hn::MulAdd(number(bin_.u), z, hn::Sub(reach_.start_x, same(balls_.x[i]))),
                          hn::MulAdd(number(bin_.v), z, hn::Sub(reach_.start_y, same(balls_.y[i]))),
@@ -97,12 +98,14 @@ private:
             h.slope = hn::IfThenElseZero(inside, h.slope);
             return h;
         };
+        // Evaluate the height in the middle of the cells, and where they are nearest and farthest.
         const auto middle = height_up_to_reach(q.middle);
         const auto top = height_up_to_reach(q.lo);
         const auto end = height_up_to_reach(q.hi);
         const Vector strength = same(balls_.strength[i]);
         add_linear(q, middle, strength, per_square, reached);
         add_bends(q, hn::Abs(middle.slope), strength, per_square, reached);
+        // Add the ranges of the height and of its slope along the rays.
         const Mask hollow = hn::Lt(strength, zero());
         const Vector least = hn::Mul(strength, end.value);
         const Vector most = hn::Mul(strength, top.value);
@@ -124,7 +127,7 @@ private:
         add_to(along_s_, hn::Mul(steep, q.linear_s));
         add_to(round_, hn::Mul(steep, per_square));
     }
-    /// Adds what is quadratic, and bounds of what is left.
+    /// Adds the quadratic terms, and bounds of the rest.
     HWY_INLINE void add_bends(const Squares& q, Vector flat, Vector strength, Vector per_square,
                               Mask reached) {
         const auto add_to = [&](Vector& sum, Vector term) { add_in(reached, term, sum); };
@@ -140,7 +143,8 @@ private:
         add_to(bend_us_, hn::Mul(bent_u, q.linear_s));
         add_to(bend_vs_, hn::Mul(bent_v, q.linear_s));
         add_to(bend_ss_, hn::Mul(hn::Mul(bent, q.linear_s), q.linear_s));
-        // 1/2 h'' change^2 is 1/2 curve linear^2 up to this, and h' rest quadratic up to h' beside.
+        // Bound how far 1/2 h'' change^2 is from 1/2 curve linear^2, and the part of h' rest that
+        // is not quadratic.
         const Vector size = hn::Abs(strength);
         const Vector square = hn::Mul(q.change, q.change);
         const Vector mixed = hn::Mul(q.rest, hn::Add(hn::Add(q.linear, q.linear), q.rest));
@@ -148,7 +152,7 @@ private:
         const Vector third =
             hn::MulAdd(hn::Mul(half, unsure), square,
                        hn::MulAdd(hn::Mul(half, curve), mixed, hn::Mul(flat, q.beside)));
-        // The largest numbers that were rounded; and how far heights beyond the reach are from 0.
+        // Bound the numbers that were rounded, and how far heights beyond the reach are from 0.
         const Vector sizes =
             hn::MulAdd(hn::Mul(half, curves.most), square,
                        hn::MulAdd(number(facts.bend), q.change, number(facts.top)));
@@ -156,6 +160,7 @@ private:
         const Vector rounded = hn::MulAdd(number(64 * unit), sizes, beyond);
         add_to(third_, hn::Mul(size, third));
         add_to(rounding_, hn::Mul(size, rounded));
+        // Bound how the slope along the rays changes beyond the quadratic terms.
         const Vector along = hn::Abs(q.linear_s);
         const Vector turning =
             hn::MulAdd(unsure, hn::Mul(q.change, along),
@@ -199,8 +204,8 @@ private:
             *sum = zero();
     }
 
-    /// The terms that are quadratic in the place: their middle, how far they are from it, and their
-    /// slope by es.
+    /// Bounds of the terms that are quadratic in the place: their middle, how far they are from it,
+    /// and their slope by es.
     struct Bends {
         Vector middle, error, turn;
     };
@@ -235,6 +240,7 @@ private:
         const Vector half = number(0.5);
         const Vector spare = above(hn::MulAdd(number(1 + count / 64), rounding_,
                                               number(of_.tail + 256 * unit * std::abs(of_.level))));
+        // Sum up Taylor's formula, with a bound of the rest.
         const Bends bent = bends();
         const Vector c = hn::Add(hn::Sub(c_, level), bent.middle);
         const Vector error = above(hn::Add(hn::Add(bent.error, third_), spare));
@@ -268,6 +274,7 @@ private:
                                   hn::IfThenElse(by_range, range_error, error),
                                   hn::Sub(hn::Max(least, slope_lo_), slope_spare),
                                   hn::Add(hn::Min(most, slope_hi_), slope_spare)};
+        // Write the form of each cell.
         alignas(64) Lanes numbers[std::size(results)];
         for (std::size_t k = 0; k < std::size(results); ++k)
             hn::Store(results[k], d<Real>, numbers[k]);

@@ -28,7 +28,7 @@ struct CellReach {
     using Lanes = Real[lanes<Real>];
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
 
-    /// From a ball's middle to the cell's.
+    /// The way from a ball's middle to the cell's.
     struct Place {
         Vector x, y, z;
     };
@@ -38,12 +38,12 @@ struct CellReach {
         Vector linear_u, linear_v, linear_s;
         Vector linear;  ///< at most
         Vector rest;    ///< at most
-        Vector beside;  ///< what of it is not quadratic in the place, at most
+        Vector beside;  ///< the part of it that is not quadratic in the place, at most
         Vector change;  ///< linear + rest
         Vector turn;    ///< of how the rest changes with es, at most
     };
-    // Their middles; how far they reach to both sides of these; bounds of these ways and of their
-    // products.
+    // The cells' middles; how far cells reach to both sides of these; bounds of these ways and of
+    // their products.
     Vector u, v, at, start_x, start_y, w, way_u, way_v, way_s;
     Vector off, half_x, half_y, half_z, square, beside, tilt_u, tilt_v;
     Vector turn, turn_off, aside_x, aside_y, aside;
@@ -143,7 +143,7 @@ private:
             above(sum3(hn::Mul(half_x, half_x), hn::Mul(half_y, half_y), hn::Mul(half_z, half_z)));
         tilt_u = above(hn::Mul(u_radius, way_s));
         tilt_v = above(hn::Mul(v_radius, way_s));
-        // By so much the way is not linear in the place.
+        // Bound how far the way is from being linear in the place.
         const Vector bent_x = hn::Add(tilt_u, off);
         const Vector bent_y = hn::Add(tilt_v, off);
         beside = above(

@@ -64,7 +64,7 @@ struct VectorOfRays {
     }
 };
 
-/// What all balls of a block have in common.
+/// Error bounds that all balls of a block share.
 template <class Real>
 struct MarchBounds {
     double place_error;  ///< of balls from rays, but for their own size
@@ -94,8 +94,8 @@ struct MarchBounds {
     }
 };
 
-/// How much larger a second derivative may be than it is found, where the ball may be off by so
-/// much of its radius.
+/// A bound of the error of a second derivative where the ball is off by this share of its radius at
+/// most.
 template <BlobKind kind, class Real>
 constexpr double curve_spare(double by_radius) {
     constexpr double unit = std::numeric_limits<Real>::epsilon();
@@ -124,8 +124,8 @@ void set_ball(SlotOf<Real>& slot, const ViewBall& ball, const MarchBounds<Real>&
     if (by_radius > 0.01) slot.error = std::numeric_limits<double>::infinity();
 }
 
-/// How far f cannot come to 0, where it has so much room and nears 0 by `rise`, that grows by
-/// `curve` at most.
+/// The distance on which f cannot come to 0 from `room` away, while it nears 0 by `rise`, which
+/// grows by `curve` at most.
 template <class Real>
 HWY_INLINE V<Real> safe_step(V<Real> room, V<Real> rise, V<Real> curve) {
     const V<Real> twice = hn::Add(room, room);

@@ -55,6 +55,7 @@ void values_at(const BallForms& of, const BallBin& bin, BallPoints& points, std:
         nearest = std::min(nearest, points.z[i]);
         farthest = std::max(farthest, points.z[i]);
     }
+    // Load the points, from the middle ray of the bin on.
     const Vector z = hn::LoadU(d<double>, &points.z[first]);
     const Vector at = hn::Sub(z, number(bin.depth));
     const Vector w = hn::Add(z, number(of.distance));
@@ -64,6 +65,7 @@ void values_at(const BallForms& of, const BallBin& bin, BallPoints& points, std:
     Vector value = hn::Zero(d<double>);
     Vector slope[3] = {value, value, value};
     const BinColumns<double>& balls = bin.doubles;
+    // Add the heights and slopes of the balls that may reach the points.
     each_ball_between(bin, nearest - bin.depth, farthest - bin.depth, [&](std::size_t i) {
         const Vector dz = hn::Sub(at, number(balls.z[i]));
         const Vector dx = hn::MulAdd(number(bin.u), dz, hn::Sub(right, number(balls.x[i])));

@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// So many cells or places at most are asked about at once.
+/// The most cells or places that are evaluated at once.
 inline constexpr std::size_t most_ball_lanes = 16;
 using BallNumbers = std::array<double, most_ball_lanes>;
 
@@ -31,9 +31,9 @@ struct BallForms {
     BlobKind kind;
     double level;
     double tail;         ///< bounds what is not counted
-    double slope_tail;   ///< so, of slopes along rays
+    double slope_tail;   ///< bounds what is not counted of slopes along rays
     double distance;     ///< as TileRays has it
-    double place_error;  ///< bounds that of places in double
+    double place_error;  ///< bounds the error of places in double
 };
 
 BallForms ball_forms(const BallBins& bins, const BlobSurface& surface);

@@ -1,7 +1,7 @@
 // Proves whole pixels covered or free, a bin of pixels at once: for those whose rays have hits,
 // whether one sheet about the hit covers the pixel and nothing is before it; for others, whether
-// all of their rays miss. Pixels of which that is not proved in few cells are left to who looks
-// closer.
+// all of their rays miss. Pixels for which a few cells do not prove that are left to a closer
+// search.
 
 #include "engine/trace/blobs/blob_cover.hpp"
 
@@ -25,12 +25,12 @@ constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double most_turn = 0.5;
 /// Sheets that need more depth, in pixels' widths, are seen from the side.
 constexpr double most_depth = 6;
-/// So many cells are looked at for each pixel before its sheet.
+/// The most cells that are looked at for each pixel before its sheet.
 constexpr int most_cells = 12;
-/// In pixels' widths: shorter cells are not tried.
+/// The shortest cell that is tried, in pixels' widths.
 constexpr double least_cell = 0.25;
 
-/// How much of the way to a pixel's end is tried at once.
+/// The share of the way to a pixel's end that is tried at once.
 constexpr double first_part = 0.6;
 
 static_assert(BallBins::side * BallBins::side == most_ball_lanes);
@@ -117,7 +117,7 @@ private:
         for (std::size_t i = 0; i < count_; ++i) {
             Pixel& pixel = pixels_[i];
             const auto distance = static_cast<double>(hits.depth[pixel.at]);
-            // Where a ray has no hit, all of it shall be free.
+            // Require all of a ray without a hit to be free.
             pixel.end = distance < none ? -none : pixel.inside.exit_hi;
             if (!(distance < none)) continue;
             const double s = distance / std::sqrt(1.0 + pixel.u * pixel.u + pixel.v * pixel.v) -

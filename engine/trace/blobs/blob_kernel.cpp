@@ -19,11 +19,11 @@
 namespace zeroset {
 namespace {
 
-/// What the functions of a tile's kernel know.
+/// The data of the functions of a tile's kernel.
 struct TileCode {
     BallBins& bins;
     BallForms forms;
-    double sign;  ///< f is so often the balls less the level
+    double sign;  ///< 1 or -1: f is this times the balls less the level
 };
 
 /// Items of a batch by their bins. Keeps its room.
@@ -79,8 +79,8 @@ ByBin& thread_items(std::size_t count) {
     return items;
 }
 
-/// Whether f is the balls less the level, or the negative of that: as f is where no ball is.
-/// 0: it cannot be told.
+/// 1 where f is the balls less the level, -1 where it is the negative of that, as f away from all
+/// balls tells; 0: it cannot be told.
 double sign_of(const TraceFrame& frame, const BlobSurface& surface) {
     const BlobSet::Node& all = surface.blobs->set().nodes().front();
     const auto beside = [&](std::size_t i) { return 2 * all.hi[i] - all.lo[i]; };
@@ -99,7 +99,7 @@ void write_form(const FormBatchOf<Real>& batch, std::size_t i, const BallForm& f
     double size = std::abs(form.c);
     for (const double k : form.along)
         size += std::abs(k);
-    // Rounded once more.
+    // Add what rounding to Real makes.
     const double error = form.error + 2 * unit * size;
     constexpr double most = std::numeric_limits<Real>::max();
     const bool known = size + error < most;
@@ -155,6 +155,7 @@ void forms_of(const void* of, const FormBatchOf<Real>* batch) {
             write_form(*batch, i, {.error = std::numeric_limits<double>::infinity()}, code.sign);
         }
     }
+    // Enclose the balls of each bin on its cells.
     BallCells cells;
     cells.u_radius = static_cast<double>(frustum.u_radius);
     cells.v_radius = static_cast<double>(frustum.v_radius);
@@ -173,7 +174,7 @@ void forms_of(const void* of, const FormBatchOf<Real>* batch) {
         for (std::size_t i = 0; i < group.size(); ++i)
             write_form(*batch, group[i], forms[i], code.sign);
     });
-    // Batches are filled up by the last one.
+    // Copy the forms of repeated cells: batches are filled up with their last one.
     for (std::size_t i = 0; i < batch->size; ++i) {
         if (is_again(i)) copy_form(*batch, i - 1, i);
     }
@@ -195,6 +196,7 @@ void values_of(const void* of, const ValueBatchOf<double>* batch) {
     ByBin& items = thread_items(batch->size);
     thread_local std::vector<glm::dvec3> places;
     places.resize(batch->size);
+    // Place the points in the view, and sort them by bins.
     for (std::size_t i = 0; i < batch->size; ++i) {
         const glm::dvec3 point =
             glm::dvec3(batch->x[0][i], batch->x[1][i], batch->x[2][i]) - rays.base();
@@ -204,6 +206,7 @@ void values_of(const void* of, const ValueBatchOf<double>* batch) {
         items.add(BallBins::index_of(bins.col(at.x * per_distance), bins.row(at.y * per_distance)),
                   i);
     }
+    // Evaluate each bin's balls at its points; turn the slopes into the world.
     items.take_groups([&](std::size_t index, std::span<const std::size_t> group) {
         BallPoints points;
         points.count = group.size();

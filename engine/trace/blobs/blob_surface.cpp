@@ -1,6 +1,6 @@
 #include "engine/trace/blobs/blob_surface.hpp"
 
-#include "engine/kernel/field_level.hpp"
+#include "engine/kernel/surface_facts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 namespace zeroset {
 namespace {
 
-/// Squares of what is between these, and their reciprocals, are far within float's range.
+/// Limits of sizes whose squares, and their reciprocals, are far within float's range.
 constexpr double least = 1e-12, most = 1e12;
 
-/// How much of a level may be unknown: beams tell more than rays at one level would.
+/// The largest relative error of a level; beyond it beams tell more than rays at one level would.
 constexpr double most_unknown = 0x1p-30;
 
 /// Whether places and balls are neither so small nor so large that floats overflow.
@@ -24,11 +24,10 @@ bool fits(const TraceFrame& frame, const BlobSet& set) {
 }  // namespace
 
 std::optional<BlobSurface> blob_surface(const TraceFrame& frame) {
-    const auto known = frame.kernel.memory->find<FieldLevel>();
-    if (known == nullptr || !known->level) return std::nullopt;
-    const auto* const field = dynamic_cast<const BlobsField*>(known->field.get());
+    const FieldLevel& known = surface_facts(frame.kernel).field;
+    const auto* const field = dynamic_cast<const BlobsField*>(known.field.get());
     if (field == nullptr) return std::nullopt;
-    const FieldLevel::Value level = known->at(frame.scene.uniforms);
+    const FieldLevel::Value level = known.at(frame.scene.uniforms);
     const double size = std::abs(level.middle);
     const Blobs& blobs = field->function();
     // Where no ball is, f is known to less than this.

@@ -110,6 +110,7 @@ bool BlobTile::run() {
     if (whole.inside.empty()) return true;
     if (!(whole.bracket > 64 * rays_.depth_error())) return false;
     const Blobs& blobs = *surface_.blobs;
+    // Begin with the balls that may reach the tile's rays.
     room_.slab.near.begin(blobs.set(), blob_facts(blobs.kind()).reach, rays_,
                           {.u = whole.u,
                            .v = whole.v,
@@ -119,6 +120,7 @@ bool BlobTile::run() {
                            .to = whole.inside.exit_hi});
     bool any = room_.slab.near.next();
     if (any) begin_blocks();
+    // Take all blocks through one slab after the other.
     for (; any; any = any && room_.slab.near.next()) {
         room_.slab.columns.fill(room_.slab.near.balls());
         any = false;
@@ -149,11 +151,13 @@ void BlobTile::begin_blocks() {
 /// Takes a block's rays through the slab.
 void BlobTile::trace(Block& block, RaysKnown& known) {
     const NearBalls& near = room_.slab.near;
+    // List the slab's balls that the block's rays may meet.
     const double from = std::max(block.inside.enter_lo, near.from());
     const double to = std::min(block.inside.exit_hi, near.to());
     if (from > block.inside.exit_hi) block.open = 0;
     if (!(from <= to) || !list_balls(block, from, to)) return;
     if (!block.singly && near_ends(block)) take_singly(block);
+    // Put rays and balls into the block's own coordinates.
     const double first = std::max(from, room_.slab.balls.front().from());
     fill(block, known, first);
     const Blobs& blobs = *surface_.blobs;
@@ -170,6 +174,7 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
         .place_error = 16 * rays_.depth_error(),
         .tail = tail_,
         .bracket = block.bracket};
+    // March the rays, and take over what is found.
     const BallLooks looks = march(question, room_.block);
     counters_.value += looks;
     if (counters_.costs != nullptr) {

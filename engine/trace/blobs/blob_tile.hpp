@@ -40,7 +40,7 @@ private:
         std::uint64_t open = 0;  ///< rays that have not ended, by their places
         bool singly = false;     ///< where rays are inside is known ray by ray
     };
-    /// What is known of a block's rays by the end of a slab.
+    /// The state of a block's rays at the end of a slab.
     struct RaysKnown {
         BallBlock::Numbers at;  ///< no root is before
         std::array<std::int8_t, ball_block_rays> side;

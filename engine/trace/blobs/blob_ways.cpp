@@ -78,7 +78,7 @@ public:
     void run(std::span<BlobRays> blocks);
 
 private:
-    /// Sets up the blocks; how far they reach.
+    /// Sets up the blocks; returns how far they reach.
     BallReach begin(std::span<BlobRays> blocks);
     void go(Block& block);
     void fill(const Block& block, double first);
@@ -144,6 +144,7 @@ void Follower::go(Block& block) {
         block.any_open = false;
         return;
     }
+    // List the slab's balls that the block's rays may meet.
     const BallReach& reach = block.reach;
     if (near.from() > reach.to) block.any_open = false;
     const double from = std::max(reach.from, near.from());
@@ -158,6 +159,7 @@ void Follower::go(Block& block) {
                                                      .to = to,
                                                      .spare = 0});
     if (!some) return;
+    // March the rays through these, and take over what is found.
     const double first = std::max(from, room_.slab.balls.front().from());
     fill(block, first);
     const double extent = std::max(to - first, 0.0);

@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// What is known of a stretch of a ray.
+/// The result for a stretch of a ray.
 enum class BlobWay : std::uint8_t {
     Free,     ///< it meets nothing
     Root,     ///< it meets the surface between its first root's depth and its end

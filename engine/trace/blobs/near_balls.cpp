@@ -11,7 +11,7 @@
 namespace zeroset {
 namespace {
 
-/// How many balls are taken for a slab at least, if there are.
+/// The least number of balls that are taken for a slab, if there are so many.
 constexpr std::size_t balls_in_slab = 256;
 
 glm::dvec3 vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }

@@ -39,7 +39,7 @@ public:
     bool next();
     /// The balls that reach into the slab, those whose from() is least first; and others.
     [[nodiscard]] std::span<const ViewBall> balls() const { return balls_; }
-    /// Those that no slab before had, in no order.
+    /// The slab's balls that no slab before had, in no order.
     [[nodiscard]] std::span<const ViewBall> fresh() const { return fresh_; }
     /// The slab's depths. Nothing reaches rays between two slabs.
     [[nodiscard]] double from() const { return from_; }

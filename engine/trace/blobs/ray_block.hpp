@@ -25,7 +25,7 @@ constexpr std::size_t place_in_block(int col, int row) {
     return place;
 }
 
-/// What is known of a ray.
+/// The state of a ray of a block.
 enum class BallRayState : std::uint8_t {
     Outside,  ///< it is none of the block's, or ended before
     Open,     ///< it is looked at from `at` on
@@ -49,15 +49,15 @@ struct BallBlock {
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };
 
-/// What rays are asked.
+/// The surface that march() looks for on rays, and bounds for it.
 struct BallQuestion {
     BlobKind kind;
     double level;
-    /// Those near the block, whose from() is least first: x and y from where the middle ray is at
-    /// their depth, z from s = 0.
+    /// The balls near the block, those whose from() is least first: x and y from where the middle
+    /// ray is at their depth, z from s = 0.
     std::span<const ViewBall> balls;
-    /// At most: depths from s = 0 at which rays end, how far they are there from the middle one,
-    /// and the squares of their directions.
+    /// Bounds of the depths from s = 0 at which rays end, of how far they are there from the middle
+    /// one, and of the squares of their directions.
     double extent, width, square;
     double place_error;  ///< bounds that of places in double
     double tail;         ///< bounds what balls add beyond their reach, and the level's error

@@ -23,11 +23,11 @@ constexpr double newton_limit = 1.125;
 /// Bounds for the polynomials of a piece in each of (a, b, s), by the sums of the sizes of their
 /// terms of each degree. In upward rounding.
 struct NewtonBounds {
-    /// Of the sum of second derivatives, but for those of the terms of degree 2, and of what
-    /// rounding in float makes of the slopes.
+    /// Bounds of the sum of second derivatives, without those of the terms of degree 2, and of the
+    /// rounding errors of slopes in float.
     double bend[4], slope_error[4];
     double square[4];  ///< of the second derivatives of the terms of degree 2
-    /// Of what rounding in float makes of terms where |p|, |q| <= 1. One of degree n is
+    /// Bounds of the rounding errors of terms in float where |p|, |q| <= 1. A term of degree n is
     /// rounded 2 n + 7 times at most, each time by 2^-23 of it.
     double error[4];
 

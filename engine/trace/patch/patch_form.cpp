@@ -15,22 +15,22 @@ namespace {
 constexpr std::size_t at_once = PatchForms::at_once;
 using Cells = FormCells<double, at_once>;
 
-/// The distance of the eye whose cells boxes are: a cell of a frustum is
+/// The distance of an eye so far away that a cell of its frustum,
 ///   s forward + (distance + s) u right,
-/// a box but for 1 / distance of it, less than a quarter of an ulp.
+/// is a box but for 1 / distance of it, less than a quarter of an ulp.
 constexpr double distance = 0x1p56;
 
-/// One variable runs along the view, the other one across.
+/// The range of a variable in a box; one variable runs along the view, the other one across.
 struct Axis {
     double middle, radius;
 };
 
-/// Wider than what is lost by rounding and by the frustum.
+/// The radius, enlarged by more than is lost by rounding and by the frustum.
 double grown(const Axis& axis) {
     return axis.radius * (1.0 + 0x1p-50) + 0x1p-52 * std::abs(axis.middle);
 }
 
-/// Asks one coordinate, with its slope along variable `along` (0 or 1).
+/// Evaluates the forms of one coordinate, with its slope along variable `along` (0 or 1).
 void ask(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes& boxes, int along,
          Cells& cells) {
     FrustumOf<double> frustum{};
@@ -66,8 +66,8 @@ struct Range {
     double middle, radius;
 };
 
-/// The derivative by a variable in [-1, 1] that stands for one of so large a radius; `other`: a
-/// bound of the derivative by the other variable.
+/// The derivative by a variable that is scaled from `radius` to [-1, 1]; `other`: a bound of the
+/// derivative by the other variable.
 Range slope_of(const Cells& cells, std::size_t i, double radius, double other) {
     const double lo = -cells.slope_neg_lo[i];
     const double hi = cells.slope_hi[i];
@@ -81,7 +81,7 @@ double slope_bound(const Cells& cells, std::size_t i) {
     return std::max(std::abs(cells.slope_neg_lo[i]), std::abs(cells.slope_hi[i]));
 }
 
-/// Asks between which numbers a coordinate is where its form knows nothing.
+/// Bounds a coordinate by its range in each box whose form knows nothing of it.
 void ask_ranges(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes& boxes,
                 int k, PatchForms::Forms& forms) {
     const auto knows = [k](const PatchForm& form) { return form.e[k] < unbounded; };

@@ -15,7 +15,7 @@
 
 namespace zeroset {
 
-/// What is known of a patch over a box:
+/// A linear form that encloses a patch S over a box:
 ///   S is in c + ku eu + kv ev + [-e, e]  for eu, ev in [-1, 1], which run over the box,
 /// and the derivatives by eu and ev of what is evaluated in place of S, from which S differs by
 /// value_error at most, are within their radii of du and dv. Where nothing is known radii and e are
@@ -24,8 +24,8 @@ struct PatchForm {
     glm::dvec3 c, ku, kv, e;
     glm::dvec3 du, dv, du_radius, dv_radius;
     glm::dvec3 value_error;  ///< of an evaluation at a point of the box
-    /// Of coordinates whose e is +inf: they are at least lo and at most hi; or one of both where lo
-    /// is above hi.
+    /// Bounds of a coordinate whose e is +inf: it is in [lo, hi] or, where lo > hi, it is <= hi or
+    /// >= lo.
     glm::dvec3 lo, hi;
     bool continuous = false;
     bool nowhere = false;  ///< S is not defined anywhere in the box
@@ -42,7 +42,7 @@ struct PatchForm {
 /// coordinate, it is known to be there. Nothing where no place of the box is. In upward rounding.
 std::optional<PatchForm> form_within(const PatchForm& form, const Box& clip);
 
-/// Such a form, which is not copied where all of it is known.
+/// The result of form_within, which does not copy a form that is known.
 class FormWithin {
 public:
     FormWithin(const PatchForm& form, const Box& clip);
@@ -58,7 +58,7 @@ private:
     std::optional<PatchForm> changed_;
 };
 
-/// What a model tells; what is evaluated is its polynomials. The model knows all coordinates. In
+/// The form by a model that knows all coordinates; its polynomials are evaluated in place of S. In
 /// upward rounding.
 PatchForm form_of(const PatchModel& model);
 
@@ -70,8 +70,8 @@ struct PatchPoint {
 /// The polynomials of a model and their derivatives by p and q, at a place in [-1, 1]^2.
 PatchPoint value_of(const PatchModel& model, double p, double q);
 
-/// Asks the code of a patch, for some values of the uniforms. Read-only; any thread. All in upward
-/// rounding.
+/// Evaluates the code of a patch for some values of the uniforms. Read-only; any thread. All in
+/// upward rounding.
 class PatchForms {
 public:
     static constexpr std::size_t at_once = batch_multiple;

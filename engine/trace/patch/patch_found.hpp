@@ -12,7 +12,7 @@
 
 namespace zeroset {
 
-/// What leaves wrote down for the rays of a tile: `found`, and the depths in `reach`.
+/// The hits that leaves found on the rays of a tile: `found`, with their depths in `reach`.
 struct TileFound {
     const double* u;  ///< of each column
     const double* v;  ///< of each row
@@ -34,7 +34,7 @@ void fill_blocks(Number* numbers, std::uint64_t blocks, const Number& number) {
 /// that are kept elsewhere, or whose normal is no number, which is put all the same.
 bool put_found(const TileFound& tile, TileHits& hits);
 
-/// The largest numbers of some blocks of a tile: of those with a bit in `blocks`.
+/// The largest number of each block of a tile that has a bit in `blocks`.
 void find_largest(const double* numbers, std::uint64_t blocks,
                   std::array<double, tile_blocks>& largest);
 

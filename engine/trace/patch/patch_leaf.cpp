@@ -41,6 +41,7 @@ public:
     }
 
     void trace(const LeafSight& leaf, const LeafPixels& pixels) {
+        // Choose the degree that the tolerance asks for, and prefetch its terms.
         Piece piece;
         piece.value_error = leaf.value_error;
         set_degree(piece, leaf.sizes, rays_.tolerance);
@@ -49,6 +50,7 @@ public:
         const bool is_outlined = pixels.outline != nullptr;
         const std::size_t gathered = is_outlined ? lists_.gather(pixels, leaf.near) : 0;
         if (is_outlined && gathered == 0 && pixels.others.empty()) return;
+        // Turn the polynomials into the view's axes, and set the linear form.
         turn(leaf.model, axes_, piece);
         measure(piece);
         piece.box = leaf.box;
@@ -71,9 +73,11 @@ private:
     /// Goes on with those of some rays that may meet a piece.
     void trace_listed(Piece& piece, const Range& some) {
         if (some.count == 0) return;
+        // Bound how the derivatives vary over the piece, for all of the rays.
         const SightRays around = lists_.bounds_of(some);
         piece.contraction = contraction_of(piece.sight, around);
         Range open = some;
+        // Solve rays by Newton's method; on flat pieces, the others by Krawczyk's test.
         if (piece.contraction.norm <= bent_norm) {
             const FloatTerms floats(piece);
             open.count = solve_bent(Newton(piece, floats, axes_, rays_.tolerance, around),
@@ -82,8 +86,10 @@ private:
             if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
         }
         if (open.count == 0) return;
+        // Leave rays open that halves would not settle.
         if (piece.halvings >= most_halvings || is_all_error(piece, axes_, around))
             return leave(open, piece.sight.depths().near);
+        // Halve the piece, and go on with the nearer half first.
         const PatchSight& sight = piece.sight;
         const bool along_p = halves_along_p(piece, around.middle);
         const double forward = along_p ? sight.kp.z : sight.kq.z;
@@ -101,8 +107,8 @@ private:
             taker_.leave(lists_.pixel(i), near, LeafLeft::Tangent);
     }
 
-    /// Solves the rays of a piece in float. Those that are left come first afterwards; returns how
-    /// many.
+    /// Solves the rays of a piece in float. Moves those left open to the front of the list and
+    /// returns how many they are.
     std::size_t solve_bent(const Newton& newton, int first_degree, const Range& rays) {
         return with_degree(first_degree, [&](auto degree) HWY_ATTR {
             return newton.with_squares() ? solve_bent_by<degree(), true>(newton, rays)
@@ -111,7 +117,7 @@ private:
     }
     template <int degree, bool with_squares>
     std::size_t solve_bent_by(const Newton& newton, const Range& rays);
-    /// As above in double, where Krawczyk's test contracts.
+    /// Solves the rays of a piece in double where Krawczyk's test contracts; returns as solve_bent.
     std::size_t solve(const Piece& piece, const FloatTerms& floats, const Range& rays) {
         const Solver solver(piece, floats, axes_, rays_.tolerance);
         return with_degree(piece.degree, [&](auto degree) HWY_ATTR {
@@ -148,6 +154,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
     std::size_t left = 0;
     for (std::size_t first = 0; first < rays.count; first += 2 * width) {
         const std::size_t at = rays.first + first;
+        // Load two vectors of rays, with the places where their search begins.
         SolverEnd end;
         const auto u = RayLists::pair(lists_.u(at));
         const auto v = RayLists::pair(lists_.v(at));
@@ -165,6 +172,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
             return real & (lanes_of(d, mask_of_half(end.halves[0].test)) |
                            lanes_of(d, mask_of_half(end.halves[1].test)) << width);
         };
+        // Take the hits, and leave rays for which the model is too coarse.
         take_hits(piece, end, at, real);
         LaneBits wide = bits([](const Test& test) HWY_ATTR { return test.wide; });
         LaneBits open = ~wide & bits([](const Test& test) HWY_ATTR {
@@ -174,6 +182,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
             const auto lane = static_cast<std::size_t>(std::countr_zero(wide));
             taker_.leave(lists_.pixel(at + lane), piece.sight.depths().near, LeafLeft::Coarse);
         }
+        // Move the rays that are still open to the front of the list.
         for (; open != 0; open &= open - 1)
             lists_.copy(at + static_cast<std::size_t>(std::countr_zero(open)), rays.first + left++);
     }
@@ -205,6 +214,7 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
                                    LaneBits hits) {
     const D d;
     HWY_ALIGN double s[2 * width];
+    // Drop hits behind the rays' reaches, or outside of the box.
     hits &= lists_.within_reach(at, end.s);
     for (std::size_t half = 0; half < 2; ++half) {
         hn::Store(end.s[half], d, s + half * width);
@@ -214,6 +224,7 @@ inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end,
     }
     if (hits == 0) return;
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
+    // Compute the normals; store the hits at once where none is to be judged.
     LeafFound found[2 * width];
     put_normals(end.at_a, end.at_b, end.at_s, found);
     if (clip_.window != LeafWindow::Judged && rays_.to == nullptr)
@@ -297,6 +308,7 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
     HWY_ALIGN double s_radius[2 * width];
     LaneBits hits = 0;
     LaneBits inside = 0;
+    // Find the depths of the hits, and which of them count.
     for (std::size_t half = 0; half < 2; ++half) {
         const HalfRays& rays = end.halves[half];
         const Test& test = rays.test;
@@ -311,6 +323,7 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
     }
     hits &= real;
     if (hits == 0) return;
+    // Compute the normals, and store the hits that are nearer than the reach.
     LeafFound found[2 * width];
     put_normals(end.a, end.b, end.s, found);
     for (; hits != 0; hits &= hits - 1) {

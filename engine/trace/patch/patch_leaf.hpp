@@ -51,7 +51,7 @@ enum class LeafLeft : std::uint8_t {
     Tangent,  ///< the ray is as good as tangent, or there was no room for more parts
 };
 
-/// What is known of a ray.
+/// The state of the search on a ray.
 enum class RayState : std::uint32_t {
     Open,    ///< there is no hit
     Drawn,   ///< there is a hit that is not proved
@@ -59,23 +59,23 @@ enum class RayState : std::uint32_t {
     Kept,    ///< what is known is kept elsewhere
 };
 
-/// What a leaf wrote down for a ray; the depth of the hit is its reach.
+/// The hit that a leaf found on a ray; its depth is the ray's reach.
 struct LeafFound {
     std::array<float, 3> normal;  ///< dS/du x dS/dv in the world, of length 1, or NaN
     RayState state;
 };
 
-/// Which of the hits count, those on the rays' other side of a reach aside.
+/// How hits are tested against what is shown; those behind a ray's reach never count.
 enum class LeafWindow : std::uint8_t {
     All,     ///< no place of the leaf is outside of what is shown
     Box,     ///< those in a box
     Judged,  ///< LeafTaker::judge says it
 };
 
-/// Is asked, and told, about single rays.
+/// The callbacks of trace_leaf about single rays.
 class LeafTaker {
 public:
-    /// What a hit makes of its ray: Open where it does not count.
+    /// The state that a hit gives to its ray: Open where it does not count.
     virtual RayState judge(const LeafHit& hit) = 0;
     /// Nothing was found out about this ray, on which the part is not nearer than `near`.
     virtual void leave(std::size_t pixel, double near, LeafLeft why) = 0;
@@ -98,7 +98,7 @@ struct LeafRays {
     const PixelGrid* grid;  ///< on which the rays are; nullptr: they are anywhere
 };
 
-/// What of a leaf counts.
+/// The limits within which hits of a leaf count.
 struct LeafClip {
     LeafWindow window;
     Box box;       ///< of LeafWindow::Box
@@ -126,7 +126,7 @@ struct LeafPixels {
     std::span<const std::size_t> others;
 };
 
-/// What was done on a leaf.
+/// The work that was done on a leaf.
 struct LeafCount {
     std::size_t evaluations = 0;  ///< of its polynomials, about
     std::size_t hits = 0;

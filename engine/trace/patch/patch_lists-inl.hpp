@@ -38,8 +38,8 @@ public:
     RayLists(const SightAxes& axes, const LeafRays& rays, LeafLists& lists)
         : axes_(axes), rays_(rays), lists_(lists) {}
 
-    /// Puts the rays of pixels of an outline into the lists, on which something is wanted behind
-    /// `near`; returns how many.
+    /// Puts the rays through an outline's pixels whose reach is not before `near` into the lists;
+    /// returns how many.
     std::size_t gather(const LeafPixels& pixels, double near) {
         std::size_t count = 0;
         for (const TileRect& rect : pixels.rects)
@@ -47,8 +47,8 @@ public:
         return count;
     }
 
-    /// Lists the rays through some pixels that may meet a piece; of an outline the first
-    /// `gathered` ones of the lists.
+    /// Lists the rays through some pixels that may meet a piece; where there is an outline, the
+    /// first `gathered` rays of the lists take the place of the rectangles.
     Range list(const Piece& piece, const LeafPixels& pixels, std::size_t gathered) {
         const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
@@ -142,7 +142,7 @@ private:
     static constexpr hn::RebindToSigned<decltype(df)> di{};
     using Pixels = hn::Vec<hn::RebindToSigned<decltype(df)>>;
 
-    /// Lanes of the upper half, and those of the lower one before.
+    /// The bits of two half vectors of lanes: those of call(0) below those of call(1).
     template <class Call>
     static HWY_INLINE LaneBits both_halves(Call call) {
         const D d;
@@ -175,6 +175,7 @@ private:
                 // No vector is read from behind the end of a row.
                 const std::size_t from = std::min(col, rays_.row_size - float_width);
                 const std::size_t at = row * rays_.row_size + from;
+                // List the rays whose reach is not before `near`, unless the form rejects them.
                 const auto reach = pair(rays_.reach + at);
                 const LaneBits wanted = first_bits(end_col - from) & ~first_bits(col - from) &
                                         both_halves([&](std::size_t i) HWY_ATTR {
@@ -189,7 +190,7 @@ private:
         return count;
     }
 
-    /// Puts the pixels of an outline into the lists, whose reach is not before `near`.
+    /// Puts a rectangle's pixels in an outline whose reach is not before `near` into the lists.
     std::size_t gather(const PatchOutline& outline, const TileRect& rect, double near,
                        std::size_t count) {
         if (rect.empty()) return count;
@@ -220,7 +221,7 @@ private:
         return count;
     }
 
-    /// Of the first rays of the lists keeps those that a linear form does not reject; returns how
+    /// Keeps those of the first `rays` rays of the lists that a form does not reject; returns how
     /// many.
     std::size_t keep_met(const QuadraticForm& form, std::size_t rays) {
         const Lists to = lists();
@@ -266,7 +267,7 @@ private:
             put_halves(us, wanted, u + to);
             put_halves(vs, wanted, v + to);
         }
-        /// Those of rays that have the same v.
+        /// Puts the rays of some lanes there, which all have the same v.
         HWY_INLINE void put_of_row(const std::array<Vector, 2>& us, Vector v_of_all, Pixels pixels,
                                    LaneBits wanted, std::size_t to) const {
             put_pixels(pixels, wanted, to);
@@ -303,6 +304,7 @@ private:
                                       const std::array<Vector, 2>& us,
                                       const std::array<Vector, 2>& vs, Pixels pixels,
                                       LaneBits wanted, std::size_t to) {
+        // Reject rays on which the form has no zero.
         const Zeros zeros = form.zeros(floats_of(us[0], us[1]), floats_of(vs[0], vs[1]));
         const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
         if (left_bits == 0) return 0;
@@ -313,6 +315,7 @@ private:
             hn::Add(float_number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
         const Floats spread = hn::MulAdd(sizes, float_number(0x1p-20), zeros.radius);
         const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
+        // Pack the other rays, with where their zeros may be.
         const auto store = [&](Floats numbers, float* at)
                                HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at + to); };
         store(hn::IfThenElse(zeros.known, zeros.p, zero), lists.p);
@@ -322,7 +325,7 @@ private:
         return static_cast<std::size_t>(std::popcount(left_bits));
     }
 
-    /// Lanes behind the last ray repeat it.
+    /// Repeats the last ray in the lanes behind it.
     void repeat_last(std::size_t first, std::size_t count) {
         if (count == 0) return;
         const D d;

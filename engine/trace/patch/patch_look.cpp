@@ -33,6 +33,7 @@ public:
         Triple offset;
         Vector most = number(0.0);
         Mask out = hn::Ne(most, most);
+        // Mark parts outside of the clip box.
         for (int k = 0; k < 3; ++k) {
             const Vector spread = hn::Add(hn::Add(hn::Abs(ku.at[k]), hn::Abs(kv.at[k])), e.at[k]);
             const double lo = window_.clip.lo[k];
@@ -44,6 +45,7 @@ public:
             offset.at[k] = hn::Sub(c.at[k], number(axes.base[k]));
             most = hn::Max(most, hn::Add(hn::Abs(offset.at[k]), spread));
         }
+        // Turn the forms into the axes of the view, and store them.
         const Vector lost = hn::MulAdd(most, number(rounding), number(axes.error));
         const Triple place = turned(offset);
         const Triple kp = turned(ku);
@@ -56,9 +58,11 @@ public:
         store(kp, seen_.kp, first);
         store(kq, seen_.kq, first);
         store(error, seen_.e, first);
+        // Mark parts outside of the depths.
         const Vector radius = hn::Add(hn::Add(hn::Abs(kp.at[2]), hn::Abs(kq.at[2])), error.at[2]);
         out = hn::Or(out, hn::Gt(hn::Sub(place.at[2], radius), number(window_.depths.far)));
         out = hn::Or(out, hn::Lt(hn::Add(place.at[2], radius), number(window_.depths.near)));
+        // Mark parts beside the planes through the eye that bound the rays.
         const auto beside = [&](double sign, int axis, double edge) HWY_ATTR {
             const auto across = [&](const Triple& by) HWY_ATTR {
                 return hn::NegMulAdd(number(edge), by.at[2], by.at[axis]);

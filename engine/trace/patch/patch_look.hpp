@@ -17,7 +17,7 @@ struct RayBounds {
     double u_lo, u_hi, v_lo, v_hi;
 };
 
-/// What may be seen of parts.
+/// The rays, the clip box and the depths in which parts are seen.
 struct PartWindow {
     const SightAxes& axes;
     const RayBounds& rays;

@@ -42,7 +42,7 @@ struct NewtonRays {
     Floats spread;  ///< from where all zeros of the piece are within this
 };
 
-/// What Newton's method tells of these rays.
+/// The result of Newton's method on NewtonRays.
 struct NewtonEnd {
     FloatMask none;   ///< no zero within `inner`
     FloatMask found;  ///< one, in the unit square, and its depth is known well enough
@@ -66,7 +66,7 @@ struct Inverse2 {
     [[nodiscard]] HWY_INLINE Floats q(Floats x1, Floats x2) const {
         return hn::NegMulAdd(qp, x1, hn::Mul(qq, x2));
     }
-    /// Its norm.
+    /// The norm of the matrix.
     [[nodiscard]] HWY_INLINE Floats norm() const {
         return hn::Max(hn::Add(hn::Abs(pp), hn::Abs(pq)), hn::Add(hn::Abs(qp), hn::Abs(qq)));
     }
@@ -89,6 +89,7 @@ public:
         const PatchSight& sight = piece.sight;
         const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
         const double error = sight.value_error + piece.first_error;
+        // Bound each coordinate's error, its slopes' error and its second derivatives.
         const Sizes lost{error + bounds.error[0] + rounding * most.x,
                          error + bounds.error[1] + rounding * most.y,
                          error + bounds.error[2] + rounding * (distance_ + most.z)};
@@ -124,7 +125,7 @@ public:
 
     template <int degree, bool with_squares>
     HWY_INLINE NewtonEnd solve(const NewtonRays& rays) const {
-        // What is constant on a ray is large: in double.
+        // Add the terms that are constant on a ray in double: they are large.
         const auto& constant = piece_.terms[0];
         const Vector far = number(distance_ + constant[2]);
         const auto beside = [&](Vector along, double at)
@@ -135,6 +136,7 @@ public:
             .v = floats_of(rays.v[0], rays.v[1]),
             .first1 = {beside(rays.u[0], constant[0]), beside(rays.u[1], constant[0])},
             .first2 = {beside(rays.v[0], constant[1]), beside(rays.v[1], constant[1])}};
+        // Take a first step with the terms of low degree alone.
         Place at{.p = clamped(rays.p), .q = clamped(rays.q)};
         step<std::min(degree, 3)>(search, at);
         NewtonEnd end;
@@ -147,11 +149,13 @@ public:
             const Low low = low_terms<with_squares>(search, at);
             const Slopes2 slopes(end.at_a, end.at_b, end.at_s, search.u, search.v);
             Step by = step_from(search, at, low, slopes, end);
+            // Test by bounds for all rays; where that is not enough, by each ray's own.
             Proof proof = test(by, at, end);
             if (!hn::AllTrue(df, hn::Or(end.none, end.found))) {
                 bound_closely(search, slopes, by);
                 proof = test(by, at, end);
             }
+            // Go on from the better place while that may settle a ray.
             if (tests < most_tests && !hn::AllFalse(df, proof.may_help)) {
                 at = {.p = moved(at.p, by.p), .q = moved(at.q, by.q)};
                 continue;
@@ -163,7 +167,7 @@ public:
 
 private:
     using Sizes = std::array<double, 3>;
-    /// Of something in each of (a, b, s), and of the larger one of g.
+    /// Bounds of a quantity in each of (a, b, s), and of the larger one in g.
     struct Bounds {
         float by[3];
         float all;
@@ -186,7 +190,7 @@ private:
         Floats p, q;
         Floats g1, g2;
         Floats out;       ///< the larger size of where it begins
-        Floats lost;      ///< what errors of g make of it
+        Floats lost;      ///< a bound of its error by errors of g
         Floats flat;      ///< k0
         Floats bend;      ///< K / 2
         Floats far;       ///< R
@@ -254,7 +258,7 @@ private:
         return low;
     }
 
-    /// By one norm of Y and bounds for all rays.
+    /// Newton's step from a place, with bounds by one norm of Y and bounds for all rays.
     HWY_INLINE Step step_from(const Search& search, const Place& at, const Low& low,
                               const Slopes2& slopes, const NewtonEnd& end) const {
         const Inverse2 y(slopes);
@@ -281,7 +285,7 @@ private:
                          hn::Add(one, by.out));
         return by;
     }
-    /// Outside of the box rounding makes more.
+    /// A rounding error, enlarged where the place is outside of the box.
     static HWY_INLINE Floats outside_more(Floats out, Floats lost) {
         constexpr double most_power = 2.3;  // newton_limit^patch_degree
         return hn::IfThenElse(hn::Gt(out, float_number(1.0)),
@@ -318,7 +322,7 @@ private:
         by.bend = hn::Max(bend_p, bend_q);
     }
 
-    /// What is known of the zeros by a step.
+    /// Tests what a step proves of the zeros, and sets end.none and end.found.
     HWY_INLINE Proof test(const Step& by, const Place& at, NewtonEnd& end) const {
         const Floats one = float_number(1.0);
         const Floats size = hn::Max(hn::Abs(by.p), hn::Abs(by.q));
@@ -332,7 +336,9 @@ private:
         proof.radius = hn::Add(within, float_number(rounding_of_places));
         const Floats limit = hn::Add(proof.radius, float_number(inner));
         const auto to = hn::Max(hn::Abs(hn::Add(at.p, by.p)), hn::Abs(hn::Add(at.q, by.q)));
+        // Mark rays that have no zero in the box's own share.
         end.none = hn::And(is_known, hn::Gt(to, limit));
+        // Mark rays that have one zero, whose depth is known well enough.
         const FloatMask is_one =
             hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(by.out, reach), one));
         const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
@@ -340,7 +346,7 @@ private:
                                            hn::MulAdd(slope, within, set(s_lost_)));
         const FloatMask narrow = hn::Le(hn::Add(s_radius, s_radius), set(tolerance_));
         end.found = hn::And(hn::AndNot(end.none, is_one), narrow);
-        // It may where the step is what makes the radius.
+        // A better place may help where the step is what makes the radius.
         proof.may_help =
             hn::And(hn::AndNot(hn::Or(end.none, end.found), is_known), hn::Gt(size, by.lost));
         return proof;

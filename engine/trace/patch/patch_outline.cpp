@@ -11,11 +11,11 @@ namespace {
 
 /// More than rounding may shift a ray, in pixels.
 constexpr double spare_pixel = 0x1p-10;
-/// Of edges: nearly level ones say no more than the rectangle.
+/// The most columns a row of an edge: nearly level edges say no more than the rectangle.
 constexpr double steepest = 64.0;
 
-/// The first pixel whose centre is not before a place, and the one behind the last that is not
-/// after it; of those from `from` to `end`.
+/// The first pixel from `from` to `end` whose centre is not before a place, and the one behind the
+/// last that is not after it.
 int first_pixel(double place, int from, int end) {
     const double pixel = place + (1.0 - spare_pixel);
     return static_cast<int>(std::clamp<double>(pixel, from, end));
@@ -51,7 +51,7 @@ PatchOutline::PatchOutline(const PatchSight& sight, double distance, const Pixel
 
         [[nodiscard]] double size() const { return std::abs(p) + std::abs(q) + rest; }
     };
-    // Of a - u0 W and b - v0 W.
+    // The linear forms of a - u0 W and b - v0 W.
     const auto form_of = [&](int axis, double at) {
         const double size = std::abs(sight.c[axis]) + spread[axis] +
                             std::abs(at) * (distance + std::abs(sight.c.z) + spread.z);
@@ -61,9 +61,11 @@ PatchOutline::PatchOutline(const PatchSight& sight, double distance, const Pixel
     };
     const Form a = form_of(0, u_);
     const Form b = form_of(1, v_);
+    // Bound the part by a rectangle.
     const double per_least = 1.0 / least * (1.0 + 0x1p-40);
     u_radius_ = a.size() * per_least;
     v_radius_ = b.size() * per_least;
+    // Bound it by parallels to the form's edges, unless these are nearly level.
     const auto set = [&](std::size_t i, double a_by, double b_by) {
         if (!(std::abs(a_by) < steepest * std::abs(b_by))) return;
         const double slope = -a_by / b_by;

@@ -16,7 +16,7 @@ struct ColumnSpan {
     [[nodiscard]] bool empty() const { return col >= end_col; }
 };
 
-/// The form over what a part stands for, by that over its box, which is larger by form_growth. A
+/// The form over the share of its box that a part stands for: the box is larger by form_growth. A
 /// root beyond is in another part.
 PatchSight without_growth(const PatchSight& sight);
 
@@ -33,7 +33,7 @@ public:
 
     /// The pixels of a rectangle that may see the part.
     [[nodiscard]] TileRect within(const TileRect& rect) const;
-    /// Those of a row of it.
+    /// The pixels of a row of a rectangle that may see the part.
     [[nodiscard]] ColumnSpan span(int row, const TileRect& rect) const {
         const auto col = [&](const Edge& edge) { return edge.col + edge.by_row * row; };
         const double from =

@@ -38,7 +38,7 @@ struct Piece {
     int degree;
     double value_error;
     int first_degree;    ///< of what is tried first
-    double first_error;  ///< what the terms beyond that make
+    double first_error;  ///< bounds the terms beyond that
     UvBox box;
     int halvings;
     PatchSight sight;
@@ -69,13 +69,13 @@ inline void measure(Piece& piece) {
     }
 }
 
-/// Terms of high degree make no more than these of the error of depths when they are left out: of
-/// what is proved, and of what is tried first.
+/// The shares of the tolerance up to which terms of high degree are left out: from what is proved,
+/// and from what is tried first.
 constexpr double left_out = 0x1p-10;
 constexpr double left_out_first = 0x1p-4;
 
-/// Lowers a degree as long as the terms that leaves out make no more than `most`; returns what they
-/// make.
+/// Lowers a degree while the sizes of the terms left out add up to no more than `most`; returns
+/// that sum.
 inline double lowered(const DegreeSizes& sizes, int& degree, double most) {
     std::array<double, 3> sum{};
     double left = 0.0;
@@ -102,13 +102,13 @@ inline void set_degree(Piece& piece, const ModelSizes& sizes, double tolerance) 
     piece.value_error += left * (1.0 + 0x1p-40);
 }
 
-/// Leaves out terms of high degree of the first steps alone, whose sizes go to their own error.
+/// Leaves out terms of high degree from the first steps alone; their sizes go to first_error.
 inline void lower_first_degree(Piece& piece, double tolerance) {
     piece.first_degree = piece.degree;
     piece.first_error = lowered(piece.sizes, piece.first_degree, left_out_first * tolerance);
 }
 
-/// Leaves out terms of high degree, whose sizes go to the error.
+/// Leaves out terms of high degree; their sizes go to value_error.
 inline void lower_degree(Piece& piece, double tolerance) {
     piece.value_error += lowered(piece.sizes, piece.degree, left_out * tolerance);
     lower_first_degree(piece, tolerance);
@@ -153,10 +153,12 @@ HWY_INLINE void halve_terms(const SightTerms& whole, bool along_p, double sign, 
             };
             for (int i = 0; i <= highest; ++i)
                 terms[i] = hn::Load(d4, whole[term(i)].data() + k);
+            // Shift the polynomial to the middle of the half, by Horner's scheme.
             for (int i = 0; i < highest; ++i) {
                 for (int j = highest - 1; j >= i; --j)
                     terms[j] = hn::MulAdd(terms[j + 1], shift, terms[j]);
             }
+            // Scale it to the half's radius.
             double scale = 1.0;
             for (int i = 0; i <= highest; ++i) {
                 hn::Store(hn::Mul(terms[i], hn::Set(d4, scale)), d4, half[term(i)].data() + k);
@@ -186,8 +188,8 @@ inline void halve(const Piece& whole, bool along_p, double sign, Piece& half) {
     (along_p ? half.box.u_radius : half.box.v_radius) *= 0.5;
 }
 
-/// Whether little of what a linear form in float does not know of g is less in halves: rays that
-/// are so near to being tangent are left open by each of them.
+/// Whether nearly all of the error of g's linear form in float would be that of a half, too: rays
+/// so near to being tangent would stay open in each half.
 inline bool is_all_error(const Piece& piece, const SightAxes& axes, const SightRays& rays) {
     const PatchSight& sight = piece.sight;
     const auto is_error = [&](int axis, double along) {

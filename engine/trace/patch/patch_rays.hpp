@@ -18,7 +18,8 @@ struct PatchRay {
 /// that need not be the first will do. In upward rounding.
 PatchHit find_patch_hit(const TraceFrame& frame, const PatchRay& ray, bool any, Counters& counters);
 
-/// As above, without a frame; `tolerance`: a bracket's width that is narrow enough.
+/// The first hit of a patch on a ray, without a frame; `tolerance`: a bracket's width that is
+/// narrow enough.
 PatchHit find_patch_hit(const PatchTree& tree, const PatchRay& ray, double tolerance);
 
 /// How far from a place of the patch a ray begins that leaves it, so that it does not meet it

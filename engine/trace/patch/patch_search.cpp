@@ -11,11 +11,11 @@
 namespace zeroset {
 namespace {
 
-/// Boxes that a ray may ask for, by sixteen; where that is not enough, it is undecided.
+/// The most divisions into sixteen boxes for a ray; one that needs more is undecided.
 constexpr int most_divisions = 600;
 /// Boxes are not divided further below this: there are few doubles in them.
 constexpr double least_radius = 0x1p-46;
-/// Nor below this where S is not continuous: there is nothing to be certified.
+/// Boxes where S is not continuous are not divided below this: they have nothing to certify.
 constexpr double least_of_jumps = 0x1p-30;
 
 /// The part of [-box_share, box_share] in which zeros may be, as middle and radius.
@@ -88,7 +88,7 @@ void PatchSearch::push(const PatchQuest& quest, const UvBox& box, const PatchFor
     open_.push_back({.box = box, .form = *within, .sight = sight, .node = node, .near = near});
 }
 
-/// Takes in those of a node's parts that the ray may meet: most it does not.
+/// Takes in those of a node's parts that the ray may meet: it misses most of them.
 void PatchSearch::push_parts(const PatchQuest& quest, PatchNode::Children& parts) {
     const RayBounds alone{
         .u_lo = quest.ray.u, .u_hi = quest.ray.u, .v_lo = quest.ray.v, .v_hi = quest.ray.v};
@@ -147,17 +147,20 @@ PatchSearch::Outcome PatchSearch::certify(const PatchQuest& quest, const Item& i
     if (!item.form.continuous || !zeros.known) return Outcome::Open;
     // A hit cannot be narrower than what is evaluated.
     if (sight.value_error > quest.tolerance) return Outcome::Open;
+    // Go on only where Krawczyk's test contracts.
     const Contraction contraction = contraction_of(sight, {.middle = quest.ray});
     if (!(contraction.norm < most_norm)) return Outcome::Open;
     double p = std::clamp(zeros.p, -1.0, 1.0);
     double q = std::clamp(zeros.q, -1.0, 1.0);
     for (int step = 0; step < most_steps; ++step) {
+        // Test the box by an evaluation at (p, q).
         const PatchPoint point = evaluate(item, p, q);
         const glm::dvec3 at = quest.axes.place(point.s);
         const ZeroTest test =
             zero_test(sight, quest.axes, quest.ray, contraction, at, p, q, box_share);
         if (test.found == ZeroTest::Found::None) return Outcome::Done;
         const bool is_last = step + 1 == most_steps;
+        // Take a narrow hit once it is known to be inside or outside, or at last.
         if (test.found == ZeroTest::Found::One && 2.0 * test.s_radius <= quest.tolerance) {
             const InSquare where =
                 both(in_square(place_in(item.box, test.p, test.q, test.radius)),
@@ -192,6 +195,7 @@ void PatchSearch::give_up(const PatchQuest& quest, const Item& item) {
 
 void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                          const LinearZeros& zeros) {
+    // Use the tree's parts; it makes new ones for boxes larger than a pixel.
     if (item.node != nullptr) {
         const glm::dvec3 spread = sight.spread();
         const bool keeps = std::max(spread.x, spread.y) > quest.pixel;
@@ -199,6 +203,7 @@ void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchS
             keeps ? tree_.parts(*item.node) : item.node->children.load(std::memory_order_acquire);
         if (parts != nullptr) return push_parts(quest, *parts);
     }
+    // Else divide the share of the box in which zeros may be.
     const Share p = zeros.known ? part_of(zeros.p, zeros.p_radius) : part_of(0.0, box_share);
     const Share q = zeros.known ? part_of(zeros.q, zeros.q_radius) : part_of(0.0, box_share);
     const UvBox whole = place_in(item.box, p.middle, q.middle, 0.0);
@@ -221,6 +226,7 @@ void PatchSearch::divide(const PatchQuest& quest, const Item& item, const PatchS
                     .v_radius = part_v};
         grown[i] = boxes[i].grown(form_growth);
     }
+    // Evaluate the parts' forms, and take in the parts that the ray may meet.
     PatchForms::Forms forms;
     tree_.forms().evaluate(grown, forms);
     counters_.form += boxes.size();
@@ -241,11 +247,13 @@ PatchHit PatchSearch::search(const PatchQuest& quest, PatchNode& node, const Pat
         if (item.near >= best_.s) break;
         if (quest.any && best_.is_hit() && best_.is_proved) break;
         const PatchSight& sight = item.sight;
+        // Reject the box by its linear form, or certify what it holds.
         const LinearZeros zeros = linear_zeros(sight, quest.axes, quest.ray);
         if (!zeros.any || zeros.beyond(box_share)) continue;
         add_slopes(item.sight, item.form, quest.axes);
         add_value_error(item.sight, item.form);
         if (certify(quest, item, sight, zeros) == Outcome::Done) continue;
+        // Give up on a box that is too small; divide others.
         const glm::dvec3 spread = sight.spread();
         const double least = item.form.continuous ? least_radius : least_of_jumps;
         const bool is_small = 4.0 * std::max({spread.x, spread.y, spread.z}) <= quest.tolerance ||

@@ -81,7 +81,7 @@ private:
     void push_parts(const PatchQuest& quest, PatchNode::Children& parts);
     Outcome certify(const PatchQuest& quest, const Item& item, const PatchSight& sight,
                     const LinearZeros& zeros);
-    /// What is evaluated at a place of an item, with its derivatives by p and q.
+    /// S, or the model of S, at a place of an item, with the derivatives by p and q.
     PatchPoint evaluate(const Item& item, double p, double q);
     void take(const PatchQuest& quest, const ZeroTest& test, InSquare where,
               const PatchPoint& point);

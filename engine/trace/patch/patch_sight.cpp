@@ -61,11 +61,13 @@ LinearZeros linear_zeros(const PatchSight& sight, const SightAxes& axes, const S
                       .q = 0.0,
                       .p_radius = unbounded,
                       .q_radius = unbounded};
+    // Reject rays on which the linear form of g is not 0 anywhere.
     if (std::abs(g1) > (std::abs(pp) + std::abs(pq)) * (1.0 + rounding) + e1 ||
         std::abs(g2) > (std::abs(qp) + std::abs(qq)) * (1.0 + rounding) + e2) {
         zeros.any = false;
         return zeros;
     }
+    // Solve the linear system, if it is well conditioned.
     const double determinant = pp * qq - pq * qp;
     const double size = std::abs(pp * qq) + std::abs(pq * qp);
     if (!(std::abs(determinant) > 0x1p-30 * size) || !(e1 + e2 < unbounded)) return zeros;
@@ -86,11 +88,12 @@ LinearZeros linear_zeros(const PatchSight& sight, const SightAxes& axes, const S
 Contraction contraction_of(const PatchSight& sight, const SightRays& rays) {
     const double u = rays.middle.u;
     const double v = rays.middle.v;
+    // Compute g' in the middle of the box.
     const Matrix2 middle{.pp = sight.dp.x - u * sight.dp.z,
                          .pq = sight.dq.x - u * sight.dq.z,
                          .qp = sight.dp.y - v * sight.dp.z,
                          .qq = sight.dq.y - v * sight.dq.z};
-    // From the enclosure of the derivatives, and from how rays differ.
+    // Bound how far g' varies: over the box, by rounding, and from ray to ray.
     const auto radius = [](const glm::dvec3& r, double across, double along) {
         return across + std::abs(along) * r.z;
     };
@@ -109,6 +112,7 @@ Contraction contraction_of(const PatchSight& sight, const SightRays& rays) {
               beside(sight.dp, sight.dp_radius, rays.v_radius),
         .qq = radius(sight.dq_radius, sight.dq_radius.y, v) + lost(sight.dq, sight.dq.y, v) +
               beside(sight.dq, sight.dq_radius, rays.v_radius)};
+    // Invert it.
     const double determinant = middle.pp * middle.qq - middle.pq * middle.qp;
     const double inverse = 1.0 / determinant;
     const Matrix2 y{.pp = middle.qq * inverse,
@@ -134,6 +138,7 @@ Contraction contraction_of(const PatchSight& sight, const SightRays& rays) {
 ZeroTest zero_test(const PatchSight& sight, const SightAxes& axes, const SightRay& ray,
                    const Contraction& contraction, const glm::dvec3& at, double p, double q,
                    double bound) {
+    // Compute g at the place, and bounds of its error.
     const double g1 = at.x - ray.u * axes.distance - ray.u * at.z;
     const double g2 = at.y - ray.v * axes.distance - ray.v * at.z;
     const double e1 =
@@ -142,6 +147,7 @@ ZeroTest zero_test(const PatchSight& sight, const SightAxes& axes, const SightRa
     const double e2 =
         (1.0 + std::abs(ray.v)) * sight.value_error +
         rounding * (std::abs(at.y) + std::abs(ray.v) * (axes.distance + std::abs(at.z)));
+    // Take the step -Y g, with a bound of its error.
     const Matrix2& y = contraction.inverse;
     const double step_p = -(y.pp * g1 + y.pq * g2);
     const double step_q = -(y.qp * g1 + y.qq * g2);

@@ -53,7 +53,7 @@ struct SightRays {
     double u_radius = 0.0, v_radius = 0.0;
 };
 
-/// What is at which depths.
+/// A range of depths.
 struct SightDepths {
     double near, far;
 };
@@ -72,8 +72,9 @@ struct PatchSight {
     }
 };
 
+/// A form in the axes of a view.
 PatchSight sight_of(const PatchForm& form, const SightAxes& axes);
-/// As above, but for the derivatives and value_error.
+/// A form in the axes of a view without the derivatives; value_error is of the axes alone.
 PatchSight place_of(const PatchForm& form, const SightAxes& axes);
 /// Add the derivatives, and what value_error lacks, to `place_of`.
 void add_slopes(PatchSight& sight, const PatchForm& form, const SightAxes& axes);
@@ -96,7 +97,7 @@ struct LinearZeros {
     }
 };
 
-/// By the form alone.
+/// The zeros of g by the linear form alone.
 LinearZeros linear_zeros(const PatchSight& sight, const SightAxes& axes, const SightRay& ray);
 
 /// Krawczyk's test of a box for some rays [Krawczyk69]: with Y near the inverse of g' in the
@@ -110,7 +111,7 @@ struct Contraction {
 
 Contraction contraction_of(const PatchSight& sight, const SightRays& rays);
 
-/// What is found near a place (p, q) of a box by an evaluation there.
+/// The result of Krawczyk's test of a box by an evaluation at a place (p, q) of it.
 struct ZeroTest {
     enum class Found : std::uint8_t {
         None,     ///< the box holds no zero within `bound` of its middle
@@ -133,7 +134,7 @@ BoxPlace newton_place(const ZeroTest& test, const SightAxes& axes, const SightRa
                       const glm::dvec3& at, const glm::dvec3& by_p, const glm::dvec3& by_q,
                       const BoxPlace& from);
 
-/// `at`: in the axes; p, q: where S was evaluated, in [-1, 1]; `contraction.norm`: below 1.
+/// Tests a box by S at (p, q) in [-1, 1]^2; `at`: S in the axes; `contraction.norm`: below 1.
 ZeroTest zero_test(const PatchSight& sight, const SightAxes& axes, const SightRay& ray,
                    const Contraction& contraction, const glm::dvec3& at, double p, double q,
                    double bound);

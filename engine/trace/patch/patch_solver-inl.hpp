@@ -44,7 +44,7 @@ HWY_INLINE Values values_of(const SightTerms& terms, Vector p, Vector q) {
     return all;
 }
 
-/// What zero_test says of rays at (p, q).
+/// The results of zero_test for a vector of rays at (p, q).
 struct Test {
     Mask none;             ///< no zero within `inner`
     Mask found;            ///< one, and its depth is known well enough
@@ -58,7 +58,7 @@ struct Test {
     }
 };
 
-/// As many rays as a vector of doubles has numbers.
+/// The rays of one vector of doubles, half of a vector of floats.
 struct HalfRays {
     Vector u, v, p, q;
     Vector g1, g2;
@@ -66,7 +66,7 @@ struct HalfRays {
     Test test;
 };
 
-/// Twice as many, with the slopes by (p, q) where Newton's method went to.
+/// The rays of a vector of floats, with the slopes by (p, q) where Newton's method ended.
 struct SolverEnd {
     std::array<HalfRays, 2> halves;
     Floats u, v;
@@ -122,7 +122,7 @@ private:
         Floats q = clamped(floats_of(lower.q, upper.q));
         end.u = floats_of(lower.u, upper.u);
         end.v = floats_of(lower.v, upper.v);
-        // What is constant on a ray is large: in double.
+        // Add the terms that are constant on a ray in double: they are large.
         const auto& constant = piece_.terms[0];
         const Vector far = number(axes_.distance + constant[2]);
         const auto beside = [&](Vector along, double at)
@@ -188,6 +188,7 @@ private:
     HWY_INLINE void test_at(HalfRays& rays) const {
         const PatchSight& sight = piece_.sight;
         Test& test = rays.test;
+        // Compute g at the places, and bounds of its error.
         rays.at = values_of<degree>(piece_.terms, rays.p, rays.q);
         const Vector distance = number(axes_.distance);
         rays.g1 = hn::NegMulAdd(rays.u, rays.at.s, hn::NegMulAdd(rays.u, distance, rays.at.a));
@@ -202,6 +203,7 @@ private:
         const Vector g2 = rays.g2;
         const Vector e1 = error_of(rays.u, a_most_, g1);
         const Vector e2 = error_of(rays.v, b_most_, g2);
+        // Take the step -Y g, with a bound of its error.
         const Matrix2& y = piece_.contraction.inverse;
         const Matrix2& size = piece_.contraction.size;
         test.step_p = hn::Neg(hn::MulAdd(number(y.pp), g1, hn::Mul(number(y.pq), g2)));
@@ -223,6 +225,7 @@ private:
                                 number(sight.value_error + rounding * s_most_));
         const Vector to_p = hn::Add(rays.p, test.step_p);
         const Vector to_q = hn::Add(rays.q, test.step_q);
+        // Mark rays with no zero in the share, and with one that is known well enough.
         const auto beyond = [&](Vector at) HWY_ATTR {
             return hn::Gt(hn::Sub(hn::Abs(at), test.radius), number(inner));
         };
@@ -233,6 +236,7 @@ private:
         // More steps do not help where most of it is the model's error.
         const Mask settled = hn::Le(hn::Max(size_p, size_q), hn::Mul(number(4.0), lost));
         test.wide = hn::And(hn::AndNot(hn::Or(test.none, narrow), one), settled);
+        // Tell zeros inside of the unit square from those outside.
         test.inside = hn::Eq(number(0.0), number(0.0));
         test.outside = hn::Ne(number(0.0), number(0.0));
         if (is_within_) return;

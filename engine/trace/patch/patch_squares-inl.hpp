@@ -42,13 +42,13 @@ public:
         const glm::dvec3 squares = glm::abs(pp) + glm::abs(qq);
         const glm::dvec3 sizes = glm::abs(sight.c) + glm::abs(sight.kp) + glm::abs(sight.kq) +
                                  squares + glm::abs(pq) + glm::dvec3(0.0, 0.0, axes.distance);
-        // Of the linear form's error, half of each square and all of p q are known here.
+        // Take half of each square and all of p q, known here, from the linear form's error.
         rest_ = LinearForm::spread((sight.e - 0.5 * squares - glm::abs(pq)) +
                                    LinearForm::float_rounding * sizes);
         squares_ = LinearForm::spread((squares + glm::abs(pq)) * (1.0 + 0x1p-20));
     }
 
-    /// As of the linear form, or better.
+    /// The zeros by the linear form, or by a step with the squares where that is better.
     HWY_INLINE Zeros zeros(Floats u, Floats v) const {
         Zeros zeros = linear_.zeros(u, v);
         const Step to = step(u, v, zeros);
@@ -122,7 +122,7 @@ private:
                                 float_number(1.0 + 0x1p-8)),
                 .lost = hn::Mul(hn::Mul(size, hn::Abs(inverse)),
                                 float_number(2.0 * LinearForm::float_rounding)),
-                // As of LinearForm::zeros.
+                // The limits of LinearForm::zeros.
                 .is_safe = hn::And(hn::And(at.known, hn::Lt(size, float_number(0x1p120))),
                                    hn::And(hn::Gt(is, float_number(0x1p-80)),
                                            hn::Gt(is, hn::Mul(float_number(0x1p-10), size))))};
@@ -133,7 +133,7 @@ private:
         const Floats squares = most_of(squares_, u, v);
         const Floats linear = hn::Max(sum(from.pp, from.pq), sum(from.qp, from.qq));
         const Floats out = hn::Add(float_number(1.0), sum(from.p, from.q));
-        // What rounding makes of the place, of the slopes and of the step, generously.
+        // A generous bound of the rounding errors of the place, the slopes and the step.
         const Floats sizes =
             hn::MulAdd(hn::MulAdd(float_number(4.0), hn::Mul(squares, out), linear), from.radius,
                        hn::Mul(hn::Mul(hn::Add(squares, squares), out), out));

@@ -17,17 +17,18 @@ namespace {
 constexpr double flat_norm = 0.4;
 /// Leaves with a model need not be flatter than this: trace_leaf halves them.
 constexpr double model_norm = 1.0;
-/// Nor than this where they are not large, in pixels: larger ones are halved again in each tile.
+/// Leaves with a model below large_pixels need not be flatter than this: larger ones are halved
+/// again in each tile.
 constexpr double small_model_norm = 2.0;
 constexpr double large_pixels = 64.0;
 /// Parts with a model that are as small as this, in pixels, are leaves.
 constexpr double small_pixels = 16.0;
 /// Parts as small as this, in pixels, are leaves, whatever they are like.
 constexpr double least_pixels = 5.0;
-/// Nor where S is not continuous: such parts may be as many as there are along a line.
+/// The deepest level where S is not continuous: such parts may be as many as fit along a line.
 constexpr int most_levels_of_jumps = 4;
-/// Parts and pixels that are kept for the end; of a patch that is undefined everywhere, but not
-/// proved to be, each part may be at each pixel.
+/// The most parts and pixels that are kept for the end; on a patch that is undefined everywhere,
+/// but not proved to be, each part may be at each pixel.
 constexpr std::size_t most_rest = std::size_t{1} << 18U;
 
 /// Says early that a node is going to be read.
@@ -98,6 +99,7 @@ void PatchTile::find_bounds() {
                   .v_hi = std::max(bounds.v_hi, v)};
     };
     bounds_ = none;
+    // Bound the rays through the pixels' centres by the tile.
     if (wish_ == Wish::FirstHits) {
         bounds_ = {.u_lo = rays_.u(0.0),
                    .u_hi = rays_.u(cols_ - 1),
@@ -108,6 +110,7 @@ void PatchTile::find_bounds() {
         limit_ = *std::ranges::max_element(block_reach_);
         return;
     }
+    // Bound rays that are anywhere by those wanted, block by block.
     blocks_.fill(none);
     for (int row = 0; row < rows_; ++row) {
         for (int col = 0; col < cols_; ++col) {

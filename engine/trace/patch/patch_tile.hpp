@@ -51,7 +51,7 @@ public:
         PatchNode* node;
         double near;
     };
-    /// What a thread keeps from tile to tile. Numbers of each ray are in rows of tile_size.
+    /// Memory that a thread keeps from tile to tile. Numbers of each ray are in rows of tile_size.
     struct Room {
         /// Where rays are, as TileRays has it: of FirstHits each column's u and each row's v.
         std::vector<double> u, v;
@@ -64,8 +64,8 @@ public:
         std::uint64_t touched = ~std::uint64_t{0};
         std::vector<PatchHit> best;  ///< of RayState::Kept
 
-        /// Whether reaches were those of a whole tile of which all is wanted; but for `touched`
-        /// they still are.
+        /// Whether `reach` was last set for a whole tile without limits: outside of `touched` it
+        /// still is +inf.
         bool is_whole = false;
 
         /// Forgets what was found, but for the reaches.
@@ -111,7 +111,7 @@ public:
     /// `room`: with its rays and reaches; `rays`: of a tile of so many pixels.
     PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, int rows, Wish wish,
               Counters& counters, Room& room);
-    /// Fills room.best.
+    /// Searches all rays; Room::hit tells what was found.
     void run();
 
 private:
@@ -128,9 +128,9 @@ private:
     void find_bounds();
     /// Sets block_reach_ where all is wanted.
     void open_blocks();
-    /// Makes block_reach_ know new hits.
+    /// Updates block_reach_ in the blocks with new hits.
     void find_reaches();
-    /// Marks the blocks of a rectangle, or all: there are new hits in them.
+    /// Marks the blocks of a rectangle, or all blocks, as having new hits.
     void change(const Rect& rect);
     void change_all();
     /// Sets a part; false where no ray meets it.
@@ -156,7 +156,7 @@ private:
     void for_each_rect(const PatchSight& sight, const Rect& rect, Scan scan) const;
     /// Finds the hits on a part that is known by its model.
     void trace_model(const Part& part, const LeafPixels& pixels);
-    /// As above on the parts of a node for which its model is too coarse on some rays.
+    /// Finds the hits of pixels for which a node's model is too coarse, on the parts of the node.
     void trace_parts(PatchNode& node, std::span<const std::size_t> pixels);
     RayState judge(const LeafHit& hit) override;
     void leave(std::size_t pixel, double near, LeafLeft why) override;
@@ -197,7 +197,7 @@ private:
     SightAxes axes_;
     PixelGrid grid_;  ///< of FirstHits
     const PatchTree& tree_;
-    Box clip_;            ///< what of the scene's clip box is in the patch's own
+    Box clip_;            ///< the part of the scene's clip box that is in the patch's own
     RayBounds bounds_{};  ///< of all rays that are wanted
     static constexpr int block = tile_block;
     static constexpr std::size_t block_count = tile_blocks;

@@ -76,6 +76,7 @@ void PatchTile::advance(bool is_last) {
     }
     tree_.forms().evaluate(room_.places, room_.points);
     counters_.value += count;
+    // Settle candidates, or move them on by Newton's method.
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Candidate candidate = room_.candidates[i];
@@ -102,6 +103,7 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (test.s - test.s_radius > best.s) return true;
     if (test.found != ZeroTest::Found::One || !(2.0 * test.s_radius <= rays_.tolerance()))
         return false;
+    // Test whether the zero is in the ranges and in the patch's own box.
     const UvBox& box = room_.leaves[candidate.leaf].node->box;
     const PatchForm& form = room_.leaves[candidate.leaf].node->form;
     const InSquare where = both(in_square(place_in(box, test.p, test.q, test.radius)),
@@ -110,6 +112,7 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     if (where == InSquare::Unknown && !is_last) return false;
     if (!(test.s < best.s)) return true;
     const SightRay ray = ray_of(candidate.pixel);
+    // Drop a hit outside of what is wanted on the ray.
     const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
     if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.limit(candidate.pixel)) ||
         test.s < rays_.first_depth())

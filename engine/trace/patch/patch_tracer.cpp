@@ -22,6 +22,7 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
         room.v[static_cast<std::size_t>(i)] = rays.v(i);
     }
     room.to.clear();
+    // Reset only the blocks that the last tile touched, where both are whole.
     const bool is_whole =
         tile.cols == tile_size && tile.rows == tile_size && tile.limits == nullptr;
     const bool was_whole = std::exchange(room.is_whole, is_whole);
@@ -29,6 +30,7 @@ void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
         fill_blocks(room.reach.data(), room.touched, unbounded);
         return;
     }
+    // Else open all pixels of the tile, up to its limits.
     room.reach.assign(tile_pixels, -unbounded);
     for (int row = 0; row < tile.rows; ++row) {
         const auto first = static_cast<std::ptrdiff_t>(pixel_index(0, row));

@@ -1,5 +1,6 @@
 #include "engine/trace/patch/patch_tree.hpp"
 
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/real/rounding.hpp"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ PatchForms::Boxes parts_of(const UvBox& box, const Division& division) {
     return parts;
 }
 
-/// Sets the boxes of the parts of a node; returns what their forms are of.
+/// Sets the boxes of the parts of a node; returns the grown boxes that their forms are over.
 PatchForms::Boxes place_parts(const PatchNode& node, const Division& division,
                               PatchNode::Children& parts) {
     PatchForms::Boxes boxes = parts_of(node.box, division);
@@ -103,7 +104,7 @@ bool is_tighter(const PatchForm& form, const PatchForm& other) {
     return form.nowhere || form.e.x + form.e.y + form.e.z < other.e.x + other.e.y + other.e.z;
 }
 
-/// A bound of the length of what is between -radius and radius of a middle; of what is known.
+/// A bound of the length of vectors within `radius` of `middle`; unknown coordinates count as 0.
 double length_of(const glm::dvec3& middle, const glm::dvec3& radius) {
     glm::dvec3 size = glm::abs(middle) + radius;
     for (int k = 0; k < 3; ++k) {
@@ -258,7 +259,7 @@ std::shared_ptr<const PatchTree> patch_tree(const Kernel& kernel, const Uniforms
     assert(is_patch(kernel));
     const std::shared_ptr<KeptTree> kept = kernel.memory->of<KeptTree>();
     const std::scoped_lock lock(kept->mutex);
-    const auto code = patch_code_of(kernel);
+    const auto code = surface_facts(kernel).patch;
     std::vector<double> ends = ends_read(*code, uniforms);
     const bool is_same = kept->tree != nullptr && !kept->tree->is_full() && kept->uniforms == ends;
     if (!is_same) {

@@ -21,7 +21,7 @@ namespace zeroset {
 inline constexpr double form_growth = 1.0 + 0x1p-5;
 /// The share of a grown box that its part is.
 inline constexpr double box_share = 1.0 / form_growth;
-/// That share, larger by more than rounding may take from it.
+/// box_share, enlarged by more than rounding may take from it.
 inline constexpr double form_inner = (1.0 + 0x1p-20) / form_growth;
 
 /// How a box is divided: `cols` x `rows` parts, sixteen of them, or four.
@@ -29,16 +29,16 @@ struct Division {
     std::size_t cols, rows;
 };
 
-/// The division whose parts are about as wide as they are high.
+/// The division into sixteen parts that are about as wide as they are high.
 Division division_of(double width, double height);
-/// As above, into four parts.
+/// The division into four parts that are about as wide as they are high.
 Division quarters_of(double width, double height);
 
 /// A part of the unit square.
 struct PatchNode {
     struct Children;
 
-    UvBox box;                          ///< what it stands for
+    UvBox box;                          ///< the part that it stands for
     PatchForm form;                     ///< over box.grown(form_growth)
     const PatchModel* model = nullptr;  ///< what the form is of; nullptr: of S itself
     ModelSizes sizes{};                 ///< of the model
@@ -68,8 +68,8 @@ struct PatchNode::Children {
     explicit Children(std::size_t count) : nodes(count) {}
 };
 
-/// What is known of a patch for some values of the uniforms, whatever the view: a tree of boxes in
-/// (u, v), each of which is divided when somebody first asks for its parts. Any thread.
+/// A tree of boxes in (u, v) that bounds a patch for some values of the uniforms, whatever the
+/// view. A box is divided when its parts are first asked for. Any thread.
 class PatchTree : public PreparedSurface {
 public:
     PatchTree(std::shared_ptr<const PatchCode> code, Uniforms uniforms);
@@ -78,7 +78,7 @@ public:
     [[nodiscard]] const PatchForms& forms() const { return forms_; }
     /// The box that the patch itself is cut to, beside what a view shows (PatchCode::box).
     [[nodiscard]] const std::optional<Box>& box() const { return box_; }
-    /// What of `clip` is in that box; nothing of it where lo > hi.
+    /// The part of `clip` that is in the patch's own box; empty where lo > hi.
     [[nodiscard]] Box within(const Box& clip) const;
     /// The sixteen parts of a node, in the world about as long as wide; nullptr where the tree has
     /// no room for more.

@@ -27,14 +27,14 @@ using Vector = V<double>;
 using Mask = M<double>;
 constexpr std::size_t width = lanes<double>;
 
-/// How much of a box its form stands for; wider than what rounding may take from it.
+/// The shift from the middle of a box to that of a half, and the share of a box that its part is.
 constexpr double half_shift = 0.5 / form_growth;
 constexpr double inner = form_inner;
 constexpr double rounding = sight_rounding;
 
 HWY_INLINE Vector number(double x) { return hn::Set(D(), x); }
 
-/// As many floats as two vectors of doubles have numbers.
+/// A vector of floats for the rays of two vectors of doubles.
 using Floats = hn::Vec<hn::CappedTag<float, 2 * width>>;
 using FloatMask = hn::Mask<hn::CappedTag<float, 2 * width>>;
 constexpr hn::CappedTag<float, 2 * width> df{};
@@ -94,7 +94,7 @@ struct Zeros {
     FloatMask none, known;
     Floats p, q;
     Floats radius;          ///< of both, where they are known
-    Floats lost;            ///< what of it rounding makes
+    Floats lost;            ///< the part of it by rounding
     Floats pp, pq, qp, qq;  ///< the slopes of g by the linear form
 };
 
@@ -131,10 +131,12 @@ public:
         const Floats qq = hn::NegMulAdd(v, kq_.z, kq_.y);
         const Floats e1 = hn::MulAdd(hn::Abs(u), e_.z, e_.x);
         const Floats e2 = hn::MulAdd(hn::Abs(v), e_.z, e_.y);
+        // Reject rays on which the linear form of g is not 0 anywhere.
         const Floats wider = float_number(inner * (1.0 + float_rounding));
         const Floats reach1 = hn::MulAdd(hn::Add(hn::Abs(pp), hn::Abs(pq)), wider, e1);
         const Floats reach2 = hn::MulAdd(hn::Add(hn::Abs(qp), hn::Abs(qq)), wider, e2);
         const FloatMask beside = hn::Or(hn::Gt(hn::Abs(g1), reach1), hn::Gt(hn::Abs(g2), reach2));
+        // Solve the linear system, with bounds of the error.
         const Floats first = hn::Mul(pp, qq);
         const Floats second = hn::Mul(pq, qp);
         const Floats determinant = hn::Sub(first, second);

@@ -1,4 +1,4 @@
-// What the rays of a bundle are asked all at once (engine/trace/voxels/voxel_tile.hpp).
+// Tests of all rays of a bundle at once, a ray a lane (engine/trace/voxels/voxel_tile.hpp).
 //
 // In floats a ray is known to 2^-16 of a cell, as places count from the slab's first cells, at most
 // 32 away. So a ray may be in a cell that it is not looked for in, but only as far from a face of
@@ -149,7 +149,7 @@ struct CellWay {
     }
 };
 
-/// Of the rays `open`, those that may come near 0 in some cell of the layer.
+/// The rays among `open` on which f may come near 0 in some cell of the layer.
 template <class Cell>
 HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Across& j,
                              M<float> open) {
@@ -168,7 +168,9 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
     M<float> found = hn::Lt(one, zero);  // none
     V<float> from = zero;
     for (;;) {
+        // End the stretch where the ray leaves the cell or the layer.
         const V<float> to = hn::Min(hn::Min(i_steps.next, j_steps.next), one);
+        // Take the nearest cell of the slab; cells more than one away from it do not count.
         const V<float> i_cell = hn::Min(hn::Max(i_steps.cell, zero), i_last);
         const V<float> j_cell = hn::Min(hn::Max(j_steps.cell, j_first), j_last);
         const V<float> far =
@@ -178,12 +180,14 @@ HWY_INLINE M<float> at_level(const AskedLayer& asked, const Across& i, const Acr
             return Stretch{.from = hn::MulAdd(ray.slope, from, at),
                            .to = hn::MulAdd(ray.slope, to, at)};
         };
+        // Test whether f may come near 0 on the stretch.
         const M<float> may_be = Cell::may_be_zero(
             corners, samples, hn::ConvertTo(whole, hn::MulAdd(j_cell, row, i_cell)),
             in_cell(i, i_cell), in_cell(j, j_cell), {.from = from, .to = to}, asked.error);
         found = hn::Or(found, hn::And(hn::And(open, may_be), hn::Le(far, one)));
         open = hn::And(hn::AndNot(found, open), hn::Lt(to, one));
         if (hn::AllFalse(tag, open)) return found;
+        // Go on to the next cell.
         const M<float> by_i = hn::Le(i_steps.next, j_steps.next);
         i_steps.go_on(by_i);
         j_steps.go_on(hn::Not(by_i));
@@ -223,7 +227,7 @@ public:
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] Across i(std::size_t first) const { return across(0, first); }
     [[nodiscard]] Across j(std::size_t first) const { return across(2, first); }
-    /// The rays that these bits tell of, as bits of the bundle.
+    /// Bits of these rays, side by side, turned into bits of the bundle.
     [[nodiscard]] std::uint64_t of_bundle(std::uint64_t found) const {
         std::uint64_t result = 0;
         for (std::uint64_t left = rays_; left != 0; left &= left - 1, found >>= 1U)

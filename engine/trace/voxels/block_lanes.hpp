@@ -27,7 +27,7 @@ double make_columns(const IndexRays& rays, const WalkAxes& axes, double u, doubl
 struct RayExtent {
     double i_low, i_high, j_low, j_high;
 };
-/// Of the rays `open`, of which there is one.
+/// The extent of the rays `open`, one or more, where the axis is at k.
 RayExtent extent_of(const RayColumns& columns, double k, std::uint64_t open);
 
 /// RayColumns from a slab's first cells on, in cells: at + slope * (layer - the slab's lowest).

@@ -120,6 +120,7 @@ struct TrilinearCells {
             const auto row = at.load(corners + offset);
             return mixed(row[0], row[1], x);
         };
+        // Interpolate along x, then y, then z, at both ends of the stretch.
         const Stretch e0 = edge(0);
         const Stretch e1 = edge(samples.row);
         const Stretch e2 = edge(slice);
@@ -214,6 +215,7 @@ struct SplineCells {
             }
             add_product(in_slice, z_weights[k], f);
         }
+        // Turn scaled coefficients into Bernstein coefficients.
         constexpr std::array<float, 10> per_scale{1,          1.0F / 9,   1.0F / 36, 1.0F / 84,
                                                   1.0F / 126, 1.0F / 126, 1.0F / 84, 1.0F / 36,
                                                   1.0F / 9,   1};

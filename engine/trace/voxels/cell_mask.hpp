@@ -19,14 +19,14 @@ struct LayerRange {
 /// The cells that some rays of a bundle are in, in the layers of a slab.
 class RayReach {
 public:
-    /// Of the rays `open`.
+    /// The cells of the rays `open` in these layers.
     RayReach(const RayColumns& columns, const LayerRange& layers, std::uint64_t open)
         : low_(extent_of(columns, layers.low, open)),
           high_(extent_of(columns, layers.high + 1.0, open)),
           layers_(layers) {}
 
-    /// In some of these layers. Between two planes the least place is no less than the line from
-    /// the one's least to the other's, for each ray is a line; so is the largest place no larger.
+    /// The cells in some of these layers. Each ray is a line: between two planes the least place is
+    /// not below the line from the one's least to the other's, nor the largest above theirs.
     [[nodiscard]] CellRectangle cells(std::int32_t low, std::int32_t high) const {
         const RayExtent from = at(low);
         const RayExtent to = at(high + 1);
@@ -79,12 +79,12 @@ struct CellMask {
     SlabSamples samples{};  ///< where `is_small`
     float error = 0;        ///< as AskedLayer has it
 
-    /// All four samples of a cell's face across the axis, of each slice that was looked at.
+    /// A slice's cell faces across the axis: whether all samples of each are above, or below.
     using FaceBits = std::array<SampleBits, most_cells + 1>;
     std::array<FaceBits, most_layers + most_beyond> faces{};
     std::array<bool, most_layers + most_beyond> known{};
 
-    /// The rows of its cells among these, or one row.
+    /// The rows of the mask's cells that are among the cells `of`, or one row.
     [[nodiscard]] SlabRows rows_of(const CellRectangle& of) const {
         const auto row = [&](std::int32_t j) {
             return static_cast<std::size_t>(std::clamp(j, cells.j_first, cells.j_last) -
@@ -92,7 +92,7 @@ struct CellMask {
         };
         return {.first = row(of.j_first), .last = row(of.j_last)};
     }
-    /// Cells beyond its rectangle do not hold it, or no ray is in them.
+    /// Whether a cell may hold the level; those beyond the rectangle do not, or no ray is in them.
     [[nodiscard]] bool may_hold(std::int32_t i, std::int32_t j) const {
         if (i < cells.i_first || i > cells.i_last || j < cells.j_first || j > cells.j_last)
             return false;
@@ -105,7 +105,7 @@ struct CellMask {
         static_assert(most + most_beyond == SlabSamples::most);
         return cells.i_last - cells.i_first < most && cells.j_last - cells.j_first < most;
     }
-    /// The marked cells, for rays of these slopes at most.
+    /// The marked cells and those before them, for rays of at most this slope.
     [[nodiscard]] NearCells near(double slope) const {
         NearCells near;
         const auto count = static_cast<std::size_t>(cells.j_last - cells.j_first + 1);
@@ -119,7 +119,7 @@ struct CellMask {
         }
         return near;
     }
-    /// Whether cells between these places may hold it.
+    /// Whether cells between these places may hold the level.
     [[nodiscard]] bool may_hold_between(double i_low, double i_high, double j_low,
                                         double j_high) const {
         // Truncated to cells: from the rectangle's first one on, places are above 0.

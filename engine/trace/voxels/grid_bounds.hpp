@@ -42,8 +42,8 @@ struct GridBounds {
         return spline->coefficients().type == SampleType::Float ? spline->pyramid<float>().range()
                                                                 : spline->pyramid<double>().range();
     }
-    /// What rounding may make of f: of places, some ulp of their terms times f's steepest slope;
-    /// of sums of samples, some ulp of these; and what the level may be off.
+    /// A bound of the error of f: by rounded places, some ulp of their terms times f's steepest
+    /// slope; by sums of samples, some ulp of these; and the error of the level.
     [[nodiscard]] double error() const { return 0x1p-44 * (indices + 16) * size + level_error; }
     /// Whether places are known well enough, and numbers small enough for sums of them in float.
     [[nodiscard]] bool usable() const { return indices < 0x1p30 && size < 0x1p120; }

@@ -1,7 +1,7 @@
 #include "engine/trace/voxels/isosurface.hpp"
 
 #include "engine/base/translation.hpp"
-#include "engine/kernel/field_level.hpp"
+#include "engine/kernel/surface_facts.hpp"
 
 #include <cmath>
 
@@ -9,17 +9,16 @@ namespace zeroset {
 namespace {
 
 const Volume* volume_of(const Kernel& surface) {
-    const auto level = surface.memory->find<FieldLevel>();
-    return level == nullptr ? nullptr : dynamic_cast<const Volume*>(level->field.get());
+    return dynamic_cast<const Volume*>(surface_facts(surface).field.field.get());
 }
 
-/// How much of a level may be unknown: beams tell more than rays at one level would.
+/// The largest relative error of a level; beyond it beams tell more than rays at one level would.
 constexpr double most_unknown_of_level = 0x1p-30;
 
 Outside outside_of(const Volume& volume) { return volume.options().outside; }
 
 std::optional<Isosurface> surface_of(const Kernel& surface, const Scene& scene) {
-    const auto level = surface.memory->of<FieldLevel>()->at(scene.uniforms);
+    const auto level = surface_facts(surface).field.at(scene.uniforms);
     if (!(level.error <= most_unknown_of_level * std::abs(level.middle))) return std::nullopt;
     return Isosurface{
         .volume = volume_of(surface), .level = level.middle, .level_error = level.error};

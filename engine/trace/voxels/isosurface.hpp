@@ -21,7 +21,7 @@ const char* no_isosurface(const Kernel& surface);
 
 /// The surface for the uniforms of a scene, in upward rounding; nothing where it is none.
 std::optional<Isosurface> isosurface(const Kernel& surface, const Scene& scene);
-/// As isosurface(); the volume may also be a spline.
+/// The surface as by isosurface(), whose volume may also be a spline.
 std::optional<Isosurface> isosurface_or_spline(const Kernel& surface, const Scene& scene);
 
 }  // namespace zeroset

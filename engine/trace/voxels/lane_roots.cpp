@@ -1,7 +1,7 @@
-// First roots in trilinear cells, a ray a lane: what FirstRoot and ray_cubic do where f goes
-// through 0 once, or not at all. The rays of other lanes are told to be unclear
-// and are looked at one by one. Places, cubics and brackets are made as there, so that the same
-// bounds of rounding hold.
+// First roots in trilinear cells, a ray a lane, as FirstRoot and ray_cubic find them where f goes
+// through 0 once, or not at all. The rays of other lanes are reported as unclear and looked at one
+// by one. Places, cubics and brackets are computed as there, so that the same bounds of rounding
+// hold.
 
 #include "engine/trace/voxels/lane_roots.hpp"
 
@@ -73,6 +73,7 @@ std::uint32_t enter_layer_lanes(const BundleSearch& search, std::int32_t layer, 
                   rays.at[axis], lane);
             store(hn::Add(number(search.rays.forward[axis]), across), rays.along[axis], lane);
         }
+        // Find the stretches in the layer, and which of them are inside the region.
         const Vector at = load(rays.at[axis_k], lane);
         const Vector per_layer = hn::Div(number(1.0), load(rays.along[axis_k], lane));
         const Vector low = hn::Mul(hn::Sub(number(layer), at), per_layer);
@@ -161,7 +162,7 @@ HWY_INLINE Vector slope_at(const Cubic& b, Vector t) {
     return hn::Mul(number(3.0), hn::MulAdd(hn::Mul(t, t), hn::Sub(b[3], b[2]), second));
 }
 
-/// Where f that is 0 once is 0, by Newton's steps that stay within the bracket: of these lanes.
+/// The root of f that is 0 only once, on the lanes `open`: by Newton's steps within the bracket.
 HWY_INLINE Vector only_root(const Cubic& b, Mask open) {
     constexpr int most_steps = 24;
     const Vector half = number(0.5);
@@ -184,8 +185,8 @@ HWY_INLINE Vector only_root(const Cubic& b, Mask open) {
     return t;
 }
 
-/// Stores f's gradients where f's slopes along the grid's axes are these; the lanes where floats
-/// hold them as they are.
+/// Stores f's gradients by its slopes along the grid's axes; returns the lanes where they are
+/// neither too small nor too large for floats.
 HWY_INLINE Mask put_gradients(const BundleSearch& search, const std::array<Vector, 3>& slopes,
                               std::size_t lane, LaneRays& rays) {
     const hn::Rebind<float, Tag<double>> floats;
@@ -216,7 +217,7 @@ HWY_INLINE std::array<Vector, 3> slopes_at(const std::array<Vector, 8>& corners,
             hn::Sub(mix(edge[2], edge[3], at[1]), mix(edge[0], edge[1], at[1]))};
 }
 
-/// Of one vector of rays: as find_roots().
+/// The search of find_roots() on one vector of rays.
 class VectorOfRays {
 public:
     HWY_INLINE VectorOfRays(const BundleSearch& search, LaneRays& rays, std::size_t lane)
@@ -247,15 +248,15 @@ public:
             hn::And(hn::And(below(b_[0]), above(b_[3])), hn::Or(below(b_[1]), above(b_[2])));
         return hn::Or(falls, rises);
     }
-    /// Finds the roots on these rays; those that are proved and stored.
+    /// Finds and stores the roots on these rays; returns the lanes where they are proved.
     HWY_INLINE Mask find(Mask some) {
         const Vector t = only_root(b_, some);
         const Vector width = hn::Sub(until_, from_);
-        // As wide as is allowed, so that signs are proved where f is flat.
+        // Make the bracket as wide as is allowed, so that signs are proved where f is flat.
         const Vector half = hn::Div(number(0.49 * search_.finest), width);
         const Vector first = value_at(b_, hn::Max(hn::Zero(d<double>), hn::Sub(t, half)));
         const Vector last = value_at(b_, hn::Min(number(1.0), hn::Add(t, half)));
-        // On the sides that they are on at the ends of the stretch, of which one is above.
+        // Prove that f has the signs of the stretch's ends at the ends of the bracket, too.
         const Mask falls = hn::And(begins_above(), hn::And(above(first), below(last)));
         const Mask rises = hn::AndNot(begins_above(), hn::And(below(first), above(last)));
         const Vector depth = hn::MulAdd(t, width, from_);
@@ -296,9 +297,11 @@ std::uint32_t find_roots_lanes(const BundleSearch& search, std::uint32_t some, L
         const std::uint32_t here = some & ((1U << lanes<double>)-1) << lane;
         if (here == 0) continue;
         VectorOfRays vector(search, rays, lane);
+        // Find the rays on which f keeps its sign.
         const std::uint32_t above = bits_at(vector.is_above(), lane) & here;
         const std::uint32_t below = bits_at(vector.is_below(), lane) & here;
         const std::uint32_t open = here & ~(above | below);
+        // Find the roots of rays on which f crosses 0 just once.
         std::uint32_t roots = 0;
         if (open != 0) {
             const Mask crosses = hn::And(mask_at_lane(open, lane), vector.crosses());

@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What the rays of a bundle share where their roots are looked for many at once.
+/// The data shared by the rays of a bundle in the search for their roots, many at once.
 struct BundleSearch {
     const IndexRays& rays;
     const IndexMap& map;
@@ -33,7 +33,7 @@ struct LaneRays {
     alignas(64) Numbers to{};                          ///< where the ray leaves the layer
     alignas(64) std::array<Numbers, 3> cell{};
     alignas(64) std::array<Numbers, 8> corners{};  ///< of the cells, as CellCorners
-    /// Of roots: distances from the eye, and f's gradients.
+    /// The roots' distances from the eye, and f's gradients at them.
     alignas(64) Numbers distance{};
     alignas(64) std::array<std::array<float, most>, 3> gradient{};
 };
@@ -43,16 +43,16 @@ struct LaneSides {
     std::uint32_t above = 0, below = 0;
 };
 
-/// Takes the rays of (u, v) into a layer, to their first cells; the lanes whose rays are inside the
-/// region all through it.
+/// Takes the rays of (u, v) into a layer, to their first cells; returns the lanes whose rays are
+/// inside the region all through it.
 std::uint32_t enter_layer(const BundleSearch& search, std::int32_t layer, LaneRays& rays);
 
-/// Takes the rays to the next cells of the layer; the lanes among these that have one.
+/// Takes the rays to the next cells of the layer; returns those of these lanes that have one.
 std::uint32_t next_cells(const BundleSearch& search, std::uint32_t lanes, LaneRays& rays);
 
-/// Looks at the rays of these lanes in their cells; `sides`: where f was last, and is now. Returns
-/// the lanes with a first root that is proved, as FirstRoot proves it. `unclear` is given those of
-/// which nothing is told.
+/// Looks at the rays of these lanes in their cells; `sides`: of f before, updated. Returns the
+/// lanes with a first root that is proved, as FirstRoot proves it. Adds the lanes of which nothing
+/// is known to `unclear`.
 std::uint32_t find_roots(const BundleSearch& search, std::uint32_t lanes, LaneRays& rays,
                          LaneSides& sides, std::uint32_t& unclear);
 

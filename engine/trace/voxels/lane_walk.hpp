@@ -94,7 +94,7 @@ private:
             }
             if (left != 0) left = next_cells(search, left, rays_);
         }
-        // What was known before is told again of those that are unclear.
+        // Keep the former sides of unclear rays: they are looked at again.
         const std::uint64_t above = of_bundle(sides.above & ~unclear);
         const std::uint64_t below = of_bundle(sides.below & ~unclear);
         sides_.above |= above;

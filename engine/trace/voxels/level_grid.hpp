@@ -75,7 +75,7 @@ private:
     template <class Take>
     void visit_bricks(int level, const CellRectangle& cells, const LayerRange& layers,
                       const WalkAxes& axes, const Take& take) const;
-    /// The pyramid's cells are between two numbers: as many more are about a cell here.
+    /// The numbers about a cell along an axis beyond the two of the pyramid's cells.
     static constexpr std::int32_t beyond = static_cast<std::int32_t>(support) - 2;
     /// The next float in a direction, unless the number is one.
     static float outward(double number, float towards) {
@@ -244,7 +244,7 @@ void LevelGrid<Sample, support>::begin(const CellRectangle& cells, const LayerRa
     mask.samples.begin(patch.count, patch.rows);
     const auto slices = static_cast<std::size_t>(layers.high - layers.low) + support;
     if (!is_row(patch)) return copy(patch, strides_[axes.k], slices, mask.samples);
-    // What is far from the machine's caches is on its way while the first slices are looked at.
+    // Prefetch all rows, so that they are on their way while the first slices are looked at.
     for (std::size_t slice = 0; slice < slices; ++slice) {
         for (std::size_t row = 0; row < patch.rows; ++row) {
             hwy::Prefetch(patch.first + static_cast<std::ptrdiff_t>(slice) * strides_[axes.k] +
@@ -269,6 +269,7 @@ void LevelGrid<Sample, support>::find_face(std::size_t slice, const RayReach& re
     } else {
         find_bits(patch, face);
     }
+    // Combine the bits of the samples of each face, along both axes.
     for (std::size_t row = cells.first; row <= cells.last; ++row) {
         SampleBits all = face[row];
         for (std::size_t n = 1; n < support; ++n) {
@@ -288,6 +289,7 @@ template <class Sample, std::size_t support>
 void LevelGrid<Sample, support>::mark(std::int32_t layer, const RayReach& reach,
                                       const WalkAxes& axes, CellMask& mask) const {
     const auto lower = static_cast<std::size_t>(layer - mask.layers.low);
+    // Find the faces' bits of slices that are not known yet.
     for (std::size_t slice = lower; slice < lower + support; ++slice) {
         if (!mask.known[slice]) find_face(slice, reach, axes, mask);
     }
@@ -296,6 +298,7 @@ void LevelGrid<Sample, support>::mark(std::int32_t layer, const RayReach& reach,
     mask.rows = mask.rows_of(reach.cells(layer, layer));
     mask.bits = {};
     std::uint64_t any = 0;
+    // Mark the cells whose samples are not all on one side of the level.
     for (std::size_t row = mask.rows.first; row <= mask.rows.last; ++row) {
         SampleBits all = mask.faces[lower][row];
         for (std::size_t n = 1; n < support; ++n) {
@@ -307,7 +310,7 @@ void LevelGrid<Sample, support>::mark(std::int32_t layer, const RayReach& reach,
     }
     mask.layer = layer;
     mask.any = any != 0;
-    // What places in floats make of f (block_lanes.cpp), the rounding of the level, and underflows
+    // Bound the error of f: by places in floats (block_lanes.cpp), the rounded level, underflows.
     constexpr float of_places = support == 2 ? 0x1p-11F : 0x1p-10F;
     mask.error = of_places * mask.samples.largest +
                  static_cast<float>(0x1p-22 * std::abs(level_) + error_) + 0x1p-120F;

@@ -24,8 +24,8 @@ struct TileWork {
     Counters& counters;
 };
 
-/// False: bundles cannot go through the grid from here. `numbers`: the grid's, with the pyramid
-/// over them.
+/// Traces a tile in a grid; false: bundles cannot go through it from here. `numbers`: the grid's,
+/// with the pyramid over them.
 template <std::size_t support, class Sample>
 bool trace_grid(const TileWork& work, const Isosurface& surface, const Samples& numbers,
                 const Pyramid<Sample>& pyramid, double error) {

@@ -33,6 +33,7 @@ RayBlock::RayBlock(const IndexRays& rays, double u, double v, double u_radius, d
                    double from, double to, const std::array<std::int32_t, 3>& last_cell)
     : last_cell_(last_cell) {
     const IndexRays::Ray middle = rays.ray(u, v);
+    // Choose the axis that the middle ray is nearest to.
     const auto size = [&](std::size_t axis) { return std::abs(middle.along[axis]); };
     std::size_t k = size(1) > size(0) ? 1 : 0;
     if (size(2) > size(k)) k = 2;
@@ -41,6 +42,7 @@ RayBlock::RayBlock(const IndexRays& rays, double u, double v, double u_radius, d
     if (!std::isfinite(from) || !std::isfinite(to)) return;
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -lowest;
+    // Find the lines of the four corner rays, which bound the bundle.
     for (std::size_t corner = 0; corner < 4; ++corner) {
         const IndexRays::Ray ray = rays.ray(u + ((corner & 1U) != 0 ? u_radius : -u_radius),
                                             v + ((corner & 2U) != 0 ? v_radius : -v_radius));
@@ -61,6 +63,7 @@ RayBlock::RayBlock(const IndexRays& rays, double u, double v, double u_radius, d
     }
     usable_ = true;
     last_layer_ = first_layer_ - step_;  // none
+    // Find the layers of the grid that the rays are in.
     const double last = last_cell[k];
     if (highest < -spare_sample || lowest > last + 1 + spare_sample) return;
     const auto layer = [&](double place) {

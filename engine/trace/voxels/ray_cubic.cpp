@@ -42,7 +42,7 @@ double slope_at(const std::array<double, 10>& b, double t) {
     return bernstein_sum(steps, t);
 }
 
-/// Both halves, by de Casteljau.
+/// Both halves of a polynomial's stretch, by de Casteljau.
 template <std::size_t count>
 std::array<RayPolynomial<count>, 2> halves(const RayPolynomial<count>& of) {
     const double at = 0.5 * (of.from + of.to);
@@ -58,7 +58,7 @@ std::array<RayPolynomial<count>, 2> halves(const RayPolynomial<count>& of) {
     return result;
 }
 
-/// Where f that goes from one side of 0 to the other without turning is 0, by Newton's steps that
+/// The root of f that goes from one side of 0 to the other without turning, by Newton's steps that
 /// stay within the bracket.
 template <std::size_t count>
 double monotone_root(const std::array<double, count>& b) {
@@ -173,7 +173,7 @@ template <std::size_t count>
 bool FirstRoot::find_monotone(const RayPolynomial<count>& f) {
     const double width = f.to - f.from;
     const double t = monotone_root(f.b);
-    // As wide as is allowed, so that signs are proved where f is flat.
+    // Make the bracket as wide as is allowed, so that signs are proved where f is flat.
     const double half = 0.49 * finest_ / width;
     const double t0 = std::max(0.0, t - half);
     const double t1 = std::min(1.0, t + half);

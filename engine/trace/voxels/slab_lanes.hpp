@@ -43,15 +43,15 @@ struct LevelBounds {
 struct SampleBits {
     std::uint64_t above, below;
 };
-/// Of each row of samples, at most 64 in each, `stride` apart.
+/// Finds the bits of rows of at most 64 samples, `stride` apart.
 void sample_bits(const float* samples, std::ptrdiff_t stride, std::size_t rows, std::size_t count,
                  const LevelBounds& level, SampleBits* bits);
 /// Some rows of a slab.
 struct SlabRows {
     std::size_t first, last;
 };
-/// The same of rows of a slab's slice, which takes the samples less the level; `samples` is where
-/// its first row would be.
+/// Finds the bits of rows of a slice and puts its samples, less the level, into the slab; `samples`
+/// is where the slice's first row would be.
 void take_slice(const float* samples, std::ptrdiff_t stride, const LevelBounds& level,
                 std::size_t slice, const SlabRows& rows, SlabSamples& slab, SampleBits* bits);
 

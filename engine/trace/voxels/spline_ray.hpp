@@ -19,8 +19,7 @@ RayNonic ray_nonic(const CellCoefficients& cell, const std::array<double, 3>& at
 /// The slopes of the spline along the cell's axes at a place in it.
 std::array<double, 3> cell_slopes(const CellCoefficients& cell, const std::array<double, 3>& at);
 
-/// What a cell is made of: `support` numbers along each axis, 2 where f is trilinear, 4 of a cubic
-/// spline.
+/// The numbers of a cell, `support` along each axis: 2 where f is trilinear, 4 of a cubic spline.
 template <std::size_t support>
 using CellNumbers = std::array<double, support * support * support>;
 

@@ -61,7 +61,7 @@ public:
         lines_.begin_singly(frame, std::numeric_limits<float>::digits);
     }
 
-    /// False: bundles cannot go through the grid from here.
+    /// Traces the tile; false: bundles cannot go through the grid from here.
     bool run() {
         const bool done = run_bundles();
         counters_.value += looks_;
@@ -84,6 +84,7 @@ private:
         if (!std::isfinite(from)) return true;
         if (tile_.limits == nullptr)
             finest_ = lines_.least_finest(rays_, tile_.cols, tile_.rows, depths.enter_lo);
+        // Trace the bundles that meet the grid.
         for (int row = 0; row < tile_.rows; row += block_size) {
             for (int col = 0; col < tile_.cols; col += block_size) {
                 const Pixels pixels{.col = col,
@@ -201,16 +202,19 @@ private:
         static_assert(1 << Grid::lowest_shift == CellMask::most_layers);
         const WalkAxes& axes = block.axes();
         make_columns_of(block);
+        // Narrow the slab to cells near open rays whose bricks may hold the level.
         const RayReach reach(columns_, layers, open_);
         const CellRectangle near = cells.common(reach.cells(layers.low, layers.high));
         if (near.empty()) return;
         const CellRectangle held = grid_.in_bricks(near, layers, axes);
         if (held.empty()) return;
+        // Begin the marks of cells, where these are few enough.
         const bool marks = CellMask::fits(held);
         if (marks) grid_.begin(held, layers, axes, mask_);
         const bool at_once = marks && mask_.is_small() && steepest_ <= 1.5;
         if (at_once) count_from(columns_, held.i_first, held.j_first, layers.low, slab_rays_);
         const int step = block.step();
+        // Take the rays through layers that may hold the level, front to back.
         for (std::int32_t layer = step > 0 ? layers.low : layers.high;
              layer >= layers.low && layer <= layers.high && open_ != 0; layer += step) {
             if (marks) grid_.mark(layer, reach, axes, mask_);
@@ -230,8 +234,8 @@ private:
         }
     }
     static std::uint64_t bit(std::size_t ray) { return std::uint64_t{1} << ray; }
-    /// Of the open rays, those that may come to the level in the marked layer, or that may be at it
-    /// on entering, and of which it is not told here.
+    /// The open rays that may be at the level in the marked layer, or on entering it, and that are
+    /// not settled by walk_at_once.
     std::uint64_t near_level(const WalkAxes& axes) {
         const NearCells marked = mask_.near(steepest_);
         const AskedLayer asked{.samples = mask_.samples,
@@ -247,10 +251,11 @@ private:
         const std::uint64_t fresh = near & ~singly;
         return singly | (fresh != 0 ? walk_at_once(fresh, axes) : 0);
     }
-    /// Takes rays that have not begun through the marked layer; those that have to go one by one.
+    /// Takes rays that have not begun through the marked layer; returns those left to go singly.
     std::uint64_t walk_at_once(std::uint64_t some, const WalkAxes& axes) {
         if constexpr (support == 2) {
             if (!(finest_ > 0)) return some;
+            // Walk rays singly until a hit has told the sign of f's gradient.
             for (; some != 0 && hits_.sign() == 0; some &= some - 1)
                 walk(static_cast<std::size_t>(std::countr_zero(some)), true, mask_.layer, axes);
             const BundleSearch search{.rays = index_rays_,
@@ -377,8 +382,8 @@ private:
     DepthRange inside_{};      ///< of the bundle
     LaneWalk lanes_;
     bool has_columns_ = false;
-    /// Of the bundle's rays, a bit each: those that have not ended, that are made, and that may be
-    /// at the level where the layer that was looked at last ends.
+    /// The bundle's rays, a bit each: those that have not ended, that are made, and that may be at
+    /// the level where the layer that was looked at last ends.
     std::uint64_t open_ = 0, begun_ = 0, unsure_ = 0;
     std::uint64_t border_ = 0;  ///< those that stay in a plane of the grid's outermost samples
     std::array<OpenRay, block_rays> bundle_;  ///< those that are made

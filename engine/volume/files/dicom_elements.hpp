@@ -15,8 +15,8 @@ namespace zeroset {
 using DicomTag = std::uint32_t;
 inline constexpr DicomTag pixel_data = 0x7fe00010;
 
-/// What a file of DICOM holds beside sequences, which are passed over but for what several slices
-/// in one file say of themselves.
+/// The elements of a file of DICOM, without sequences, which are passed over but for what several
+/// slices in one file say of themselves.
 struct DicomElements {
     struct Element {
         std::size_t offset = 0, length = 0;  ///< of its value in the file

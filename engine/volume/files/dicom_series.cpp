@@ -64,7 +64,7 @@ bool are_near(const Vector& a, const Vector& b) {
            std::abs(a[2] - b[2]) < most;
 }
 
-/// What keeps the slices from being a grid, or nothing.
+/// The reason why the slices are no grid, or nothing.
 std::string uneven(const std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
     for (const DicomSlice& slice : slices) {

@@ -42,7 +42,7 @@ struct SliceHeader {
     [[nodiscard]] int number(DicomTag tag, int otherwise) const {
         return elements.number(bytes, tag, otherwise);
     }
-    /// As many finite numbers as there should be, or nothing.
+    /// The `count` finite numbers of an element, or nothing where it does not hold just these.
     [[nodiscard]] std::optional<std::vector<double>> numbers(DicomTag tag,
                                                              std::size_t count) const {
         const std::string all = text(tag);

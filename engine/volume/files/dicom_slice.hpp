@@ -14,7 +14,8 @@
 
 namespace zeroset {
 
-/// What its header says, in the format's axes: x to the left, y to the back, z upward, millimetres.
+/// A slice by its header, in the format's axes: x to the left, y to the back, z upward,
+/// millimetres.
 struct DicomSlice {
     std::filesystem::path file;
     std::string series;                 ///< SeriesInstanceUID

@@ -60,7 +60,7 @@ std::expected<UnpackByGdcm, std::string> loaded_module() {
                            std::string(error == nullptr ? gdcm_module_file : error));
 }
 
-/// The same, loaded by the first call. Thread-safe.
+/// The module's function, loaded by the first call, or why there is none. Thread-safe.
 const std::expected<UnpackByGdcm, std::string>& gdcm_module() {
     static const auto module = loaded_module();
     return module;
@@ -90,7 +90,7 @@ const std::expected<UnpackByGdcm, std::string>& gdcm_module() {
     _exit(0);
 }
 
-/// What the process may hold now, bytes.
+/// The size of the process's address space now, bytes.
 std::uint64_t memory_now() {
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;

@@ -31,7 +31,7 @@ std::string_view without_spaces(std::string_view text);
 /// The words between spaces.
 std::vector<std::string_view> words_of(std::string_view text);
 
-/// As many numbers as there are words; nothing where one is none.
+/// The numbers in a text, one for each word; nothing where a word is none.
 template <class Number>
 std::optional<std::vector<Number>> numbers_in(std::string_view text) {
     std::vector<Number> numbers;

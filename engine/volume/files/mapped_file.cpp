@@ -29,7 +29,7 @@ std::array<Place, most_places>& places() {
     return all;
 }
 
-/// Of more files than there are places the last ones are not known to fill_lost_pages.
+/// Takes a place for a file's bytes; where none is free, fill_lost_pages does not know of the file.
 std::size_t take_slot(std::span<const std::byte> bytes) {
     const auto free = std::ranges::find_if(places(), [](Place& place) {
         bool is_taken = false;

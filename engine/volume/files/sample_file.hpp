@@ -49,7 +49,7 @@ enum class PackedAs : std::uint8_t {
     Zlib,    ///< with the header of gzip or zlib
     Deflate  ///< without one
 };
-/// What zlib packed, at most `most` bytes of it; nothing where it is damaged or longer.
+/// The bytes that zlib packed, at most `most` of them; nothing where they are damaged or more.
 std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t most,
                                           PackedAs packing = PackedAs::Zlib);
 

@@ -23,7 +23,8 @@ struct FoundSamples {
     std::vector<FileStamp> files{};
 };
 
-/// As read_samples; an error names the block's file where that is not the one of the header.
+/// Reads a block as read_samples does; an error names the block's file where that is not the one of
+/// the header.
 Expected<FoundSamples> read_samples_of(const std::filesystem::path& header,
                                        const SampleBlock& block);
 

@@ -54,7 +54,7 @@ ReadFile read_raw(const std::filesystem::path& file, const RawLayout& layout) {
     return volume;
 }
 
-/// What was read, and its files as they were then.
+/// A volume that was read, and its files as they were then.
 struct KnownFile {
     std::filesystem::path file;  ///< that was asked for
     RawLayout layout;

@@ -19,7 +19,7 @@
 
 namespace zeroset {
 
-/// What a file without a header is.
+/// The layout of a file without a header.
 struct RawLayout {
     std::optional<GridSize> size;  ///< absent: the file tells it
     SampleType type = SampleType::UInt8;
@@ -31,7 +31,7 @@ struct RawLayout {
     bool operator==(const RawLayout&) const = default;
 };
 
-/// What a file holds, before its pyramid is built.
+/// The contents of a file, before its pyramid is built.
 struct VolumeFile {
     Samples samples;
     Geometry geometry;

@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-// What happens as another program makes a mapped file shorter.
+// Mapped files that another program makes shorter.
 
 namespace zeroset::test::process_test {
 namespace {

@@ -14,7 +14,7 @@
 
 namespace zeroset::test {
 
-/// What a file holds, which must be readable.
+/// The contents of a file, which must be readable.
 inline Imported read(std::string_view file, std::string_view bytes) {
     auto imported = read_import(file, bytes);
     EXPECT_TRUE(imported) << imported.error();

@@ -231,14 +231,14 @@ TEST(ThreeMf, NodesMayStandInAnyOrder) {
     const std::string sum = node("addition", "r", input("A", "d.x") + input("B", "d.y"));
     const std::string parts = node("decomposevector", "d", input("A", "inputs.pos"));
     EXPECT_NEAR(level(level_set(sum + parts), 1, 2, 3), 3.0, 1e-12);
-    // Those that lead back to themselves have no value.
+    // Nodes that lead back to themselves have no value.
     std::string loop = with("ref=\"D.result\"", "ref=\"E.result\"");
     loop.insert(
         loop.find("<i:subtraction identifier=\"D\""),
         node("abs", "E", input("A", "G.result")) + node("abs", "G", input("A", "E.result")));
     EXPECT_EQ(why_refused(loop),
               "object 2: G refers to E.result, which has no value; it is left out");
-    // Of a node that is not known it does not matter what it lacks.
+    // Inputs that a node of an unknown kind lacks do not matter.
     std::string unknown = with("ref=\"D.result\"", "ref=\"M.result\"");
     unknown.insert(unknown.find("<i:constant"), node("mesh", "M", input("A", "")));
     EXPECT_EQ(why_refused(unknown), "object 2: nodes mesh are not taken over; it is left out");

@@ -102,7 +102,7 @@ TEST(SmoothMinimum, OfManyOperandsStaysNearTheLeast) {
     EXPECT_LE(least.f.range().hi, 3.1);
 }
 
-/// As they are used: for operands near 0.
+/// Quotients where they are used: for operands near 0.
 TEST(BeamForm, OfSineOverItsOperandIsOfSecondOrderNearZero) {
     for (const Op op : {Op::Sinc, Op::Sinhc, Op::Atanc}) {
         const Form coarse = form_of(op, {0x1p-8, 0}, 0x1p-8, 3);
@@ -170,7 +170,8 @@ TEST(BeamForm, OfAWaveBesideTheOriginIsItsRange) {
     EXPECT_GE(length.slope->range().hi, std::numbers::sqrt2);
 }
 
-/// As of a quotient that overflows: nothing is known of the rounding, whichever operand is taken.
+/// Nothing is known of the rounding where one operand's is unknown, as of a quotient that
+/// overflows, whichever operand is taken.
 TEST(BeamForm, OfTheLargerKeepsUnknownRoundings) {
     const UpwardRounding upward;
     BeamAlgebra<double> algebra;

@@ -84,7 +84,7 @@ TEST_F(CalmPixels, AreNotThoseBesideAPixelOfAnotherColourInAnyChannel) {
                 ASSERT_EQ(is_calm(col, row), !beside) << channel << ": " << col << ", " << row;
             }
         }
-        // As the eye sees it: by the square root.
+        // Light counts as the eye sees it: by the square root.
         layer().light_row(7, channel)[9] = 0.31F;
         ASSERT_TRUE(is_calm(8, 6));
     }

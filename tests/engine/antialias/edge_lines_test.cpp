@@ -24,7 +24,7 @@ class EdgeLinesTest : public testing::TestWithParam<std::string> {
 protected:
     using Five = std::array<RayStretch, square_ray_count>;
 
-    /// What is found of squares around pixels in a row, of so many pixels' side.
+    /// The edge lines of squares around pixels in a row, of so many pixels' side.
     const EdgeLines& lines_of(int row, double side, bool all_rays, const LineRules& rules,
                               std::size_t count) {
         squares_.side = side;

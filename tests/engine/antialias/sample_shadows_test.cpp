@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-// What pixels around a sample tell of its shadow.
+// The shadow at a sample, as the pixels around it tell.
 
 namespace zeroset::test::sample_shadows_test {
 namespace {

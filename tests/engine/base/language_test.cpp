@@ -32,7 +32,7 @@ TEST(Languages, AreTakenInTheOrderOfTheWishes) {
               Language::French);
     EXPECT_EQ(desktop_language({.language = "it", .lang = "de_DE.UTF-8"}), Language::German);
     EXPECT_EQ(desktop_language({.language = "de", .lang = "C.UTF-8"}), Language::German);
-    // As gettext has it: the plain locale speaks English, whatever LANGUAGE says.
+    // The plain locale speaks English, whatever LANGUAGE says, as in gettext.
     EXPECT_EQ(desktop_language({.language = "de", .lang = "C"}), Language::English);
     EXPECT_EQ(desktop_language({.language = "de"}), Language::English);
 }

@@ -18,7 +18,7 @@ std::string random_quartic(RandomNumbers& random) {
     return text + " = 0";
 }
 
-/// What samples tell of a silhouette's ray.
+/// The facts that samples tell of a silhouette's ray.
 struct RayFacts {
     int touches = 0;       ///< places where it touches the surface, up to the drawing's tolerance
     bool hidden = false;   ///< it crosses the surface before the last of these

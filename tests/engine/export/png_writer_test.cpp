@@ -57,7 +57,7 @@ struct FreePixels {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
 
-/// What stb_image reads, high bytes first; it checks no sums.
+/// The pixels that stb_image reads, high bytes first; it checks no sums.
 Bytes decoded(const std::vector<std::byte>& file, const PngFormat& format) {
     const auto* const data = reinterpret_cast<const stbi_uc*>(file.data());
     const auto size = static_cast<int>(file.size());

@@ -95,7 +95,7 @@ TEST(BlobShadows, AreThoseOfBeamsFromWithin) {
                  {{0.1, 0.2, 0.05}, {-0.9, 0.6, 0.35}, {0, 0, 1}, 2.2});
 }
 
-/// What is cut away throws no shadow: rays begin within balls there.
+/// Parts of balls that are cut away throw no shadow: rays begin within balls there.
 TEST(BlobShadows, AreThoseOfBeamsWhereRegionsAreCut) {
     Both both = both_of(BlobKind::Wyvill, {.count = 300}, 1);
     for (Scene* const scene : {&both.balls, &both.beams}) {

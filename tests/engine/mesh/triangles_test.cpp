@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-// What is counted, measured and changed of triangles, on meshes made by hand.
+// Counts, measures and changes of triangles, on meshes made by hand.
 
 namespace zeroset::test::triangles_test {
 namespace {

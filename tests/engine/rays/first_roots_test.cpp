@@ -77,7 +77,7 @@ struct Balls {
             const glm::dvec3 c(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5),
                                random.uniform(-1.5, 1.5));
             const double r = random.uniform(0.1, 0.5);
-            // As the text has them, to its digits.
+            // The numbers as the text has them, to its digits.
             const auto kept = [](double value) { return std::stod(std::to_string(value)); };
             balls.push_back({.centre = {kept(c.x), kept(c.y), kept(c.z)}, .radius = kept(r)});
             const std::string ball = "(x-" + number(c.x) + ")^2+(y-" + number(c.y) + ")^2+(z-" +

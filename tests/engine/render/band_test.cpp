@@ -58,7 +58,7 @@ TEST(Band, LightIsTheColourBeforeItsRounding) {
     for (const Antialias antialias : {Antialias::None, Antialias::Beams, Antialias::Rays4}) {
         const Framebuffer frame = picture(scene, antialias, {.row = 0, .height = height}, height);
         for (std::size_t i = 0; i < frame.color.size(); ++i) {
-            // What is mixed, is mixed with colours that were rounded before.
+            // Mixed pixels are mixed with colours that were rounded before.
             const double allowed = antialias == Antialias::None ? 1.01 : 1.6;
             for (unsigned channel = 0; channel < 3; ++channel) {
                 const double shown = frame.color[i] >> 8 * channel & 0xFFU;

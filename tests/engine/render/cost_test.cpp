@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// What pixels cost a tracer.
+// The cost of pixels to a tracer.
 
 namespace zeroset::test::cost_test {
 namespace {

@@ -1,3 +1,4 @@
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/render/render.hpp"
 #include "tests/support/alike_frames.hpp"
 #include "tests/support/rays.hpp"
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -29,10 +31,14 @@ std::ostream& operator<<(std::ostream& out, const Lights& lights) {
 const std::vector<Lights> all_lights{
     {}, {.antialias = Antialias::Beams}, {.shadows = true}, {Antialias::Beams, true}};
 
+void set_defined_everywhere(Kernel& kernel, bool is) {
+    kernel.facts = std::make_shared<const SurfaceFacts>(SurfaceFacts{.defined_everywhere = is});
+}
+
 Framebuffer picture_of(const std::string& text, double half, const Lights& lights) {
     Scene scene = scene_of(text, Box::cube(half));
-    // As the program finds it for these.
-    scene.surfaces.front().defined_everywhere = text.starts_with("sign");
+    // Whether f is defined everywhere, as the program finds it for these formulas.
+    set_defined_everywhere(scene.surfaces.front(), text.starts_with("sign"));
     Framebuffer frame(96, 96);
     TraceSettings settings;
     settings.antialias = lights.antialias;
@@ -127,7 +133,7 @@ TEST(ExtremeValues, CloseWhereASignTimesARootIsZero) {
     for (const std::string text : {"sign(x) (1 + y^2) = 0", "sign(x) (abs(x)^0.5 + 0.01) = 0",
                                    "sign(x) (0.001 + abs(x)) = 0"}) {
         Scene jump = scene_of(text, Box::cube(1.5));
-        jump.surfaces.front().defined_everywhere = true;
+        set_defined_everywhere(jump.surfaces.front(), true);
         Framebuffer frame(48, 48);
         render_frame(jump, default_camera(jump.clip), {}, frame);
         EXPECT_TRUE(std::ranges::all_of(frame.surface, [](auto of) { return of == no_surface; }))

@@ -50,7 +50,7 @@ void expect_same(Scene scene, const Camera& camera, const TraceSettings& setting
     EXPECT_LE(with.form, without.form) << what;
 }
 
-/// What is known of a scene whose w goes from lo to hi.
+/// Gives a scene whose w goes from lo to hi its open space.
 void know(Scene& scene, double lo, double hi) {
     Uniforms uniforms;
     uniforms.set(0, lo, hi);

@@ -143,7 +143,7 @@ TEST(RenderJob, ShowsATrialOfWhatWillTakeLong) {
         EXPECT_EQ(first.frame->width, is_long ? 4 : 16);
         EXPECT_EQ(first.frame->height, is_long ? 2 : 8);
         watched.pictures_until(first.request);
-        // What has been seen needs no trial.
+        // A view that has been seen needs no trial.
         request.again = true;
         const auto next = watched.pictures_to(watched.job.submit(request)).back();
         EXPECT_GE(next.frame->width, 16);

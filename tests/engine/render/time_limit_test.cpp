@@ -141,7 +141,7 @@ TEST(Turns, ShareWhatIsLeft) {
     turns.take(2);
     // The last two have a core each.
     EXPECT_EQ(turns.take(3)->until, start + hour);
-    // Those that are tried again get more than they had.
+    // Tiles that are tried again get more time than they had.
     turns.begin(1);
     EXPECT_EQ(turns.take(0)->until, start + hour);
     turns.begin(1);

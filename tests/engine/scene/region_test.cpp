@@ -22,6 +22,19 @@ TEST(Section, HasANormalOfLengthOne) {
     EXPECT_FALSE(section.cap);
 }
 
+TEST(Region, HoldsWhatTheBallAndAllSectionsKeep) {
+    const Region region{.ball = Ball{.centre = {1, 0, 0}, .radius = 2},
+                        .sections = {make_section({0, 0, 1}, 0.5), make_section({0, -1, 0}, 0)}};
+    EXPECT_TRUE(region.contains({1, 1, 0.5}));
+    EXPECT_FALSE(region.contains({1, 1, 0.51}));
+    EXPECT_TRUE(region.contains({1, 1, 0.51}, 0.02));
+    EXPECT_FALSE(region.contains({1, -0.1, 0}));
+    EXPECT_TRUE(region.contains({3, 0, 0}));
+    EXPECT_FALSE(region.contains({3.1, 0, 0}));
+    EXPECT_TRUE(region.contains({3.1, 0, 0}, 0.2));
+    EXPECT_TRUE(Region().contains({1e9, 0, 0}));
+}
+
 TEST(Section, CutsABoxOfWhichItTakesSomething) {
     const Box box{{-1, -2, -3}, {1, 2, 3}};
     EXPECT_TRUE(cuts(make_section({1, 0, 0}, 0.999), box));

@@ -27,7 +27,7 @@ Parts parts_in(const std::string& text, std::size_t most_nodes = 1000) {
     return parts_of(*expr, facts_of(*expr), most_nodes);
 }
 
-/// As `parts/shapes`.
+/// The numbers of parts and of shapes, as "parts/shapes".
 std::string counts(const std::string& text, std::size_t most_nodes = 1000) {
     const Parts parts = parts_in(text, most_nodes);
     return std::to_string(parts.parts.size()) + "/" + std::to_string(parts.shapes.size());

@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-// What is known of whole pixels near the walls of the clip box, against planes.
+// The cover of whole pixels near the walls of the clip box, against planes.
 
 namespace zeroset::test::cover_at_walls_test {
 namespace {
@@ -40,7 +40,7 @@ constexpr std::array<Plane, 5> planes{{{{0.0, 0.0, 1.0}, 0.25},
                                        {{-0.25, 1.0, 0.5}, -0.5},
                                        {{1.0, 1.0, 1.0}, 1.75}}};
 
-/// What the rays of a pixel meet.
+/// The places where the rays of a pixel meet a plane.
 struct Met {
     int inside = 0, outside = 0;  ///< of the clip box
     double first = std::numeric_limits<double>::infinity();

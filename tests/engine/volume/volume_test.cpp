@@ -442,7 +442,7 @@ TEST(Volume, HasTheDerivativesOfDifferences) {
     EXPECT_GT(compared, 1000);
 }
 
-/// What is asked with ends that mean nothing answers so, and does not fail.
+/// A box whose ends mean nothing gets an answer that holds all values, and nothing fails.
 TYPED_TEST(VolumeEnclosures, TakeUnboundedAndUnknownBoxes) {
     const TypeParam inf = std::numeric_limits<TypeParam>::infinity();
     const TypeParam nan = std::numeric_limits<TypeParam>::quiet_NaN();

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-// What is made of measured rows: ratios, means, what boxes save, and plots.
+// Results made of measured rows: ratios, means, what boxes save, and plots.
 
 namespace zeroset::test::compared_row_test {
 namespace {

@@ -119,7 +119,7 @@ TEST(SingleRays, SearchOnlyWhereTheyAreAsked) {
     EXPECT_FALSE(roots[2].is_found);
 }
 
-/// What mirrors show is the same by octrees as by the program's own rays.
+/// Mirrors show the same by octrees as by the program's own rays.
 TEST(SingleRays, MirrorTheSameSurfaces) {
     Scene scene =
         scene_of("min(x^2 + y^2 + z^2 - 1, (x - 1.3)^2 + (y + 0.6)^2 + z^2 - 0.2)", Box::cube(2));

@@ -60,7 +60,8 @@ TEST(Traversal, OfTheOctreeMissesNothingAtAnyLevel) {
                 EXPECT_GT(check.rays, 150U);
                 EXPECT_EQ(check.missed, 0U);
                 EXPECT_LE(check.differing, check.extra);
-                // What the ray only comes near is told apart where it starts before the cube.
+                // Octants that the ray only comes near are told apart where it starts before the
+                // cube.
                 if (camera.eye != cameras().back().eye) {
                     EXPECT_EQ(check.extra, 0U);
                 }

@@ -207,9 +207,9 @@ TEST(LevelOfField, IsWhatIsComparedWithAPlainField) {
         Scene scene{{}, Box::cube(1), {}};
         scene.uniforms.set(0, 0.0);
         scene.uniforms.set(1, parameter);
-        const Kernel kernel;
-        *kernel.memory->of<FieldLevel>() = {.field = is->field,
-                                            .level = interpret(is->level).in_double.range};
+        Kernel kernel;
+        kernel.facts = std::make_shared<const SurfaceFacts>(SurfaceFacts{
+            .field = {.field = is->field, .level = interpret(is->level).in_double.range}});
         const UpwardRounding upward;
         return isosurface(kernel, scene);
     };

@@ -9,7 +9,7 @@
 
 namespace zeroset::test {
 
-/// What is known of f on a stretch of a ray.
+/// The sign of f that is known on a stretch of a ray.
 enum class StretchSign : std::uint8_t { Unknown, Above, Below };
 
 /// A cell of a volume and the numbers that a level may be.

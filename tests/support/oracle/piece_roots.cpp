@@ -11,7 +11,7 @@ RayAnswer first_root(const RayQuestion& ray, const RayPieces& pieces) {
     for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
         const double from = ends[n];
         const double to = ends[n + 1];
-        // Of too short a piece its neighbours tell of roots.
+        // Roots in a piece that is too short are told by its neighbours.
         if (to - from < 4 * near) continue;
         if (pieces.surely_empty && pieces.surely_empty(from, to)) continue;
         const auto f = pieces.polynomial(from + 0.5 * (to - from));

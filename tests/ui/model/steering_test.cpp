@@ -31,7 +31,7 @@ TEST(Fitting, LeavesTheFieldOfViewWhenTheViewIsSteered) {
     motion.pan = {.x = 0.1, .y = 0.0};
     const Camera moved = steer(camera, motion, {});
     EXPECT_EQ(moved.fov_rad, camera.fov_rad);
-    // What is grabbed follows the pointer: a tenth of the height of a picture twice as high.
+    // The grabbed place follows the pointer: a tenth of the height of a picture twice as high.
     const double height = 4.0 * ViewFrame(camera).half_height * ViewFrame(camera).look_distance;
     EXPECT_NEAR(glm::distance(moved.eye, camera.eye), 0.1 * height, 1e-9);
 }

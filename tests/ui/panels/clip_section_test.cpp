@@ -68,7 +68,7 @@ TEST_P(ClipSection, LeavesTheBoxWhereNoNumberIsTyped) {
         click_row(0, 0.5F);
         press_with_ctrl(GLFW_KEY_A);
         type(text);
-        // What is typed on the way to "1e300" is a number: 1.
+        // The text typed on the way to "1e300" is a number: 1.
         const double half = 0.5 * state_.edited.document.clip.size();
         EXPECT_TRUE(half == 2.0 || half == 1.0 || half == 3.0 || half == 3.5) << text << half;
         EXPECT_NE(half, 35.0);

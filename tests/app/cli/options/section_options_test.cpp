@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-// What --section-shows, --section-map and --section-range mean, and what is refused.
+// The meaning of --section-shows, --section-map and --section-range, and what is refused.
 
 namespace zeroset::test::section_options_test {
 namespace {

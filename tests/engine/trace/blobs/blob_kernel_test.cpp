@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
-// What the balls near a tile's pixels tell of cells, points and whole pixels, against the field
-// itself; and of a ball alone the area that it covers of each pixel.
+// The answers of the balls near a tile's pixels for cells, points and whole pixels, against the
+// field itself; and of a ball alone the area that it covers of each pixel.
 
 namespace zeroset::test::blob_kernel_test {
 namespace {
@@ -213,7 +213,7 @@ bool is_of_one_sign(const Seen& seen, double col, double row, double from, doubl
     return std::ranges::all_of(found, [&](const At& at) { return at.f * found.front().f > 0; });
 }
 
-/// What is said of a pixel.
+/// The answer of a PixelCover for one pixel.
 struct Told {
     bool is_mixed, is_covered;
     double before;    ///< this there is no root

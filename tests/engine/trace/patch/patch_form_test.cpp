@@ -26,9 +26,9 @@ using Wide = long double;
 
 std::shared_ptr<const PatchCode> code_of(const std::array<std::string, 3>& texts) {
     auto code = std::make_shared<PatchCode>();
-    for (const std::string& text : texts) {
-        Kernel& kernel = code->point.emplace_back(interpret(parse(text).value()));
-        kernel.has_double = true;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        code->point[i] = interpret(parse(texts[i]).value());
+        code->point[i].has_double = true;
     }
     return code;
 }

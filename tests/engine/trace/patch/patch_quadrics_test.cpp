@@ -27,7 +27,7 @@ struct Graph {
 
     static Graph random(std::mt19937& numbers) {
         const auto number = [&](double most) {
-            // As the text has it.
+            // The number as the text has it.
             return std::round(1e4 * std::uniform_real_distribution(-most, most)(numbers)) / 1e4;
         };
         Graph graph{};

@@ -1,4 +1,5 @@
 #include "engine/kernel/patch_code.hpp"
+#include "engine/kernel/surface_facts.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
@@ -9,11 +10,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 
 // The parts that are kept for the end of a tile stay few, whatever is not known of a patch.
 
@@ -53,11 +56,13 @@ struct CountedForms {
 TEST(PatchRest, StaysSmallWhereAPatchIsUndefinedEverywhere) {
     const UpwardRounding upward;
     const std::string nowhere = "x / (1 + y + ln(x - x))";
-    const Scene scene = patch_scene({nowhere, nowhere, nowhere}, Way::WithoutModels, Box::cube(2));
-    const Kernel& surface = scene.surfaces.front();
+    Scene scene = patch_scene({nowhere, nowhere, nowhere}, Way::WithoutModels, Box::cube(2));
+    Kernel& surface = scene.surfaces.front();
     Stop stop{.boxes_left = 300'000};
-    auto& forms = surface.memory->of<PatchCode>()->point.front().in_double.form;
+    std::array<Kernel, 3> point = surface_facts(surface).patch->point;
+    auto& forms = point.front().in_double.form;
     forms = {CountedForms::call, std::make_shared<const CountedForms>(forms, &stop)};
+    surface = patch_kernel(std::move(point));
     const ViewFrame view(default_camera(scene.clip));
     TraceFrame frame =
         trace_frame(scene, surface, view, {.width = tile_size, .height = tile_size}, {})

@@ -84,7 +84,7 @@ std::vector<double> sign_changes(const Ray& ray, const std::function<double(doub
     return roots;
 }
 
-/// Those of a quadric f(x, y, z) = 0 where |z| < 1.
+/// The roots of a quadric f(x, y, z) = 0 where |z| < 1.
 std::vector<double> quadric_roots(const Ray& ray, double (*f)(double x, double y, double z)) {
     std::vector<double> roots = quadratic_roots(ray, [&](double t) {
         const glm::dvec3 at = ray.at(t);

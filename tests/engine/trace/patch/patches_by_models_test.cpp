@@ -31,7 +31,7 @@ std::string random_coordinate(std::mt19937& numbers) {
            ")*exp(x-y^2)";
 }
 
-/// What is proved by models is what is proved without them.
+/// Models prove just what is proved without them.
 TEST(RandomPatches, AreTheSameByModelsAndWithout) {
     std::mt19937 numbers(20261126);
     const Box clip = Box::cube(1.2);

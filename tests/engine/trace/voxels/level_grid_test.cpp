@@ -44,7 +44,7 @@ std::shared_ptr<const VolumeData> waves() {
     return data.value();
 }
 
-/// What was in a slab's room before.
+/// The contents of a slab's room before it is filled.
 struct Garbage {
     float sample;
     SampleBits bits;
@@ -94,7 +94,7 @@ Rays random_rays(RandomNumbers& random, const WalkAxes& axes, double k) {
     return rays;
 }
 
-/// What is found in a slab: the marked cells that rays may be in, and the rays, layer by layer.
+/// The findings in a slab: the marked cells that rays may be in, and the rays, layer by layer.
 struct Found {
     std::vector<std::array<std::uint64_t, CellMask::most_cells>> cells;
     std::vector<std::uint64_t> rays;

@@ -146,7 +146,7 @@ TEST_F(Dicom, ScalesItsSamplesExactly) {
     ASSERT_TRUE(tenths);
     expect_samples(*tenths, 0.1, 0);
     EXPECT_EQ(tenths->samples().type, SampleType::Double);
-    // As of PET: each slice has its own.
+    // Slopes of PET: each slice has its own.
     const auto each = open(series("pet", [](Slice& slice) {
         slice.slope = std::to_string(slice.k + 1);
         slice.intercept = std::to_string(-100 * slice.k * slice.k);
