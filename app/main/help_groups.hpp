@@ -4,7 +4,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 // The groups in which the help and the page of the command line show options.
 
@@ -14,9 +13,9 @@ struct HelpGroup {
     std::string_view name;
     /// Sentences of the page, in Markdown, and command lines as examples.
     std::string_view about, examples;
-    /// Long names of options, such as "--box". Where a subcommand has an option of this name that
-    /// means something else: "mesh --depth".
-    std::vector<std::string_view> options;
+    /// Long names of options with spaces between them, such as "--box --set". That of a subcommand
+    /// alone, where others have an option of this name that means something else: "mesh:--depth".
+    std::string_view options;
 };
 
 /// In the order of the help; the first holds the options that matter first.
