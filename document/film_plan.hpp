@@ -13,11 +13,11 @@
 namespace zeroset {
 
 /// The camera's turn about the point looked at.
-struct Turn {
+struct CameraTurn {
     glm::dvec3 axis{0.0, 0.0, 1.0};  ///< not 0; right-handed
     double degrees = 360.0;
 
-    bool operator==(const Turn&) const = default;
+    bool operator==(const CameraTurn&) const = default;
 };
 
 /// A number that changes with the film: w or a parameter.
@@ -43,7 +43,7 @@ enum class Easing : std::uint8_t { Linear, Smooth };
 struct FilmPlan {
     int frames = 180;
     FrameRate rate;
-    std::optional<Turn> turn;
+    std::optional<CameraTurn> turn;
     std::vector<Sweep> sweeps;
     std::vector<Camera> path;  ///< cameras that it goes through at constant speed; two or none
     FilmEnd end = FilmEnd::Loop;

@@ -94,7 +94,7 @@ std::optional<InputError> read_turn(const FilmCommand& command, const Document& 
             return InputError{.reason = "--axis " + *command.axis + ": only with --turn"};
         return std::nullopt;
     }
-    Turn turn{.axis = document.up};
+    CameraTurn turn{.axis = document.up};
     if (command.turn) {
         const auto degrees = read_number("--turn", *command.turn);
         if (!degrees) return degrees.error();

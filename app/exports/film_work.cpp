@@ -81,7 +81,7 @@ FilmPlan plan_of(const ui::FilmExport& wish, const Document& document) {
     FilmPlan plan = wish.plan;
     plan.frames = wish.frames();
     if (wish.turns) {
-        Turn turn{.axis = document.up, .degrees = wish.degrees};
+        CameraTurn turn{.axis = document.up, .degrees = wish.degrees};
         if (wish.axis > 0) {
             turn.axis = glm::dvec3(0.0);
             turn.axis[wish.axis - 1] = 1.0;

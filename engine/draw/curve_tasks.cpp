@@ -240,7 +240,7 @@ void TaskMaker::add_edge(std::size_t i, CurveEquations equations, const Expr& bo
 void TaskMaker::add_edges(std::size_t i) {
     const std::vector<Piece>& pieces = surfaces_[i].pieces;
     if (pieces.size() == 1) {
-        for (const Kink& kink : kinks_of(surfaces_[i].whole))
+        for (const CreaseBorder& kink : kinks_of(surfaces_[i].whole))
             add_edge(i, {.zero = {function(kink.beside), function(kink.border)}}, kink.border);
     }
     for (std::size_t k = 0; k < pieces.size(); ++k) {

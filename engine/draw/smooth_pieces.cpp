@@ -78,8 +78,8 @@ std::vector<Expr> smooth_pieces(const Expr& f) {
     return pieces;
 }
 
-std::vector<Kink> kinks_of(const Expr& f) {
-    std::vector<Kink> kinks;
+std::vector<CreaseBorder> kinks_of(const Expr& f) {
+    std::vector<CreaseBorder> kinks;
     for (NodeId id = 0; id <= f.root(); ++id) {
         if (has_kink(f.node(id).op))
             kinks.push_back({.beside = held(f, id, Side::First), .border = border_of(f, id)});

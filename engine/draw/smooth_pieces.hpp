@@ -14,11 +14,11 @@ std::vector<Expr> smooth_pieces(const Expr& f);
 
 /// A place where a function may have an edge: where `border` is 0. `beside` is the function on one
 /// side of it, and equal to it there.
-struct Kink {
+struct CreaseBorder {
     Expr beside, border;
 };
 /// One for each abs, min and max of the graph.
-std::vector<Kink> kinks_of(const Expr& f);
+std::vector<CreaseBorder> kinks_of(const Expr& f);
 
 /// For each node whether it is a condition of a restriction, or what one is made of.
 std::vector<bool> restrictions_in(const Expr& f);

@@ -33,7 +33,7 @@ namespace zeroset::HWY_NAMESPACE {
 template <class D, class Method>
 class VoxelTracer {
 public:
-    explicit VoxelTracer(const VoxelTile& tile) : tile_(tile), open_(tile.lines.pixels()) {
+    explicit VoxelTracer(const VoxelTask& tile) : tile_(tile), open_(tile.lines.pixels()) {
         for (auto& column : columns_)
             column.fill(1.0F);
     }
@@ -132,7 +132,7 @@ private:
             tile_.writer.leave_unsettled(open_[next_], tile_.lines.of(open_[next_]).from);
     }
 
-    const VoxelTile& tile_;
+    const VoxelTask& tile_;
     std::span<const std::uint32_t> open_;
     std::size_t next_ = 0, next_look_ = 0;
     std::array<Lane, lanes> rays_;

@@ -34,7 +34,7 @@ void with_method(VoxelMethod method, RaysAtOnce rays, const Run& run) {
     }
 }
 
-void trace_voxels(VoxelMethod method, RaysAtOnce rays, const VoxelTile& tile) {
+void trace_voxels(VoxelMethod method, RaysAtOnce rays, const VoxelTask& tile) {
     with_method(method, rays,
                 [&](auto tag, auto of) { VoxelTracer<decltype(tag), decltype(of)>(tile).run(); });
 }

@@ -28,7 +28,7 @@ void find_first_hits(VoxelMethod method, RaysAtOnce rays, const VoxelRays& voxel
                      std::span<float> t);
 
 /// The values that a method works with in a tile.
-struct VoxelTile {
+struct VoxelTask {
     const TraceFrame& frame;
     const RayLines& lines;
     const VoxelWalk& walk;

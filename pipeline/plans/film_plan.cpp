@@ -13,13 +13,13 @@ namespace {
 /// Steps of a turn at which the camera is set back far enough to see the whole box.
 constexpr int framing_steps = 72;
 
-glm::dvec3 turned(const glm::dvec3& vector, const Turn& turn, double progress) {
+glm::dvec3 turned(const glm::dvec3& vector, const CameraTurn& turn, double progress) {
     const double angle = glm::radians(turn.degrees) * progress;
     const glm::dmat4 rotation = glm::rotate(glm::dmat4(1.0), angle, glm::normalize(turn.axis));
     return glm::dvec3(rotation * glm::dvec4(vector, 0.0));
 }
 
-Camera turned(const Camera& camera, const Turn& turn, double progress) {
+Camera turned(const Camera& camera, const CameraTurn& turn, double progress) {
     Camera result = camera;
     result.eye = camera.look_at + turned(camera.eye - camera.look_at, turn, progress);
     result.up = turned(camera.up, turn, progress);
@@ -27,7 +27,8 @@ Camera turned(const Camera& camera, const Turn& turn, double progress) {
 }
 
 /// The camera, as far back as the farthest of those that see the whole box on the turn.
-Camera framed_for_turn(const Camera& camera, const Turn& turn, const Box& box, double aspect) {
+Camera framed_for_turn(const Camera& camera, const CameraTurn& turn, const Box& box,
+                       double aspect) {
     double distance = 0.0;
     for (int step = 0; step < framing_steps; ++step) {
         const Camera there =

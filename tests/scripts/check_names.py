@@ -2,7 +2,8 @@
 """Fails where two files give one name, in one namespace, to two types.
 
 The linker keeps one of the functions that templates such as std::vector<Name> are made into, for
-both types. It tells a template from a plain type; what is in unnamed namespaces it never sees.
+both types; a template and a plain type of one name are ill-formed. What is in unnamed namespaces the
+linker never sees.
 
 Usage: check_names.py ROOT. Prints each name and its files, then exits 1.
 """
@@ -30,7 +31,7 @@ def code_of(text):
 
 
 def types_of(text):
-    """The types that a file defines in named namespaces, as (name, whether it is a template)."""
+    """The types that a file defines in named namespaces, by their full names."""
     code = code_of(text)
     blocks, start = [], 0  # of each open bracket: the namespace's name, or None
     for sign in re.finditer(r"[{};]", code):
@@ -43,7 +44,7 @@ def types_of(text):
         space = NAMESPACE.search(head)
         kind = TYPE.search(head)
         if kind and all(blocks) and "=" not in head[:kind.start()]:
-            yield "::".join([*blocks, kind.group(1)]), head.startswith("template")
+            yield "::".join([*blocks, kind.group(1)])
         blocks.append(space.group(1) if space else None)
 
 
@@ -53,7 +54,7 @@ def clashes(files):
     for file, text in files.items():
         for found in sorted(set(types_of(text))):
             places[found].append(file)
-    return {name: where for (name, _), where in sorted(places.items()) if len(where) > 1}
+    return {name: where for name, where in sorted(places.items()) if len(where) > 1}
 
 
 def main(root):

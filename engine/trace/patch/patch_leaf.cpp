@@ -136,7 +136,7 @@ private:
     void put_found(const LeafFound* found, const double* s, const std::int32_t* pixels,
                    LaneBits hits) const;
     /// Takes the certain hits of Newton's method that count.
-    void take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at, LaneBits hits);
+    void take_found(const RaysOnPiece& rays, const NewtonEnd& end, std::size_t at, LaneBits hits);
 
     const SightAxes& axes_;
     const LeafRays& rays_;
@@ -195,11 +195,11 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
     std::size_t left = 0;
     for (std::size_t i = 0; i < rays.count; i += 2 * width) {
         const std::size_t at = rays.first + i;
-        const NewtonRays some{.u = RayLists::pair(lists_.u(at)),
-                              .v = RayLists::pair(lists_.v(at)),
-                              .p = hn::LoadU(df, lists_.p(at)),
-                              .q = hn::LoadU(df, lists_.q(at)),
-                              .spread = hn::LoadU(df, lists_.spread(at))};
+        const RaysOnPiece some{.u = RayLists::pair(lists_.u(at)),
+                               .v = RayLists::pair(lists_.v(at)),
+                               .p = hn::LoadU(df, lists_.p(at)),
+                               .q = hn::LoadU(df, lists_.q(at)),
+                               .spread = hn::LoadU(df, lists_.spread(at))};
         const NewtonEnd end = newton.solve<degree, with_squares>(some);
         const LaneBits real = RayLists::first_bits(rays.count - i);
         const LaneBits found = real & lanes_of(df, end.found);
@@ -210,7 +210,7 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
     return left;
 }
 
-inline void LeafTracer::take_found(const NewtonRays& rays, const NewtonEnd& end, std::size_t at,
+inline void LeafTracer::take_found(const RaysOnPiece& rays, const NewtonEnd& end, std::size_t at,
                                    LaneBits hits) {
     const D d;
     HWY_ALIGN double s[2 * width];

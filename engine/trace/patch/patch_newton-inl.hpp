@@ -36,13 +36,13 @@ constexpr double most_in_float = 0x1p16;
 constexpr double rounding_of_places = 0x1p-21;
 
 /// The rays that are solved at once, twice as many as vectors of doubles have numbers.
-struct NewtonRays {
+struct RaysOnPiece {
     std::array<Vector, 2> u, v;
     Floats p, q;    ///< where the search begins
     Floats spread;  ///< from where all zeros of the piece are within this
 };
 
-/// The result of Newton's method on NewtonRays.
+/// The result of Newton's method on RaysOnPiece.
 struct NewtonEnd {
     FloatMask none;   ///< no zero within `inner`
     FloatMask found;  ///< one, in the unit square, and its depth is known well enough
@@ -124,7 +124,7 @@ public:
     [[nodiscard]] bool with_squares() const { return with_squares_; }
 
     template <int degree, bool with_squares>
-    HWY_INLINE NewtonEnd solve(const NewtonRays& rays) const {
+    HWY_INLINE NewtonEnd solve(const RaysOnPiece& rays) const {
         // Add the terms that are constant on a ray in double: they are large.
         const auto& constant = piece_.terms[0];
         const Vector far = number(distance_ + constant[2]);
@@ -174,7 +174,7 @@ private:
     };
     /// Rays and what is constant on them: g but for the other terms.
     struct Search {
-        const NewtonRays& rays;
+        const RaysOnPiece& rays;
         Floats u, v;
         std::array<Vector, 2> first1, first2;
     };

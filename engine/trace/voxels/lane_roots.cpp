@@ -218,9 +218,9 @@ HWY_INLINE std::array<Vector, 3> slopes_at(const std::array<Vector, 8>& corners,
 }
 
 /// The search of find_roots() on one vector of rays.
-class VectorOfRays {
+class LaneVector {
 public:
-    HWY_INLINE VectorOfRays(const BundleSearch& search, LaneRays& rays, std::size_t lane)
+    HWY_INLINE LaneVector(const BundleSearch& search, LaneRays& rays, std::size_t lane)
         : search_(search),
           rays_(rays),
           lane_(lane),
@@ -296,7 +296,7 @@ std::uint32_t find_roots_lanes(const BundleSearch& search, std::uint32_t some, L
     for (std::size_t lane = 0; lane < rays.count; lane += lanes<double>) {
         const std::uint32_t here = some & ((1U << lanes<double>)-1) << lane;
         if (here == 0) continue;
-        VectorOfRays vector(search, rays, lane);
+        LaneVector vector(search, rays, lane);
         // Find the rays on which f keeps its sign.
         const std::uint32_t above = bits_at(vector.is_above(), lane) & here;
         const std::uint32_t below = bits_at(vector.is_below(), lane) & here;

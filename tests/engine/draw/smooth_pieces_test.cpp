@@ -46,11 +46,11 @@ TEST(SmoothPieces, TooManyAreNone) {
 }
 
 TEST(Kinks, AreWhereTheSidesAreEqual) {
-    const std::vector<Kink> kinks = kinks_of(parse("max(x + y, z) - abs(x)").value());
+    const std::vector<CreaseBorder> kinks = kinks_of(parse("max(x + y, z) - abs(x)").value());
     ASSERT_EQ(kinks.size(), 2U);
     const std::array<double, 4> at{0.25, 0.5, 0.75, 0.0};
     int zeros = 0;
-    for (const Kink& kink : kinks)
+    for (const CreaseBorder& kink : kinks)
         zeros += value(kink.border, at) == 0.0 ? 1 : 0;
     EXPECT_EQ(zeros, 1);
 }

@@ -46,7 +46,7 @@ TEST(FilmPlan, ATurnSeesAllOfTheBoxFromEverySide) {
     Document document = empty_document();
     document.clip = Box{{-3, -0.5, -1}, {3, 0.5, 1}};
     FilmPlan plan = plan_with(FilmEnd::Loop, 36);
-    plan.turn = Turn{};
+    plan.turn = CameraTurn{};
     for (const double aspect : {0.4, 1.0, 16.0 / 9.0}) {
         const FilmScript script(plan, document, aspect);
         double largest = 0.0;
@@ -72,7 +72,7 @@ TEST(FilmPlan, ATurnKeepsTheDistanceAndComesBack) {
     Document document = empty_document();
     document.camera = Camera{{3, -2, 1}, {0.5, 0, 0}, {0, 0, 1}, 0.7};
     FilmPlan plan = plan_with(FilmEnd::Loop, 8);
-    plan.turn = Turn{.axis = {0, 0, 2}, .degrees = 360.0};
+    plan.turn = CameraTurn{.axis = {0, 0, 2}, .degrees = 360.0};
     const FilmScript script(plan, document, 1.0);
     EXPECT_EQ(script.document_at(0).camera->eye, document.camera->eye);
     const glm::dvec3 opposite = script.document_at(4).camera->eye;

@@ -72,7 +72,7 @@ TEST(FrameRanges, AreLargerTheMoreMomentsTheyHold) {
 TEST(FrameRanges, SearchOnceWhereOnlyTheCameraMoves) {
     FilmPlan plan = sweep_of(40);
     plan.sweeps.clear();
-    plan.turn = Turn{};
+    plan.turn = CameraTurn{};
     Frames frames(plan, 3);
     for (int frame = 5; frame < 40; ++frame)
         EXPECT_TRUE(frames.draw(frame, 1'000'000));
