@@ -122,14 +122,22 @@ Uniforms uniforms_of(const PictureRequest& request) {
 
 namespace {
 
-/// The scene with fronts where f > 0.
-Scene scene_as_written(const PictureRequest& request) {
-    const Formula& formula = *request.formula;
+/// The surfaces where they are shown, without what they look like.
+Scene bare_scene(const PictureRequest& request) {
     Scene scene;
     scene.clip = request.clip;
     scene.region = request.region;
     scene.jumps = request.jumps;
     scene.uniforms = uniforms_of(request);
+    for (const ShownSurface& surface : request.surfaces)
+        scene.surfaces.push_back(request.formula->kernels[surface.index]);
+    return scene;
+}
+
+/// The scene with fronts where f > 0.
+Scene scene_as_written(const PictureRequest& request) {
+    const Formula& formula = *request.formula;
+    Scene scene = bare_scene(request);
     scene.lighting = {.look = request.light.look,
                       .lights = request.light.lights,
                       .surfaces = {},
@@ -137,7 +145,6 @@ Scene scene_as_written(const PictureRequest& request) {
                       .tone = request.light.tone};
     scene.background = request.light.background.value_or(Background());
     for (const ShownSurface& surface : request.surfaces) {
-        scene.surfaces.push_back(formula.kernels[surface.index]);
         scene.solids.push_back(
             {.side = surface.solid, .unrestricted = formula.unrestricted[surface.index]});
         scene.lighting.surfaces.push_back(surface.look);
@@ -190,7 +197,7 @@ RenderRequest render_request(const PictureRequest& request) {
 bool has_code_for(const PictureRequest& request) {
     const ViewFrame view(request.camera);
     return request.formula->has_code(
-        wanted_precision(scene_as_written(request), view, request.settings.stop));
+        wanted_precision(bare_scene(request), view, request.settings.stop));
 }
 
 void add_needed_code(PictureRequest& request) {
