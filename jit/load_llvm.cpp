@@ -1,6 +1,5 @@
+#include "engine/base/module.hpp"
 #include "jit/llvm_module.hpp"
-
-#include <dlfcn.h>
 
 #include <atomic>
 
@@ -12,13 +11,11 @@ using Loaded = std::expected<const LlvmModule*, CompileError>;
 std::atomic<bool> is_missing = false;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 Loaded loaded_module() {
-    void* const module = dlopen(llvm_module_file, RTLD_NOW | RTLD_LOCAL);
-    void* const function = module == nullptr ? nullptr : dlsym(module, llvm_module_function);
-    if (function != nullptr) return reinterpret_cast<LlvmModuleFunction>(function)();
+    const auto function = load_module(llvm_module_file, llvm_module_function);
+    if (function) return reinterpret_cast<LlvmModuleFunction>(*function)();
     is_missing = true;
-    const char* const error = dlerror();  // NOLINT(concurrency-mt-unsafe): glibc has one a thread
-    return std::unexpected(CompileError{"no machine code can be made, and pictures take longer: " +
-                                        std::string(error == nullptr ? llvm_module_file : error)});
+    return std::unexpected(
+        CompileError{"no machine code can be made, and pictures take longer: " + function.error()});
 }
 
 }  // namespace

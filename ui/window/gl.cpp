@@ -1,6 +1,7 @@
 #include "ui/window/gl.hpp"
 
-#include <string_view>
+#include "engine/base/module.hpp"
+#include "ui/window/gl_module.hpp"
 
 namespace zeroset::ui {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 GlLoader current_loader = nullptr;
 Gl current;
+SetGlLoader tell_renderer = nullptr;  // off screen
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 template <class Function>
@@ -26,8 +28,17 @@ bool is_context_lost() {
     return current.reset_status != nullptr && current.reset_status() != GL_NO_ERROR;
 }
 
+std::expected<void, std::string> stand_in_for_libgl() {
+    if (tell_renderer != nullptr) return {};
+    const auto function = load_module(gl_module_file, gl_module_function);
+    if (!function) return std::unexpected(function.error());
+    tell_renderer = reinterpret_cast<SetGlLoader>(*function);
+    return {};
+}
+
 bool load_gl(GlLoader loader) {
     current_loader = loader;
+    if (tell_renderer != nullptr) tell_renderer(loader);
     if (!find("glGetGraphicsResetStatus", current.reset_status)) {
         find("glGetGraphicsResetStatusARB", current.reset_status);
     }
@@ -42,26 +53,3 @@ bool load_gl(GlLoader loader) {
 }
 
 }  // namespace zeroset::ui
-
-// Dear ImGui's renderer asks libGL for OpenGL's functions, whatever the context is; libGL knows
-// nothing of OSMesa's. So the linker sends the program's calls of dlsym here (--wrap=dlsym in
-// CMakeLists.txt), and a request for libGL's loader gets the loader of the current context. The
-// linker prescribes the names.
-// NOLINTBEGIN(readability-identifier-naming)
-extern "C" {
-void* __real_dlsym(void* library, const char* name);
-void* __wrap_dlsym(void* library, const char* name);
-
-// Not instrumented: a sanitizer calls this function before its own setup is complete.
-#if __has_cpp_attribute(clang::disable_sanitizer_instrumentation)
-[[clang::disable_sanitizer_instrumentation]]
-#endif
-void* __wrap_dlsym(void* library, const char* name) {
-    if (zeroset::ui::current_loader != nullptr &&
-        std::string_view(name) == "glXGetProcAddressARB") {
-        return reinterpret_cast<void*>(zeroset::ui::current_loader);
-    }
-    return __real_dlsym(library, name);
-}
-}
-// NOLINTEND(readability-identifier-naming)

@@ -2,6 +2,9 @@
 
 #include <GL/gl.h>
 
+#include <expected>
+#include <string>
+
 namespace zeroset::ui {
 
 using GlFunction = void (*)();
@@ -32,8 +35,13 @@ const Gl& gl();
 /// True if the driver reports that the current context is lost.
 bool is_context_lost();
 
-/// Fills gl() and makes Dear ImGui's renderer use the same loader. Returns false if a function is
-/// missing. Called by GuiContext.
+/// Lets Dear ImGui's renderer ask the loaders of contexts from now on, in place of libGL
+/// (gl_module.hpp). For contexts off screen, before the first GuiContext of the process; the error
+/// says what is missing.
+std::expected<void, std::string> stand_in_for_libgl();
+
+/// Fills gl(), and tells Dear ImGui's renderer after stand_in_for_libgl(). Returns false if a
+/// function is missing. Called by GuiContext.
 bool load_gl(GlLoader loader);
 
 }  // namespace zeroset::ui

@@ -138,8 +138,9 @@ OffscreenWindowOr make_offscreen_window(const OffscreenOptions& options,
                              scaled(options.height, options.scale));
     auto context = make_context(size_px);
     if (!context) return std::unexpected(context.error());
+    if (const auto found = stand_in_for_libgl(); !found) return std::unexpected(found.error());
     auto gui = std::make_unique<GuiContext>((*context)->loader());
-    if (!gui->ready()) return std::unexpected("libGL.so.1 cannot be used");
+    if (!gui->ready()) return std::unexpected("its OpenGL cannot be used");
     return std::make_unique<OffscreenWindow>(std::move(*context), std::move(gui), size_px,
                                              options.scale);
 }

@@ -1,7 +1,7 @@
+#include "engine/base/module.hpp"
 #include "engine/volume/files/dicom_packed.hpp"
 #include "engine/volume/files/gdcm_module.hpp"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -52,12 +52,10 @@ private:
 
 /// The module's function, or why there is none.
 std::expected<UnpackByGdcm, std::string> loaded_module() {
-    void* const module = dlopen(gdcm_module_file, RTLD_NOW | RTLD_LOCAL);
-    void* const function = module == nullptr ? nullptr : dlsym(module, gdcm_module_function);
-    if (function != nullptr) return reinterpret_cast<UnpackByGdcm>(function);
-    const char* const error = dlerror();  // NOLINT(concurrency-mt-unsafe): glibc has one a thread
+    const auto function = load_module(gdcm_module_file, gdcm_module_function);
+    if (function) return reinterpret_cast<UnpackByGdcm>(*function);
     return std::unexpected("its samples are packed, and what unpacks them cannot be loaded: " +
-                           std::string(error == nullptr ? gdcm_module_file : error));
+                           function.error());
 }
 
 /// The module's function, loaded by the first call, or why there is none. Thread-safe.
