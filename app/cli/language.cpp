@@ -12,16 +12,6 @@
 namespace zeroset {
 namespace {
 
-/// Escapes bars, which Markdown's table cells require even in code.
-std::string cell(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '|') result += '\\';
-        result += c;
-    }
-    return result;
-}
-
 /// The picture of a shape or noise, which is in resources/docs/shapes; empty for other entries.
 std::string picture(const HelpEntry& entry) {
     const std::string name = entry.typed.substr(0, entry.typed.find('('));
@@ -34,6 +24,15 @@ std::string picture(const HelpEntry& entry) {
 
 }  // namespace
 
+std::string markdown_cell(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '|') result += '\\';
+        result += c;
+    }
+    return result;
+}
+
 std::string language_page() {
     std::string page =
         "# The formula language\n\n"
@@ -41,7 +40,7 @@ std::string language_page() {
     for (const HelpSection& section : language_help()) {
         page += "\n## " + section.title + "\n\n| type | meaning |\n|---|---|\n";
         for (const HelpEntry& entry : section.entries) {
-            page += "| `" + cell(entry.typed) + "` | " + cell(entry.meaning);
+            page += "| `" + markdown_cell(entry.typed) + "` | " + markdown_cell(entry.meaning);
             page += picture(entry);
             page += " |\n";
         }

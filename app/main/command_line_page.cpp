@@ -1,7 +1,9 @@
 #include "app/main/command_line_page.hpp"
 
+#include "app/cli/language.hpp"
 #include "app/main/help_format.hpp"
 #include "app/main/help_groups.hpp"
+#include "engine/base/text.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -28,19 +30,14 @@ what went wrong at run time, or was ended by a signal. Files are written beside 
 or untouched. On a terminal a line shows how far it is after a second; Ctrl+C and SIGTERM end it at once.
 )";
 
-std::string cell(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '|') result += '\\';
-        result += c;
-    }
-    return result;
-}
-
 /// An option of the same names and meaning in one or more subcommands.
 struct Row {
     std::string option, meaning;
     std::vector<std::string> of;  ///< subcommands; "" is the window
+
+    [[nodiscard]] bool is_same_option(const Row& other) const {
+        return option == other.option && meaning == other.meaning;
+    }
 };
 
 std::string listed(const std::vector<std::string>& subcommands) {
@@ -61,9 +58,8 @@ void add_rows(const CLI::App& app, const std::string& name, std::string_view gro
     for (const CLI::Option* const option : app.get_options()) {
         if (option->get_group() != group || !option->nonpositional()) continue;
         Row row{.option = typed(*option), .meaning = option->get_description(), .of = {}};
-        auto same = std::ranges::find_if(rows, [&](const Row& other) {
-            return other.option == row.option && other.meaning == row.meaning;
-        });
+        auto same =
+            std::ranges::find_if(rows, [&](const Row& other) { return other.is_same_option(row); });
         if (same == rows.end()) same = rows.insert(same, std::move(row));
         same->of.push_back(name);
     }
@@ -90,7 +86,7 @@ std::string table(const std::vector<Row>& rows, const std::vector<std::string>& 
     for (const Row& row : rows) {
         const auto missing = without(usual, row.of);
         const auto further = without(row.of, usual);
-        text += "| `" + cell(row.option) + "` | " + cell(row.meaning);
+        text += "| `" + markdown_cell(row.option) + "` | " + markdown_cell(row.meaning);
         if (row.of.size() < missing.size()) {
             text += " (only of " + listed(row.of) + ")";
         } else if (!missing.empty()) {
@@ -117,24 +113,13 @@ std::vector<Row> rows_of(const CLI::App& app, const HelpGroup& group) {
     return rows;
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        lines.push_back(line);
-        text.remove_prefix(std::min(line.size() + 1, text.size()));
-    }
-    return lines;
-}
-
-std::string section(const CLI::App& app, const HelpGroup& group) {
-    const std::vector<Row> rows = rows_of(app, group);
+std::string section(const HelpGroup& group, const std::vector<Row>& rows) {
     const std::vector<std::string> usual = usual_subcommands(rows);
     std::string text = "\n## " + std::string(group.name) + "\n\n" + std::string(group.about) +
                        "\n\nOf " + listed(usual) + ":\n" + table(rows, usual);
     if (group.examples.empty()) return text;
     text += "\n```\n";
-    for (const std::string_view line : lines_of(group.examples))
+    for (const std::string_view line : split(group.examples, '\n'))
         text += "zeroset " + std::string(line) + "\n";
     return text + "```\n";
 }
@@ -146,9 +131,8 @@ std::string rest_of(const CLI::App& app, const std::string& name, const std::vec
     std::vector<Row> rows;
     for (const CLI::Option* const option : app.get_options()) {
         Row row{.option = typed(*option), .meaning = option->get_description(), .of = {name}};
-        const bool is_shown = std::ranges::any_of(shown, [&](const Row& other) {
-            return other.option == row.option && other.meaning == row.meaning;
-        });
+        const bool is_shown =
+            std::ranges::any_of(shown, [&](const Row& other) { return other.is_same_option(row); });
         if (!is_shown && row.option != "-h, --help") rows.push_back(std::move(row));
     }
     return rows.empty() ? text : text + table(rows, {name});
@@ -163,11 +147,12 @@ std::string command_line_page(const CLI::App& app) {
     const auto subcommands = app.get_subcommands({});
     for (const CLI::App* const subcommand : subcommands)
         page += "| `zeroset " + subcommand->get_name() + "` | " +
-                cell(subcommand->get_description()) + " |\n";
+                markdown_cell(subcommand->get_description()) + " |\n";
     std::vector<Row> shown;
     for (const HelpGroup& group : help_groups()) {
-        page += section(app, group);
-        std::ranges::move(rows_of(app, group), std::back_inserter(shown));
+        std::vector<Row> rows = rows_of(app, group);
+        page += section(group, rows);
+        std::ranges::move(rows, std::back_inserter(shown));
     }
     page += "\n## The window\n" + rest_of(app, "", shown);
     for (const CLI::App* const subcommand : subcommands) {

@@ -203,6 +203,16 @@ struct Commands {
 /// A subcommand and what it does.
 using Subcommand = std::pair<const CLI::App*, std::function<int()>>;
 
+/// Completes what the help and the page of the command line show, which no other start needs.
+void complete_help(CLI::App& app) {
+    describe_formats(app);
+    group_options(app);
+    for (const char* const name : {"ui-shot", "bench", "language", "command-line"})
+        app.get_subcommand(name)->group("To develop Zeroset");
+    for (const char* const name : {"compare", "traversal"})
+        app.get_subcommand(name)->group("To compare with papers");
+}
+
 /// Adds all of them in the order of the help. `commands` must outlive the result.
 std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
     Commands& c = commands;
@@ -226,7 +236,7 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
          [] { return run_language(); }},
         {app.add_subcommand("command-line", "print the page of the command line (Markdown)"),
          [&app] {
-             describe_formats(app);
+             complete_help(app);
              print(command_line_page(app));
              return exit_ok;
          }},
@@ -259,17 +269,12 @@ int run(int argc, char** argv) {
     app.formatter(std::make_shared<HelpFormat>());
     Commands commands;
     const std::vector<Subcommand> subcommands = add_subcommands(app, commands);
-    group_options(app);
-    for (const char* const name : {"ui-shot", "bench", "language", "command-line"})
-        app.get_subcommand(name)->group("To develop Zeroset");
-    for (const char* const name : {"compare", "traversal"})
-        app.get_subcommand(name)->group("To compare with papers");
     try {
         app.parse(protected_arguments(argc, argv));
     } catch (const CLI::CallForVersion& answer) {
         return app.exit(answer);
     } catch (const CLI::Success& answer) {  // --help
-        describe_formats(app);
+        complete_help(app);
         return app.exit(answer);
     } catch (const CLI::ParseError& error) {
         return report(
