@@ -67,8 +67,9 @@ double contour_step(const Scene& scene, const PointFunction& number) {
     for (std::size_t i = 0; i < side * side * side; ++i)
         grid.push_back(grid_point(scene.clip, i));
     std::vector<glm::dvec3> crossings;
-    for (const Kernel& surface : scene.surfaces)
-        add_crossings(grid, values_of(surface.in_double.value, scene.uniforms, grid), crossings);
+    for (const Surface& surface : scene.surfaces)
+        add_crossings(grid, values_of(surface.kernel.in_double.value, scene.uniforms, grid),
+                      crossings);
     std::vector<double> values =
         values_of(number, scene.uniforms, crossings.empty() ? grid : crossings);
     std::erase_if(values, [](double value) { return !std::isfinite(value); });

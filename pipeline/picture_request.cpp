@@ -44,7 +44,8 @@ std::vector<ShownSurface> visible_surfaces(const Document& document, const Formu
 /// a solid, the front is where f > 0.
 void turn_fronts_out(Scene& scene) {
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-        if (solid_sign(scene, i) > 0) std::swap(scene.colors[i].front, scene.colors[i].back);
+        SurfaceColors& colors = *scene.surfaces[i].colors;
+        if (solid_sign(scene, i) > 0) std::swap(colors.front, colors.back);
     }
 }
 
@@ -130,7 +131,7 @@ Scene bare_scene(const PictureRequest& request) {
     scene.jumps = request.jumps;
     scene.uniforms = uniforms_of(request);
     for (const ShownSurface& surface : request.surfaces)
-        scene.surfaces.push_back(request.formula->kernels[surface.index]);
+        scene.surfaces.push_back({.kernel = request.formula->kernels[surface.index]});
     return scene;
 }
 
@@ -140,16 +141,16 @@ Scene scene_as_written(const PictureRequest& request) {
     Scene scene = bare_scene(request);
     scene.lighting = {.look = request.light.look,
                       .lights = request.light.lights,
-                      .surfaces = {},
                       .absorption = request.light.absorption,
                       .tone = request.light.tone};
     scene.background = request.light.background.value_or(Background());
-    for (const ShownSurface& surface : request.surfaces) {
-        scene.solids.push_back(
-            {.side = surface.solid, .unrestricted = formula.unrestricted[surface.index]});
-        scene.lighting.surfaces.push_back(surface.look);
-        scene.colors.push_back(surface.color ? surface_colors(*surface.color)
-                                             : colors_of(surface.index));
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        const ShownSurface& shown = request.surfaces[i];
+        Surface& surface = scene.surfaces[i];
+        surface.colors = shown.color ? surface_colors(*shown.color) : colors_of(shown.index);
+        surface.look = shown.look;
+        surface.solid = {.side = shown.solid, .unrestricted = formula.unrestricted[shown.index]};
+        surface.section_value = formula.section_values[shown.index];
     }
     scene.coloring = coloring_of(request.coloring, *request.colors, shown_indices(request),
                                  request.camera.up, request.clip);
@@ -177,10 +178,7 @@ Scene scene_of(const PictureRequest& request) {
     let_read_formulas(request);
     Scene scene = scene_as_written(request);
     turn_fronts_out(scene);
-    std::vector<PointFunction> values;
-    for (const std::size_t surface : shown_indices(request))
-        values.push_back(request.formula->section_values[surface]);
-    scene.section_values = section_values(request.section_values, std::move(values), scene);
+    scene.section_values = section_values(request.section_values, scene);
     return scene;
 }
 

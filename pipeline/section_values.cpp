@@ -26,26 +26,25 @@ PointBatch<double> spread_points(const Box& box) {
     return points;
 }
 
-ValueRange usual_range(const SectionValues& shown, const Scene& scene) {
+ValueRange usual_range(const Scene& scene, ColorMap map) {
     PointBatch<double> points = spread_points(scene.clip);
     const UpwardRounding upward;
     std::vector<double> all;
-    for (const PointFunction& values : shown.values) {
-        if (!values) continue;
-        values(points.batch(scene.uniforms.points<double>()));
+    for (const Surface& surface : scene.surfaces) {
+        if (!surface.section_value) continue;
+        surface.section_value(points.batch(scene.uniforms.points<double>()));
         for (std::size_t i = 0; i < points.count(); ++i)
             all.push_back(points.f(i));
     }
-    return fitting_range(std::move(all), shown.map == ColorMap::Balance);
+    return fitting_range(std::move(all), map == ColorMap::Balance);
 }
 
 }  // namespace
 
-std::optional<SectionValues> section_values(const SectionChoice& choice,
-                                            std::vector<PointFunction> values, const Scene& scene) {
+std::optional<SectionValues> section_values(const SectionChoice& choice, const Scene& scene) {
     if (std::ranges::none_of(scene.region.sections, &Section::values)) return std::nullopt;
-    SectionValues shown{.map = choice.map.value_or(ColorMap::Gray), .values = std::move(values)};
-    shown.usual_range = usual_range(shown, scene);
+    SectionValues shown{.map = choice.map.value_or(ColorMap::Gray)};
+    shown.usual_range = usual_range(scene, shown.map);
     shown.range = choice.range.value_or(shown.usual_range);
     return shown;
 }

@@ -6,9 +6,8 @@
 namespace zeroset {
 
 /// How the scene's sections show values, by the document's choice; nothing where none does.
-/// `values`: of each surface of the scene, not empty. A range that is left open holds most of the
-/// values in the clip box, and does not change while the sections move.
-std::optional<SectionValues> section_values(const SectionChoice& choice,
-                                            std::vector<PointFunction> values, const Scene& scene);
+/// A range that is left open holds most of the values in the clip box, and does not change while
+/// the sections move.
+std::optional<SectionValues> section_values(const SectionChoice& choice, const Scene& scene);
 
 }  // namespace zeroset

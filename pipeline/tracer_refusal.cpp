@@ -1,8 +1,8 @@
 #include "pipeline/tracer_refusal.hpp"
 
 #include "engine/base/translation.hpp"
-#include "engine/kernel/patch_code.hpp"
 #include "engine/render/tracers.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 
 namespace zeroset {
 
@@ -12,7 +12,7 @@ std::optional<std::string> tracer_refusal(std::string_view tracer, std::string_v
     if (found == nullptr || !request.formula) return std::nullopt;
     for (const std::size_t surface : shown_indices(request)) {
         const Kernel& kernel = request.formula->kernels[surface];
-        if (!found->draws_patches && is_patch(kernel)) {
+        if (!found->takes_ways && !way_of(kernel).is_level_set()) {
             return std::string(name) + ": " +
                    tr("draws equations alone; for parametric surfaces, curves and points choose "
                       "beams");

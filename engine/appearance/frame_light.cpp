@@ -16,13 +16,13 @@ namespace {
 /// Whether the quick way of the standard look does not do.
 bool needs_rays(const Scene& scene, const TraceSettings& settings) {
     const Lighting& lighting = scene.lighting;
-    const auto is_special = [](const SurfaceLook& surface) {
-        return surface.opacity.value_or(1.0) < 1.0 ||
-               surface.look.value_or(Look::Standard) != Look::Standard;
+    const auto is_special = [](const Surface& surface) {
+        return surface.look.opacity.value_or(1.0) < 1.0 ||
+               surface.look.look.value_or(Look::Standard) != Look::Standard;
     };
     return lighting.look != Look::Standard || !lighting.lights.empty() ||
            lighting.tone != Tone::Plain || settings.reflections > 0 ||
-           std::ranges::any_of(lighting.surfaces, is_special);
+           std::ranges::any_of(scene.surfaces, is_special);
 }
 
 }  // namespace
@@ -40,10 +40,8 @@ FrameLight::FrameLight(const Scene& scene, const ViewFrame& view, const TraceSet
 }
 
 float FrameLight::opacity(std::size_t surface) const {
-    const auto& chosen = scene_.lighting.surfaces;
-    if (surface < chosen.size() && chosen[surface].opacity)
-        return static_cast<float>(*chosen[surface].opacity);
-    return material_of(look(surface)).opacity;
+    const auto& chosen = scene_.surfaces[surface].look.opacity;
+    return chosen ? static_cast<float>(*chosen) : material_of(look(surface)).opacity;
 }
 
 void FrameLight::light(std::span<const TraceFrame> surfaces, const TimeLimit& limit,

@@ -37,7 +37,7 @@ public:
     /// Whether smooth surfaces may show edges that are not shadows of the key light.
     [[nodiscard]] bool shows_contrasts() const { return by_rays_; }
     [[nodiscard]] const HitShader& shader() const { return shader_; }
-    [[nodiscard]] Look look(std::size_t surface) const { return look_of(scene_.lighting, surface); }
+    [[nodiscard]] Look look(std::size_t surface) const { return look_of(scene_, surface); }
     /// How opaque a surface is, 0 to 1.
     [[nodiscard]] float opacity(std::size_t surface) const;
     /// Whether a ray is in the surface's solid behind a place where df/dt is `slope`.

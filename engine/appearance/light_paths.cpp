@@ -58,8 +58,7 @@ private:
 
     /// Whether rays go on from a surface's hits.
     [[nodiscard]] bool rays_go_on(std::size_t surface) const {
-        const bool is_soft =
-            light_.settings().soft_light && has_soft_light(scene_.lighting, surface);
+        const bool is_soft = light_.settings().soft_light && has_soft_light(scene_, surface);
         return is_soft || light_.settings().reflections > 0 || light_.opacity(surface) < 1.0F;
     }
     void find_first_shadows(std::span<const LitLayer> layers);

@@ -68,7 +68,7 @@ bool HiddenPoints::is_capped(const Sight& sight) const {
     if (sight.by == nullptr || !(sight.enters < sight.ray.to)) return false;
     const glm::dvec3 entry = sight.ray.at(sight.enters);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-        const double f = value_at(scene_.surfaces[i], scene_.uniforms, entry).value;
+        const double f = value_at(scene_.surfaces[i].kernel, scene_.uniforms, entry).value;
         if (f * solid_signs_[i] > 0.0) return true;
     }
     return false;

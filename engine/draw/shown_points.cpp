@@ -14,7 +14,7 @@ constexpr double zero_slack = 1e-8;
 
 /// The surface's function at a point.
 ValueAndGradient surface_at(const Scene& scene, std::size_t surface, const glm::dvec3& point) {
-    return value_at(scene.surfaces[surface], scene.uniforms, point);
+    return value_at(scene.surfaces[surface].kernel, scene.uniforms, point);
 }
 
 /// Points beside the border: where it is above 0 and where it is below.

@@ -6,7 +6,6 @@
 #include "engine/kernel/uniforms.hpp"
 #include "engine/real/rounding.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <memory>
@@ -112,14 +111,6 @@ inline Kernel Kernel::without_waiting() const {
     Kernel kernel = *this;
     visit_functions([](auto& function) { function = function.without_waiting(); }, kernel);
     return kernel;
-}
-
-/// True if both lists hold the same code.
-inline bool have_same_code(const std::vector<Kernel>& a, const std::vector<Kernel>& b) {
-    const auto same = [](const Kernel& x, const Kernel& y) {
-        return x.in_float.range == y.in_float.range;
-    };
-    return std::ranges::equal(a, b, same);
 }
 
 }  // namespace zeroset

@@ -349,7 +349,7 @@ void draw_lines(std::span<const TraceFrame> surfaces, int fineness, const Tile& 
     const Scene& scene = surfaces.front().scene;
     const SurfaceLines& lines = scene.coloring.lines;
     for (LitLayer& layer : layers) {
-        const bool outlines = look_of(scene.lighting, layer.surface) == Look::Technical;
+        const bool outlines = look_of(scene, layer.surface) == Look::Technical;
         if (!lines.any() && !outlines) continue;
         LinePainter painter(surfaces, fineness, tile, layer, counters);
         if (!painter.has_places()) continue;

@@ -80,8 +80,9 @@ void show_section_values(const TraceFrame& frame, const Tile& tile, int fineness
     static const SectionValues usual;
     const SectionValues& shown = scene.section_values ? *scene.section_values : usual;
     const PointFunction& f = frame.kernel.in_double.value;
-    const bool of_f = layer.surface >= shown.values.size() || !shown.values[layer.surface];
-    const auto& numbers = points.evaluate(of_f ? f : shown.values[layer.surface], frame);
+    const PointFunction& of_side = scene.surfaces[layer.surface].section_value;
+    const bool of_f = !of_side;
+    const auto& numbers = points.evaluate(of_f ? f : of_side, frame);
     std::vector<Reflectance> colors;
     colors.reserve(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i)

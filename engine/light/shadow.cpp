@@ -1,14 +1,12 @@
 #include "engine/light/shadow.hpp"
 
-#include "engine/kernel/patch_code.hpp"
-#include "engine/light/blob_shadows.hpp"
+#include "engine/light/followed_shadows.hpp"
 #include "engine/light/light_places.hpp"
-#include "engine/light/patch_shadows.hpp"
 #include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
-#include "engine/trace/blobs/blob_surface.hpp"
 #include "engine/trace/frame_union.hpp"
 #include "engine/trace/tile_rays.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -220,8 +218,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                         .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
                         .bias = std::max(0x1p-12 * extent, 6 * cell),
                         .way = way};
-    if (is_patch(light.kernel)) return find_patch_shadows(search, found, counters);
-    if (find_blob_shadows(search, found, counters)) return;
+    if (find_followed_shadows(search, found, counters)) return;
     const std::vector<LitMember> members = members_of(light);
     if (!members.empty()) {
         search.open = outside_hits(search, members);
@@ -267,7 +264,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
 }
 
 bool gains_by_squares(const TraceFrame& surface) {
-    return surface.kernel.specializer != nullptr || blob_surface(surface).has_value();
+    return surface.kernel.specializer != nullptr || way_of(surface.kernel).follows(surface);
 }
 
 void darken(const TileBits& dark, std::span<LitLayer> layers) {

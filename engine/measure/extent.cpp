@@ -1,11 +1,10 @@
 #include "engine/measure/extent.hpp"
 
 #include "engine/kernel/kernel.hpp"
-#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
-#include "engine/trace/patch/patch_tree.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +23,8 @@ constexpr std::size_t face_cells_at_once = 64;
 /// Cells smaller than their coordinates times this are enclosed in double.
 constexpr double finest_in_float = 0x1p-16;
 
-/// Marks the cells that a parametric surface may be in. In upward rounding.
-void mark_patch(const Kernel& surface, const Uniforms& uniforms, const std::vector<Box>& cells,
-                std::vector<bool>& may) {
-    const std::vector<Box> boxes = patch_tree(surface, uniforms)->boxes();
+/// Marks the cells that meet a box.
+void mark(const std::vector<Box>& boxes, const std::vector<Box>& cells, std::vector<bool>& may) {
     const auto meet = [](const Box& a, const Box& b) {
         return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
     };
@@ -52,12 +49,13 @@ template <class Real>
         }
     }
     std::vector<bool> may(cells.size(), false);
-    for (const Kernel& surface : scene.surfaces) {
-        if (is_patch(surface)) {
-            mark_patch(surface, scene.uniforms, cells, may);
+    for (const Surface& surface : scene.surfaces) {
+        const Kernel& kernel = surface.kernel;
+        if (const auto boxes = way_of(kernel).boxes(kernel, scene.uniforms)) {
+            mark(*boxes, cells, may);
             continue;
         }
-        surface.range(ranges.batch(cells.size(), scene.uniforms.boxes<Real>()));
+        kernel.range(ranges.batch(cells.size(), scene.uniforms.boxes<Real>()));
         for (std::size_t i = 0; i < cells.size(); ++i)
             may[i] = may[i] || !ranges.excludes_zero(i);
     }

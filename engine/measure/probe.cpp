@@ -1,11 +1,9 @@
 #include "engine/measure/probe.hpp"
 
-#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/point_batch.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
-#include "engine/trace/patch/patch_rays.hpp"
-#include "engine/trace/patch/patch_tree.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 #include "engine/view/pixel_ray.hpp"
 
 #include <algorithm>
@@ -128,25 +126,27 @@ LaneValues widths_at(const PixelRay& ray, double t) {
     return widths;
 }
 
-/// Finds the place of a parametric surface that is near a distance on the ray.
-void probe_patch(const ProbedPicture& picture, const PixelRay& ray, double depth, double tolerance,
-                 PointFacts& facts) {
+/// Finds the place near a distance on the ray of a surface that is no level set.
+void probe_by_way(const ProbedPicture& picture, const PixelRay& ray, double depth, double tolerance,
+                  PointFacts& facts) {
     const UpwardRounding upward;
-    const auto tree = patch_tree(picture.formulas[facts.surface], picture.uniforms);
+    const Kernel& surface = picture.formulas[facts.surface];
     const double finest = 0x1p-38 * (std::abs(depth) + glm::length(ray.at(depth)));
-    const PatchHit hit = find_patch_hit(*tree,
-                                        {.origin = ray.at(0.0),
-                                         .direction = ray.direction,
-                                         .from = depth - tolerance,
-                                         .to = depth + tolerance},
-                                        finest);
+    const RayHit hit = way_of(surface)
+                           .hit_on(surface, picture.uniforms,
+                                   {.origin = ray.at(0.0),
+                                    .direction = ray.direction,
+                                    .from = depth - tolerance,
+                                    .to = depth + tolerance},
+                                   finest)
+                           .value_or(RayHit());
     facts.f = 0.0;
-    facts.proved = hit.is_hit() && hit.is_proved && !(hit.unsettled < hit.s);
-    facts.distance = hit.is_hit() ? hit.s : depth;
+    facts.proved = hit.certificate == Certificate::Certified;
+    facts.distance = hit.is_hit() ? hit.t : depth;
     facts.point = ray.at(facts.distance);
-    facts.within = facts.proved ? hit.s_radius : tolerance;
-    const double length = glm::length(hit.normal);
-    if (length > 0.0 && std::isfinite(length)) facts.normal = hit.normal / length;
+    facts.within = facts.proved ? hit.error : tolerance;
+    const double length = glm::length(hit.gradient);
+    if (length > 0.0 && std::isfinite(length)) facts.normal = hit.gradient / length;
 }
 
 }  // namespace
@@ -169,8 +169,8 @@ std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row) 
     PointFacts facts;
     facts.surface = surface;
     facts.certificate = frame.certificate[pixel];
-    if (is_patch(picture.formulas[surface])) {
-        probe_patch(picture, ray, depth, tolerance, facts);
+    if (!way_of(picture.formulas[surface]).is_level_set()) {
+        probe_by_way(picture, ray, depth, tolerance, facts);
         return facts;
     }
     facts.distance = polished(formula, ray, depth, tolerance);

@@ -1,11 +1,9 @@
 #include "engine/rays/first_roots.hpp"
 
-#include "engine/kernel/patch_code.hpp"
 #include "engine/kernel/point_batch.hpp"
-#include "engine/rays/patch_rays.hpp"
 #include "engine/rays/root_search.hpp"
 #include "engine/rays/union_rays.hpp"
-#include "engine/trace/single_rays.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -143,65 +141,6 @@ void find_nearer(const TraceFrame& surface, std::uint8_t number, std::span<const
     }
 }
 
-/// Takes what is found on a ray for its nearest hit, if it is nearer than that so far.
-void take_single(const SingleRoot& found, const SceneRay& ray, std::uint8_t number,
-                 const glm::dvec3& gradient, RayHit& hit) {
-    if (found.unsettled) hit.certificate = Certificate::Undecided;
-    const double t = 0.5 * found.from + 0.5 * found.to;
-    if (!found.is_found || !(t < std::min(hit.t, ray.to))) return;
-    const bool is_proved = found.is_proved && hit.certificate != Certificate::Undecided;
-    hit = {.t = t,
-           .surface = number,
-           .certificate = is_proved ? Certificate::Certified : Certificate::Undecided,
-           .error = found.to - found.from,
-           .gradient = gradient};
-}
-
-/// Finds the first roots of a surface by its tracer's own way. Where a ray begins on the surface it
-/// is left by forms first.
-void find_by_tracer(const TraceFrame& surface, const SingleRootFinder& finder, std::uint8_t number,
-                    std::span<const SceneRay> rays, std::span<RayHit> hits, Counters& counters) {
-    const double beginning = 0x1p-6 * surface.scene.clip.size();
-    std::vector<Task> own;
-    std::vector<std::size_t> which;
-    std::vector<SingleRay> singles;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const SceneRay& ray = rays[i];
-        double from = ray.from;
-        if (ray.own == number) {
-            SceneRay near = ray;
-            near.to = std::min(ray.to, ray.from + beginning);
-            own.push_back({.ray = i, .stretch = near, .start = RayStart::OnSurface});
-            from = near.to;
-        }
-        const double to = std::min(ray.to, hits[i].t);
-        if (!(from < to)) continue;
-        which.push_back(i);
-        singles.push_back(
-            {.origin = ray.origin, .direction = ray.direction, .from = from, .to = to});
-    }
-    find_nearer(surface, number, own, hits, counters);
-    // Rays that have met the surface so early need no search.
-    std::vector<SingleRoot> roots(singles.size());
-    for (std::size_t k = 0; k < singles.size(); ++k)
-        singles[k].to = std::min(singles[k].to, hits[which[k]].t);
-    finder.find(surface, singles, roots, counters);
-    if (singles.empty()) return;
-    PointBatch<double> batch(singles.size());
-    for (std::size_t k = 0; k < singles.size(); ++k) {
-        const glm::dvec3 at = singles[k].at(0.5 * roots[k].from + 0.5 * roots[k].to);
-        batch.set(k, at.x, at.y, at.z);
-    }
-    batch.pad();
-    counters.value += singles.size();
-    batch.evaluate(surface.kernel.in_double.value, surface.scene.uniforms.points<double>(),
-                   [&] { return surface.stopped(); });
-    for (std::size_t k = 0; k < singles.size(); ++k)
-        take_single(roots[k], rays[which[k]], number,
-                    {batch.gradient(0, k), batch.gradient(1, k), batch.gradient(2, k)},
-                    hits[which[k]]);
-}
-
 /// The tasks of a part of a union.
 struct MemberTask {
     const Kernel* kernel;
@@ -211,9 +150,7 @@ struct MemberTask {
 /// Searches a surface as far as rays need it: whole, or the parts of a union that they meet.
 void find_on_surface(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
                      std::span<RayHit> hits, Counters& counters) {
-    if (is_patch(surface.kernel)) return find_on_patch(surface, number, rays, hits, counters);
-    if (const auto* const finder = dynamic_cast<const SingleRootFinder*>(surface.prepared))
-        return find_by_tracer(surface, *finder, number, rays, hits, counters);
+    if (way_of(surface.kernel).find_first(surface, number, rays, hits, counters)) return;
     const UnionRays parts(surface, number, rays);
     std::vector<Task> whole;
     std::vector<MemberTask> of_members;
@@ -280,10 +217,8 @@ void find_blocked(std::span<const TraceFrame> surfaces, std::span<const SceneRay
     std::vector<UnionRays::Meeting> meetings;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto number = static_cast<std::uint8_t>(i);
-        if (is_patch(surfaces[i].kernel)) {
-            block_by_patch(surfaces[i], number, inside, blocked, counters);
+        if (way_of(surfaces[i].kernel).find_blocked(surfaces[i], number, inside, blocked, counters))
             continue;
-        }
         const UnionRays parts(surfaces[i], number, inside);
         for (std::size_t k = 0; k < rays.size(); ++k) {
             const SceneRay& ray = inside[k];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/rays/scene_ray.hpp"
+#include "engine/trace/scene_ray.hpp"
 #include "engine/trace/trace_frame.hpp"
 
 #include <cstdint>

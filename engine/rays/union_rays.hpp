@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/kernel/union_parts.hpp"
-#include "engine/rays/scene_ray.hpp"
+#include "engine/trace/scene_ray.hpp"
 #include "engine/trace/trace_frame.hpp"
 
 #include <cstddef>

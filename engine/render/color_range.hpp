@@ -33,7 +33,7 @@ public:
     ValueRange after(const Scene& scene, const ValueRange& found);
 
 private:
-    std::vector<Kernel> surfaces_;
+    std::vector<Surface> surfaces_;
     Coloring coloring_;
     std::optional<ValueRange> range_;
 };

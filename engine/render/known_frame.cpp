@@ -16,9 +16,9 @@ KnownFrame::KnownFrame(const Scene& scene, const Camera& camera, const TraceSett
                        const Framebuffer& known)
     : threads_(settings.threads), grid_(known.width, known.height) {
     const ViewFrame view(camera);
-    for (const Kernel& kernel : scene.surfaces) {
+    for (const Surface& surface : scene.surfaces) {
         surfaces_.push_back(trace_frame(
-            scene, kernel, view, {.width = known.width, .height = known.height}, settings.stop));
+            scene, surface, view, {.width = known.width, .height = known.height}, settings.stop));
     }
     hits_.resize(grid_.size());
     for (std::size_t i = 0; i < grid_.size(); ++i) {

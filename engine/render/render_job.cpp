@@ -24,8 +24,9 @@ constexpr std::size_t long_steps = 90;
 /// The pixels of a trial are so large that finer cells along rays do not show.
 constexpr double trial_d_stop = 12.0;
 
-bool are_interpreted(const std::vector<Kernel>& surfaces) {
-    return std::ranges::any_of(surfaces, &Kernel::interpreted);
+bool are_interpreted(const std::vector<Surface>& surfaces) {
+    return std::ranges::any_of(surfaces,
+                               [](const Surface& surface) { return surface.kernel.interpreted; });
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ RenderJob::Work RenderJob::begin(RenderRequest request) {
     Work work{.request = std::move(request),
               .number = submissions_.newest,
               .in_motion = submissions_.in_motion};
-    const std::vector<Kernel>& surfaces = work.request.scene.surfaces;
+    const std::vector<Surface>& surfaces = work.request.scene.surfaces;
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
     if (!have_same_code(drawing_.surfaces, surfaces)) {
@@ -173,10 +174,10 @@ bool RenderJob::draw_trial(const Work& work, double scale) {
         const double expected = governor_.expected_ms(static_cast<std::size_t>(pixels));
         return expected > pace_.trial_shown_from_ms;
     };
-    const std::vector<Kernel>& surfaces = work.request.scene.surfaces;
+    const std::vector<Surface>& surfaces = work.request.scene.surfaces;
     std::size_t steps = 0;
-    for (const Kernel& surface : surfaces)
-        steps += surface.steps;
+    for (const Surface& surface : surfaces)
+        steps += surface.kernel.steps;
     const double side = steps > long_steps ? trial_side_of_long : trial_side;
     Work coarse = work;
     StopCriterion& stop = coarse.request.settings.stop;
@@ -191,8 +192,8 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
                                        std::chrono::milliseconds within,
                                        const std::function<bool()>& shown_if) {
     Work smaller = work;
-    for (Kernel& surface : smaller.request.scene.surfaces)
-        surface = surface.without_waiting();
+    for (Surface& surface : smaller.request.scene.surfaces)
+        surface.kernel = surface.kernel.without_waiting();
     const auto scaled = [scale](int side) {
         return std::max(1, static_cast<int>(std::lround(scale * side)));
     };
@@ -242,7 +243,7 @@ std::vector<TraceSettings> RenderJob::stages_of(const RenderRequest& request, bo
     stage.reflections = settings.reflections;
     if (settings.reflections > 0) stages.push_back(stage);
     stage.soft_light = settings.soft_light;
-    if (settings.soft_light && has_soft_light(request.scene.lighting)) stages.push_back(stage);
+    if (settings.soft_light && has_soft_light(request.scene)) stages.push_back(stage);
     return stages;
 }
 

@@ -92,7 +92,7 @@ private:
     /// The pictures as they go, guarded by the mutex.
     struct Drawing {
         Phase phase = Phase::Idle;
-        std::vector<Kernel> surfaces;          ///< of the request drawn last
+        std::vector<Surface> surfaces;         ///< of the request drawn last
         Clock::time_point published;           ///< when the last picture came
         std::optional<RenderResult> finished;  ///< the newest picture, until it is taken
     };

@@ -4,11 +4,9 @@
 #include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/mixed_pixels.hpp"
 #include "engine/light/keep_planes.hpp"
-#include "engine/trace/blobs/blob_kernel.hpp"
 #include "engine/trace/hit_gradients.hpp"
-#include "engine/trace/patch/patch_tracer.hpp"
-#include "engine/trace/patch/patch_tree.hpp"
 #include "engine/trace/tile_rays.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,6 +15,8 @@
 
 namespace zeroset {
 namespace {
+
+bool is_level_set(const Kernel& surface) { return way_of(surface).is_level_set(); }
 
 /// The surface as a union; nullptr where it is not known as one.
 std::unique_ptr<FrameUnion> union_of(const TraceFrame& surface) {
@@ -27,11 +27,10 @@ std::unique_ptr<FrameUnion> union_of(const TraceFrame& surface) {
     return std::make_unique<FrameUnion>(surface, *union_parts);
 }
 
-/// Where in its view surface i may be; nullptr where that is not known.
-std::unique_ptr<OpenView> open_view_of(const TraceFrame& surface, std::size_t i) {
-    const auto& spaces = surface.scene.open_space;
-    if (i >= spaces.size() || spaces[i] == nullptr) return nullptr;
-    return std::make_unique<OpenView>(surface, *spaces[i]);
+/// Where in its view a surface may be; nullptr where that is not known.
+std::unique_ptr<OpenView> open_view_of(const TraceFrame& surface, const OpenSpace* space) {
+    const bool is_known = space != nullptr && is_level_set(surface.kernel);
+    return is_known ? std::make_unique<OpenView>(surface, *space) : nullptr;
 }
 
 void keep_costs(const Tile& tile, const TileCosts& costs, const Canvas& out) {
@@ -45,9 +44,8 @@ void keep_costs(const Tile& tile, const TileCosts& costs, const Canvas& out) {
 }  // namespace
 
 Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
-    const bool by_rays =
-        scene.jumps || has_caps(scene) ||
-        std::ranges::any_of(scene.surfaces, [](const Kernel& kernel) { return is_patch(kernel); });
+    const bool by_rays = scene.jumps || has_caps(scene) ||
+                         !std::ranges::all_of(scene.surfaces, is_level_set, &Surface::kernel);
     return settings.antialias == Antialias::Beams && by_rays ? Antialias::Rays16
                                                              : settings.antialias;
 }
@@ -63,25 +61,24 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
         if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (TraceFrame& surface : surfaces_) {
-        if (is_patch(surface.kernel)) {
-            prepared_.push_back(patch_tree(surface.kernel, scene.uniforms));
-            surface.prepared = prepared_.back().get();
-            kernels_.push_back(nullptr);
-            unions_.push_back(nullptr);
-            open_views_.push_back(nullptr);
-            continue;
-        }
-        if (tracer_.prepare != nullptr) {
-            prepared_.push_back(
-                tracer_.prepare(surface.with(surface.kernel, limit), settings.threads));
-            surface.prepared = prepared_.back().get();
-        }
+        prepared_.push_back(prepare(surface, settings, limit));
+        surface.prepared = prepared_.back().get();
         const bool pays = tracer_.specializes || surface.kernel.interpreted;
         kernels_.push_back(
             pays && surface.kernel.specializer ? std::make_unique<FrameKernels>(surface) : nullptr);
         unions_.push_back(tracer_.takes_unions ? union_of(surface) : nullptr);
-        open_views_.push_back(open_view_of(surface, open_views_.size()));
+        open_views_.push_back(
+            open_view_of(surface, scene.surfaces[open_views_.size()].open_space.get()));
     }
+}
+
+std::shared_ptr<const PreparedSurface> TilePainter::prepare(const TraceFrame& surface,
+                                                            const TraceSettings& settings,
+                                                            const TimeLimit& limit) const {
+    const Kernel& kernel = surface.kernel;
+    const bool by_tracer = is_level_set(kernel) && tracer_.prepare != nullptr;
+    return by_tracer ? tracer_.prepare(surface.with(kernel, limit), settings.threads)
+                     : way_of(kernel).prepare(kernel, surface.scene.uniforms);
 }
 
 bool TilePainter::trace_union(std::size_t i, const Tile& tile, const TimeLimit& limit,
@@ -105,8 +102,10 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit
     TileHits& hits = workspace.hits[i];
     hits.clear();
     if (limit.over()) return hits.leave_undecided(tile);
-    if (is_patch(surfaces_[i].kernel))
-        return trace_tile_patch(frame_of(i, tile, limit), tile, hits, counters);
+    if (!is_level_set(surfaces_[i].kernel)) {
+        way_of(surfaces_[i].kernel).trace_tile(frame_of(i, tile, limit), tile, hits, counters);
+        return;
+    }
     if (trace_union(i, tile, limit, workspace, counters)) return;
     TraceFrame frame = frame_of(i, tile, limit);
     frame.open = open_views_[i].get();
@@ -155,11 +154,12 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());
-    // Use the balls near each pixel where a surface is one of soft balls alone.
-    const std::optional<Kernel> by_balls =
-        surfaces_.size() == 1 ? blob_kernel(surfaces_.front(), tile) : std::nullopt;
+    // Use what is near each pixel where the only surface's kind knows that.
+    const TraceFrame& first = surfaces_.front();
+    const std::optional<Kernel> by_way =
+        surfaces_.size() == 1 ? way_of(first.kernel).kernel_for(first, tile) : std::nullopt;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
-        frames.push_back(by_balls ? surfaces_[i].with(*by_balls, limit) : frame_of(i, tile, limit));
+        frames.push_back(by_way ? surfaces_[i].with(*by_way, limit) : frame_of(i, tile, limit));
     find_cover(frames, tile, workspace.mixed, workspace.samples, counters);
     const auto light = workspace.cover_light.light(
         light_, surfaces_, limit, tile, workspace.lit.layers(), workspace.samples, counters);

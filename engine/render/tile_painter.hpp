@@ -44,8 +44,8 @@ enum class TileState : std::uint8_t {
     Finished,
 };
 
-/// How the scene is antialiased. Beams know neither of caps, nor of jumps, nor of parametric
-/// surfaces: there 16 rays do it.
+/// How the scene is antialiased. Beams know neither of caps, nor of jumps, nor of surfaces
+/// that are no level sets: there 16 rays do it.
 Antialias antialias_of(const Scene& scene, const TraceSettings& settings);
 
 /// A scene at one resolution, tile by tile.
@@ -59,6 +59,10 @@ public:
                     Counters& counters) const;
 
 private:
+    /// What the tracer, or the way of its kind, makes of a surface (TraceFrame::prepared).
+    [[nodiscard]] std::shared_ptr<const PreparedSurface> prepare(const TraceFrame& surface,
+                                                                 const TraceSettings& settings,
+                                                                 const TimeLimit& limit) const;
     /// Fills workspace.hits with what each surface shows.
     void trace(Tile tile, const TimeLimit& limit, Workspace& workspace, Counters& counters) const;
     /// Traces surface i part by part and finds its gradients; false where that cannot be.
@@ -86,7 +90,7 @@ private:
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
     std::vector<std::unique_ptr<FrameUnion>> unions_;     ///< nullptr: no union is known
     std::vector<std::unique_ptr<OpenView>> open_views_;   ///< nullptr: not known
-    std::vector<std::shared_ptr<const PreparedSurface>> prepared_;  ///< by the tracer; or none
+    std::vector<std::shared_ptr<const PreparedSurface>> prepared_;  ///< of the surfaces; or nullptr
     std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
 };
 

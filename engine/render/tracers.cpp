@@ -1,9 +1,8 @@
 #include "engine/render/tracers.hpp"
 
 #include "engine/trace/beam/beam_tracer.hpp"
-#include "engine/trace/blobs/proved_blobs.hpp"
 #include "engine/trace/k_bisection/k_bisection.hpp"
-#include "engine/trace/voxels/proved_voxels.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -12,11 +11,10 @@ namespace zeroset {
 
 namespace {
 
-/// Beams, but for plain isosurfaces of volumes and of soft balls.
+/// The way of the surface's kind, and beams where it has none.
 void trace_tile_usual(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                       Counters& counters) {
-    if (trace_tile_proved_voxels(frame, tile, hits, counters)) return;
-    if (trace_tile_proved_blobs(frame, tile, hits, counters)) return;
+    if (way_of(frame.kernel).trace_tile(frame, tile, hits, counters)) return;
     trace_tile_beams(frame, tile, hits, counters);
 }
 
@@ -29,7 +27,7 @@ std::vector<Tracer>& table() {
             .specializes = true,
             .takes_open_space = true,
             .takes_unions = true,
-            .draws_patches = true,
+            .takes_ways = true,
             .finds_jumps = true},
         Tracer{.name = "k-bisection",
                .about = "bisection along the dominant axis of a packet of rays (Knoll 2007)",

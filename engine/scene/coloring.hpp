@@ -56,9 +56,6 @@ struct SectionValues {
     ColorMap map = ColorMap::Gray;
     ValueRange range = {};
     ValueRange usual_range = {};  ///< that holds most of the values in the clip box
-    /// The function that each surface is a level of (engine/rewrite/value_side.hpp); for surfaces
-    /// beyond these: f.
-    std::vector<PointFunction> values = {};
 
     bool operator==(const SectionValues&) const = default;
 };

@@ -11,11 +11,6 @@ constexpr auto look_names = enum_names<Look>("standard", "phong", "matte", "porc
                                              "glass", "clay", "technical");
 constexpr auto tone_names = enum_names<Tone>("plain", "filmic");
 
-bool has_broad_light(const Lighting& lighting) {
-    return std::ranges::any_of(lighting.lights,
-                               [](const Light& light) { return light.radius_deg > 0.0; });
-}
-
 }  // namespace
 
 std::span<const Look> looks() { return look_names.values(); }
@@ -42,21 +37,9 @@ float ambient_shade(Look look) {
     return 0.0F;
 }
 
-Look look_of(const Lighting& lighting, std::size_t surface) {
-    if (surface >= lighting.surfaces.size()) return lighting.look;
-    return lighting.surfaces[surface].look.value_or(lighting.look);
-}
-
-bool has_soft_light(const Lighting& lighting) {
-    const auto darkens = [](const SurfaceLook& surface) {
-        return surface.look && ambient_shade(*surface.look) > 0.0F;
-    };
-    return ambient_shade(lighting.look) > 0.0F || has_broad_light(lighting) ||
-           std::ranges::any_of(lighting.surfaces, darkens);
-}
-
-bool has_soft_light(const Lighting& lighting, std::size_t surface) {
-    return ambient_shade(look_of(lighting, surface)) > 0.0F || has_broad_light(lighting);
+bool has_broad_light(const Lighting& lighting) {
+    return std::ranges::any_of(lighting.lights,
+                               [](const Light& light) { return light.radius_deg > 0.0; });
 }
 
 }  // namespace zeroset

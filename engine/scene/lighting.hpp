@@ -69,8 +69,7 @@ struct SurfaceLook {
 /// How the surfaces of a scene are lit, and what of. A value.
 struct Lighting {
     Look look = Look::Standard;
-    std::vector<Light> lights;          ///< at most max_lights; none: those of `look`
-    std::vector<SurfaceLook> surfaces;  ///< of each; those beyond are as all are
+    std::vector<Light> lights;  ///< at most max_lights; none: those of `look`
     /// How much solids swallow of what is seen through them, on a way of length 1, of the colours
     /// that they are not: at least 0.
     double absorption = 0.0;
@@ -79,13 +78,8 @@ struct Lighting {
     bool operator==(const Lighting&) const = default;
 };
 
-Look look_of(const Lighting& lighting, std::size_t surface);
-
-/// Whether light comes from many directions: from broad lights, or into the hollows of a look that
-/// darkens them.
-bool has_soft_light(const Lighting& lighting);
-/// Whether it does for this surface.
-bool has_soft_light(const Lighting& lighting, std::size_t surface);
+/// Whether a light has a size as seen from the surface, so that its shadows are soft.
+bool has_broad_light(const Lighting& lighting);
 /// How much darker hollows of a look are, 0 to 1.
 float ambient_shade(Look look);
 

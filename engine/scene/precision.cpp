@@ -43,10 +43,11 @@ Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCri
 
 Precision wanted_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop) {
     const Box& clip = scene.clip;
-    const bool floats_suffice = std::ranges::all_of(scene.surfaces, [&](const Kernel& kernel) {
-        return kernel.float_check == nullptr ||
-               kernel.float_check->suffices({clip.lo.x, clip.lo.y, clip.lo.z},
-                                            {clip.hi.x, clip.hi.y, clip.hi.z}, scene.uniforms);
+    const bool floats_suffice = std::ranges::all_of(scene.surfaces, [&](const Surface& surface) {
+        const FloatCheck* const check = surface.kernel.float_check.get();
+        return check == nullptr ||
+               check->suffices({clip.lo.x, clip.lo.y, clip.lo.z}, {clip.hi.x, clip.hi.y, clip.hi.z},
+                               scene.uniforms);
     });
     return floats_suffice ? wanted_precision(clip, view, stop) : Precision::Double;
 }

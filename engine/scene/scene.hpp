@@ -33,29 +33,50 @@ struct Solid {
     KernelFunction<ValueBatchOf<float>> unrestricted = {};
 };
 
-/// A scene: the code of each surface's formula, the clip box with what is shown of it, and
-/// the uniforms' values, which all surfaces share. A value: copy it as a snapshot for a job.
+/// A surface of a scene: the code of its formula, and how it is shown.
+struct Surface {
+    Kernel kernel;
+    std::optional<SurfaceColors> colors = std::nullopt;  ///< none: the palette's for its place
+    SurfaceLook look = {};
+    Solid solid = {};
+    /// The function that it is a level of (engine/rewrite/value_side.hpp), which sections show the
+    /// values of; none: f.
+    PointFunction section_value = {};
+    /// Where in the clip box it may be, for its tracer; nullptr: not known. For the scene's
+    /// uniforms, and without jumps only if there are none.
+    std::shared_ptr<const OpenSpace> open_space = nullptr;
+};
+
+/// Whether both lists are of the same code.
+bool have_same_code(const std::vector<Surface>& a, const std::vector<Surface>& b);
+
+/// A scene: its surfaces, the clip box with what is shown of it, and the uniforms' values, which
+/// all surfaces share. A value: copy it as a snapshot for a job.
 struct Scene {
-    std::vector<Kernel> surfaces;  ///< at most max_surfaces
+    std::vector<Surface> surfaces;  ///< at most max_surfaces
     Box clip;
     Uniforms uniforms;
-    std::vector<SurfaceColors> colors = {};  ///< of the surfaces; the palette's of those beyond
-    std::vector<Solid> solids = {};          ///< of the surfaces; that of those beyond is Solid()
     Region region = {};
-    Coloring coloring = {};  ///< over `colors`; with a range where one is needed
+    Coloring coloring = {};  ///< over the surfaces' colours; with a range where one is needed
     Lighting lighting = {};
     Background background = {};
     /// Whether places are drawn, too, where f changes its sign in a jump
     /// (engine/algebra/switches.hpp). By the tracer of beams.
     bool jumps = false;
-    /// Where in the clip box each surface may be, for its tracer; nullptr, or none: not known. For
-    /// these uniforms, and without jumps only if there are none.
-    std::vector<std::shared_ptr<const OpenSpace>> open_space = {};
     std::optional<SectionValues> section_values = std::nullopt;  ///< where sections show values
 
     [[nodiscard]] const SurfaceColors& colors_of_surface(std::size_t surface) const {
-        return surface < colors.size() ? colors[surface] : colors_of(surface);
+        const auto& own = surfaces[surface].colors;
+        return own ? *own : colors_of(surface);
     }
 };
+
+Look look_of(const Scene& scene, std::size_t surface);
+
+/// Whether light comes from many directions: from broad lights, or into the hollows of a look that
+/// darkens them.
+bool has_soft_light(const Scene& scene);
+/// Whether it does for this surface.
+bool has_soft_light(const Scene& scene, std::size_t surface);
 
 }  // namespace zeroset

@@ -78,11 +78,11 @@ bool is_mostly_negative(const Scene& scene, const KernelFunction<ValueBatchOf<fl
 }  // namespace
 
 int solid_sign(const Scene& scene, std::size_t surface) {
-    const Solid solid = surface < scene.solids.size() ? scene.solids[surface] : Solid();
-    if (surface_facts(scene.surfaces[surface]).is_sheet) return 0;
+    const Kernel& kernel = scene.surfaces[surface].kernel;
+    const Solid& solid = scene.surfaces[surface].solid;
+    if (surface_facts(kernel).is_sheet) return 0;
     if (solid.side != SolidSide::Automatic) return solid.side == SolidSide::Below ? -1 : 1;
-    const auto& value =
-        solid.unrestricted ? solid.unrestricted : scene.surfaces[surface].in_float.value;
+    const auto& value = solid.unrestricted ? solid.unrestricted : kernel.in_float.value;
     const UpwardRounding upward;
     for (int face = 0; face < 6; ++face) {
         if (!is_mostly_negative(scene, value, face)) return -1;

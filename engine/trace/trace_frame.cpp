@@ -7,14 +7,15 @@
 namespace zeroset {
 
 Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop) {
-    const bool has_double = std::ranges::all_of(scene.surfaces, &Kernel::has_double);
+    const bool has_double = std::ranges::all_of(
+        scene.surfaces, [](const Surface& surface) { return surface.kernel.has_double; });
     return has_double ? wanted_precision(scene, view, stop) : Precision::Float;
 }
 
-TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view,
+TraceFrame trace_frame(const Scene& scene, const Surface& surface, const ViewFrame& view,
                        const ImageSize& image, const StopCriterion& stop) {
     return {.scene = scene,
-            .kernel = kernel,
+            .kernel = surface.kernel,
             .view = view,
             .image = image,
             .stop = stop,

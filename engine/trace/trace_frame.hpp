@@ -30,7 +30,7 @@ struct UnionMember {
 /// read-only.
 struct TraceFrame {
     const Scene& scene;
-    const Kernel& kernel;  ///< of the surface: one of scene.surfaces
+    const Kernel& kernel;  ///< of the surface: that of one of scene.surfaces
     ViewFrame view;
     ImageSize image;
     StopCriterion stop;
@@ -71,7 +71,7 @@ struct TraceFrame {
 Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop);
 
 /// The frame of one of the scene's surfaces, in the scene's precision.
-TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view,
+TraceFrame trace_frame(const Scene& scene, const Surface& surface, const ViewFrame& view,
                        const ImageSize& image, const StopCriterion& stop);
 
 /// A bound of the rounding errors of a few operations in double on places in the view, and on

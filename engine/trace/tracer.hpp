@@ -24,8 +24,10 @@ struct Tracer {
     bool specializes = false;
     bool takes_open_space = false;  ///< knows of TraceFrame::open
     bool takes_unions = false;      ///< knows of TraceFrame::union_members
-    bool draws_patches = false;     ///< parametric surfaces, curves and points, too
-    bool finds_jumps = false;       ///< knows of Scene::jumps
+    /// Asks the way of a surface's kind first (engine/trace/ways), so that it draws those, too,
+    /// that are no level sets.
+    bool takes_ways = false;
+    bool finds_jumps = false;  ///< knows of Scene::jumps
     /// Finds in a surface's formula what it needs beside the kernel's functions, and keeps it in
     /// Kernel::memory. Called before each frame; machine code is wanted where there is such of the
     /// kernel. Any thread. No function: it needs nothing else.

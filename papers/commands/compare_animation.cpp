@@ -86,8 +86,8 @@ private:
     /// Frames by one grid, which is made anew.
     GroupTime by_grid(int first, int last) {
         GroupTime time;
-        Kernel& surface = scene_.surfaces.front();
-        surface.memory = std::make_shared<KernelMemory>();
+        Surface& surface = scene_.surfaces.front();
+        surface.kernel.memory = std::make_shared<KernelMemory>();
         scene_.uniforms.set(0, time_at(first), time_at(last));
         const ViewFrame view(camera_);
         const auto start = std::chrono::steady_clock::now();

@@ -127,7 +127,7 @@ double CompareSubject::prepared_ms(const Scene& scene, const TraceSettings& sett
     if (tracer.prepare == nullptr) return 0.0;
     const auto start = std::chrono::steady_clock::now();
     const ViewFrame view(camera());
-    for (const Kernel& surface : scene.surfaces) {
+    for (const Surface& surface : scene.surfaces) {
         const ImageSize image{.width = frame.width, .height = frame.height};
         tracer.prepare(trace_frame(scene, surface, view, image, settings.stop), settings.threads);
     }
@@ -140,8 +140,8 @@ ImageBoxCounters CompareSubject::boxes(const Scene& scene, const TraceSettings& 
     ImageBoxCounters sum;
     const auto take = [&] {
         sum = {};
-        for (const Kernel& surface : scene.surfaces)
-            sum += surface.memory->of<BoxTally>()->take();
+        for (const Surface& surface : scene.surfaces)
+            sum += surface.kernel.memory->of<BoxTally>()->take();
     };
     take();
     if (sum.rejected.boxes + sum.included.boxes + sum.undefined.boxes == 0) return sum;

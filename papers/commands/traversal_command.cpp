@@ -57,14 +57,14 @@ struct VoxelisedScene {
     VoxelisedScene(const Scene& of_scene, const PictureRequest& of_request)
         : scene(of_scene), request(of_request), view(of_request.camera) {
         const auto start = std::chrono::steady_clock::now();
-        for (const Kernel& surface : scene.surfaces) {
+        for (const Surface& surface : scene.surfaces) {
             octrees.push_back(std::static_pointer_cast<const Octree>(
                 prepare_octree(frame_of(surface), request.settings.threads)));
         }
         voxelisation_ms = ms_since(start);
     }
 
-    [[nodiscard]] TraceFrame frame_of(const Kernel& surface) const {
+    [[nodiscard]] TraceFrame frame_of(const Surface& surface) const {
         return trace_frame(scene, surface, view,
                            {.width = request.size_px.x, .height = request.size_px.y},
                            request.settings.stop);

@@ -145,15 +145,4 @@ std::optional<OctreeRay> octree_ray(const TraceFrame& frame, const Tile& tile, c
         frame, space);
 }
 
-std::optional<OctreeRay> octree_ray(const TraceFrame& frame, const SingleRay& ray,
-                                    const OctreeSpace& space) {
-    if (!(ray.from < ray.to)) return std::nullopt;
-    return implicit_form({.origin = ray.at(ray.from), .direction = ray.direction},
-                         {.inside = {.enter_lo = 0.0,
-                                     .enter_hi = 0.0,
-                                     .exit_lo = ray.to - ray.from,
-                                     .exit_hi = ray.to - ray.from}},
-                         frame, space);
-}
-
 }  // namespace zeroset

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/trace/single_rays.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/trace_frame.hpp"
 #include "papers/octree/octant.hpp"
@@ -60,9 +59,5 @@ RayBox both(const RayBox& a, const RayBox& b);
 /// The ray of a pixel of a tile; nothing where it does not meet the region. In upward rounding.
 std::optional<OctreeRay> octree_ray(const TraceFrame& frame, const Tile& tile, const TileRays& rays,
                                     const OctreeSpace& space, int col, int row);
-
-/// A single ray as far as it is to be searched; nothing where that is nothing. In upward rounding.
-std::optional<OctreeRay> octree_ray(const TraceFrame& frame, const SingleRay& ray,
-                                    const OctreeSpace& space);
 
 }  // namespace zeroset

@@ -22,8 +22,8 @@
 #include "papers/octree/leaf_tests.hpp"
 #include "papers/octree/octree.hpp"
 #include "papers/octree/octree_memory.hpp"
-#include "papers/octree/ray_sources.hpp"
 #include "papers/octree/ray_walk.hpp"
+#include "papers/octree/tile_source.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,11 +47,11 @@ struct PreparedOctree : PreparedSurface {
     std::shared_ptr<const Octree> octree;
 };
 
-/// Rays on their ways. Method: how a ray passes an octant; Source: which rays.
-template <class Real, class Method, class Source>
+/// Rays on their ways. Method: how a ray passes an octant.
+template <class Real, class Method>
 class OctreeWalks {
 public:
-    OctreeWalks(const TraceFrame& frame, Source& source, Counters& counters);
+    OctreeWalks(const TraceFrame& frame, TileSource& source, Counters& counters);
     void trace();
 
 private:
@@ -72,12 +72,11 @@ private:
     void store_asked(const RayWalk& walk, std::size_t first);
     /// Tells who asks that f was evaluated so often for a ray.
     void tell_costs(const RayWalk& walk, double evaluations) const {
-        if (Source::has_pixels && counters_.costs != nullptr)
-            counters_.costs->add(walk.pixel().index(), evaluations);
+        if (counters_.costs != nullptr) counters_.costs->add(walk.pixel().index(), evaluations);
     }
 
     const TraceFrame& frame_;
-    Source& source_;
+    TileSource& source_;
     Counters& counters_;
     WalkPlan plan_;
     bool certifies_;
@@ -101,9 +100,9 @@ WalkPlan plan_of(const TraceFrame& frame) {
     return plan;
 }
 
-template <class Real, class Method, class Source>
-OctreeWalks<Real, Method, Source>::OctreeWalks(const TraceFrame& frame, Source& source,
-                                               Counters& counters)
+template <class Real, class Method>
+OctreeWalks<Real, Method>::OctreeWalks(const TraceFrame& frame, TileSource& source,
+                                       Counters& counters)
     : frame_(frame),
       source_(source),
       counters_(counters),
@@ -115,16 +114,16 @@ OctreeWalks<Real, Method, Source>::OctreeWalks(const TraceFrame& frame, Source& 
         idle_.push_back(&walk);
 }
 
-template <class Real, class Method, class Source>
-bool OctreeWalks<Real, Method, Source>::next_ray(RayWalk& walk, State& state) {
+template <class Real, class Method>
+bool OctreeWalks<Real, Method>::next_ray(RayWalk& walk, State& state) {
     const auto next = source_.next(plan_.space);
     if (!next) return false;
     state = walk.begin<Method>(plan_, next->first, next->second);
     return true;
 }
 
-template <class Real, class Method, class Source>
-bool OctreeWalks<Real, Method, Source>::refill() {
+template <class Real, class Method>
+bool OctreeWalks<Real, Method>::refill() {
     while (marching_.size() < most_marching && at_leaf_.size() < most_leaves) {
         RayWalk& walk = *idle_.back();
         State state{};
@@ -135,8 +134,8 @@ bool OctreeWalks<Real, Method, Source>::refill() {
     return true;
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::sort_in(RayWalk& walk, State state) {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::sort_in(RayWalk& walk, State state) {
     switch (state) {
         case State::Asks: marching_.push_back(&walk); return;
         case State::AtLeaf: at_leaf_.push_back(&walk); return;
@@ -144,28 +143,28 @@ void OctreeWalks<Real, Method, Source>::sort_in(RayWalk& walk, State state) {
     }
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::end(RayWalk& walk) {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::end(RayWalk& walk) {
     if (!Method::proves) source_.leave(walk.pixel(), walk.ray(), walk.ray().from);
     idle_.push_back(&walk);
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::store_asked(const RayWalk& walk, std::size_t first) {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::store_asked(const RayWalk& walk, std::size_t first) {
     for (std::size_t i = 0; i < walk.asked().count; ++i)
         store_box(box_of_octant(walk.ray(), walk.asked_octant(i), frame_.scene.clip), boxes_.ends,
                   first + i);
 }
 
-template <class Real, class Method, class Source>
-RayWalk::Keep OctreeWalks<Real, Method, Source>::judged(std::size_t slot) const {
+template <class Real, class Method>
+RayWalk::Keep OctreeWalks<Real, Method>::judged(std::size_t slot) const {
     if (boxes_.excludes_zero(slot)) return RayWalk::Keep::Drop;
     const bool narrow = boxes_.f_neg_lo[slot] + boxes_.f_hi[slot] < delta_;
     return narrow && boxes_.continuous[slot] != 0 ? RayWalk::Keep::Stop : RayWalk::Keep::Divide;
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::judge_asked() {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::judge_asked() {
     std::size_t count = 0;
     for (const RayWalk* const walk : marching_) {
         store_asked(*walk, count);
@@ -194,8 +193,8 @@ void OctreeWalks<Real, Method, Source>::judge_asked() {
     }
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::take(RayWalk& walk, const LeafCase& judged) {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::take(RayWalk& walk, const LeafCase& judged) {
     const OctreeRay& ray = walk.ray();
     if (judged.verdict == LeafVerdict::Refused || judged.verdict == LeafVerdict::Passed) {
         const bool too_many = ++walk.refused_leaves > most_refused_leaves;
@@ -210,8 +209,8 @@ void OctreeWalks<Real, Method, Source>::take(RayWalk& walk, const LeafCase& judg
     end(walk);
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::judge_leaves() {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::judge_leaves() {
     std::array<LeafCase, most_leaves> cases;
     std::array<RayWalk*, most_leaves> walks{};
     const std::size_t count = std::min(at_leaf_.size(), most_leaves);
@@ -229,8 +228,8 @@ void OctreeWalks<Real, Method, Source>::judge_leaves() {
         take(*walks[i], cases[i]);
 }
 
-template <class Real, class Method, class Source>
-void OctreeWalks<Real, Method, Source>::trace() {
+template <class Real, class Method>
+void OctreeWalks<Real, Method>::trace() {
     bool more = true;
     while (!frame_.stopped()) {
         more = more && refill();
@@ -248,41 +247,14 @@ void OctreeWalks<Real, Method, Source>::trace() {
     source_.stop();
 }
 
-template <class Method, class Source>
-void trace(const TraceFrame& frame, Source& source, Counters& counters) {
-    in_precision(frame, [&](auto real) {
-        const auto work =
-            std::make_unique<OctreeWalks<decltype(real), Method, Source>>(frame, source, counters);
-        work->trace();
-    });
-}
-
 template <class Method>
 void trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {
     TileSource source(frame, tile, hits);
-    trace<Method>(frame, source, counters);
-}
-
-/// A surface's octree, with a way for single rays. Method: how they pass an octant.
-template <class Method>
-struct OctreeByMethod final : PreparedOctree, SingleRootFinder {
-    void find(const TraceFrame& frame, std::span<const SingleRay> rays, std::span<SingleRoot> roots,
-              Counters& counters) const override {
-        for (std::size_t first = 0; first < rays.size(); first += most_single_rays) {
-            const std::size_t count = std::min(most_single_rays, rays.size() - first);
-            SingleSource source(rays.subspan(first, count), roots.subspan(first, count), frame);
-            trace<Method>(frame, source, counters);
-        }
-    }
-};
-
-template <class Method>
-std::shared_ptr<const PreparedSurface> prepare_by(const TraceFrame& surface, int threads) {
-    auto octree = std::static_pointer_cast<const Octree>(prepare_octree(surface, threads));
-    if (octree == nullptr) return nullptr;
-    auto prepared = std::make_shared<OctreeByMethod<Method>>();
-    prepared->octree = std::move(octree);
-    return prepared;
+    in_precision(frame, [&](auto real) {
+        const auto work =
+            std::make_unique<OctreeWalks<decltype(real), Method>>(frame, source, counters);
+        work->trace();
+    });
 }
 
 }  // namespace
@@ -304,16 +276,11 @@ void trace_tile_gargantini(const TraceFrame& frame, const Tile& tile, TileHits& 
 
 std::shared_ptr<const PreparedSurface> prepare_octree_tracer(const TraceFrame& surface,
                                                              int threads) {
-    return prepare_by<RoundedVoxelisation>(surface, threads);
-}
-
-std::shared_ptr<const PreparedSurface> prepare_octree_unrounded(const TraceFrame& surface,
-                                                                int threads) {
-    return prepare_by<UnroundedVoxelisation>(surface, threads);
-}
-
-std::shared_ptr<const PreparedSurface> prepare_gargantini(const TraceFrame& surface, int threads) {
-    return prepare_by<GargantiniTraversal>(surface, threads);
+    auto octree = std::static_pointer_cast<const Octree>(prepare_octree(surface, threads));
+    if (octree == nullptr) return nullptr;
+    auto prepared = std::make_shared<PreparedOctree>();
+    prepared->octree = std::move(octree);
+    return prepared;
 }
 
 }  // namespace zeroset

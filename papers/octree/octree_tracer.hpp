@@ -17,12 +17,8 @@ void trace_tile_octree_unrounded(const TraceFrame& frame, const Tile& tile, Tile
 void trace_tile_gargantini(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                            Counters& counters);
 
-// Tracer::prepare of the three: the surface's octree, with a way through it for rays that mirrors
-// send on (a SingleRootFinder). nullptr where the frame is stopped.
+/// Tracer::prepare of the three: the surface's octree. nullptr where the frame is stopped.
 std::shared_ptr<const PreparedSurface> prepare_octree_tracer(const TraceFrame& surface,
                                                              int threads);
-std::shared_ptr<const PreparedSurface> prepare_octree_unrounded(const TraceFrame& surface,
-                                                                int threads);
-std::shared_ptr<const PreparedSurface> prepare_gargantini(const TraceFrame& surface, int threads);
 
 }  // namespace zeroset

@@ -74,9 +74,9 @@ void FrameRanges::search(const Scene& scene, int frame) {
     spaces_.clear();
     std::uint64_t ranges = 0;
     std::size_t cells = 0;
-    for (const Kernel& surface : scene.surfaces) {
+    for (const Surface& surface : scene.surfaces) {
         OpenSpaceSearch found =
-            find_open_space(surface, scene.clip, uniforms, levels_, scene.jumps, threads_);
+            find_open_space(surface.kernel, scene.clip, uniforms, levels_, scene.jumps, threads_);
         ranges += found.ranges;
         cells += found.space.cells.size();
         spaces_.push_back(std::make_shared<const OpenSpace>(std::move(found.space)));
@@ -111,7 +111,8 @@ void FrameRanges::add_to(Scene& scene, int frame) {
     choose(frame);
     if (length_ == 0) return;
     if (frame < first_ || frame > last_) search(scene, frame);
-    scene.open_space = spaces_;
+    for (std::size_t i = 0; i < spaces_.size(); ++i)
+        scene.surfaces[i].open_space = spaces_[i];
 }
 
 void FrameRanges::learn(std::uint64_t evaluations) {

@@ -107,7 +107,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         const int height = random.between(64, 2000);
         if (height % 3 == 0) seen.camera.projection = Projection::Orthographic;
         const ViewFrame view(seen.camera);
-        const TraceFrame frame = trace_frame(seen.scene, Kernel{}, view,
+        const TraceFrame frame = trace_frame(seen.scene, Surface{}, view,
                                              {.width = height, .height = height}, StopCriterion{});
         const int first = random.between(0, height - tile_size);
         const Tile tile{first, random.between(0, height - tile_size), tile_size, tile_size};

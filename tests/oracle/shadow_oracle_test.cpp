@@ -80,7 +80,7 @@ void ShadowAudit::check_hit(const glm::dvec3& hit, const glm::dvec3& to_light, b
 
 void ShadowAudit::check(int rays, ShadowWay way, RandomNumbers& random, Counts& counts) {
     const Expr& f = program_.surfaces.front();
-    Scene scene{{interpret(traceable(f))}, surface_.clip, {}};
+    Scene scene{{{.kernel = interpret(traceable(f))}}, surface_.clip, {}};
     scene.uniforms.set(0, surface_.w);
     const ViewFrame view(surface_.camera);
     const ImageSize image{.width = tile_size, .height = tile_size};

@@ -76,7 +76,7 @@ TEST(SingleRaysAgainstOracles, ProofsHoldOnRandomSurfaces) {
     for (const AuditSurface& surface : random_surfaces(100, 17)) {
         const Program program = read_formula(surface.equation).value();
         const Expr& f = program.surfaces.front();
-        Scene scene{{interpret(traceable(f))}, surface.clip, {}};
+        Scene scene{{{.kernel = interpret(traceable(f))}}, surface.clip, {}};
         scene.uniforms.set(0, surface.w);
         const ViewFrame view(surface.camera);
         const TraceFrame frame =

@@ -127,7 +127,7 @@ TEST(ThingMeshes, PolygonsAreSheets) {
     const auto meshes = mesh_document(drawn.request, {.tolerance = 0.02});
     ASSERT_TRUE(meshes);
     ASSERT_EQ(meshes->surfaces.size(), 1U);
-    EXPECT_GT(meshes->surfaces[0].facts.open_edges, 0U);
+    EXPECT_GT(meshes->surfaces[0].kernel.facts.open_edges, 0U);
     const TriangleMesh& mesh = meshes->file.objects.at(0).mesh;
     double area = 0.0;
     for (const auto& triangle : mesh.triangles) {

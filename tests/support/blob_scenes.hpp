@@ -53,7 +53,8 @@ inline Both both_of(BlobKind kind, const Cloud& cloud, double level) {
     const Expr f = level_of(blobs_field(kind, balls_of(cloud), "test"), level);
     const double reach = 1.2 * cloud.scale;
     const Box box{cloud.middle - reach, cloud.middle + reach};
-    Both both{.balls = {{kernel_with_level(f)}, box, {}}, .beams = {{interpret(f)}, box, {}}};
+    Both both{.balls = {{{.kernel = kernel_with_level(f)}}, box, {}},
+              .beams = {{{.kernel = interpret(f)}}, box, {}}};
     both.balls.uniforms.set(0, 0.0);
     both.beams.uniforms.set(0, 0.0);
     return both;

@@ -41,9 +41,10 @@ inline std::expected<Formula, InputError> compile_formula(std::string_view text,
 /// All surfaces of a formula, in the palette's colours. Parameters without a value are 1.
 inline Scene make_scene(const Formula& formula, const Box& clip, double w = 0.0,
                         const std::map<std::string, double>& parameters = {}) {
-    Scene scene{formula.kernels, clip, {}};
-    for (const auto& unrestricted : formula.unrestricted)
-        scene.solids.push_back({SolidSide::Automatic, unrestricted});
+    Scene scene{{}, clip, {}};
+    for (std::size_t i = 0; i < formula.kernels.size(); ++i)
+        scene.surfaces.push_back(
+            {.kernel = formula.kernels[i], .solid = {.unrestricted = formula.unrestricted[i]}});
     scene.uniforms.set(0, w);
     for (std::size_t i = 0; i < formula.program->parameters.size(); ++i) {
         const auto found = parameters.find(formula.program->parameters[i]);

@@ -38,7 +38,7 @@ inline Scene patch_scene(const std::array<std::string, 3>& texts, Way way, const
         graphs.at(i) = *expr;
     }
     const auto modeler = way == Way::ByModels ? patch_modeler(graphs) : nullptr;
-    Scene scene{{patch_kernel(std::move(point), own_box, modeler)}, clip, {}};
+    Scene scene{{{.kernel = patch_kernel(std::move(point), own_box, modeler)}}, clip, {}};
     scene.region = region;
     scene.uniforms.set(0, 0.0);
     return scene;

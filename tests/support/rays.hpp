@@ -28,9 +28,10 @@ inline Scene scene_of(const std::string& text, const Box& clip) {
         ADD_FAILURE() << text << ": " << expr.error().reason;
         return {};
     }
-    Scene scene{{interpret(*expr)}, clip, {}};
+    Scene scene{{{.kernel = interpret(*expr)}}, clip, {}};
     for (const Tracer& tracer : tracers()) {
-        if (tracer.read_formula != nullptr) tracer.read_formula(scene.surfaces[0], *expr, false);
+        if (tracer.read_formula != nullptr)
+            tracer.read_formula(scene.surfaces[0].kernel, *expr, false);
     }
     scene.uniforms.set(0, 0.0);
     return scene;

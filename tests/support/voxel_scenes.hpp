@@ -64,7 +64,7 @@ inline Box box_of(const Volume& volume) {
 }
 
 inline Scene scene_of_level(const std::shared_ptr<const Volume>& volume, double level) {
-    Scene scene{{kernel_with_level(level_set(volume, level))}, box_of(*volume), {}};
+    Scene scene{{{.kernel = kernel_with_level(level_set(volume, level))}}, box_of(*volume), {}};
     scene.uniforms.set(0, 0.0);
     return scene;
 }

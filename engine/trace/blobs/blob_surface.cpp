@@ -23,13 +23,18 @@ bool fits(const TraceFrame& frame, const BlobSet& set) {
 
 }  // namespace
 
+const Blobs* blobs_of(const Kernel& surface) {
+    const auto* const field =
+        dynamic_cast<const BlobsField*>(surface_facts(surface).field.field.get());
+    return field == nullptr ? nullptr : &field->function();
+}
+
 std::optional<BlobSurface> blob_surface(const TraceFrame& frame) {
-    const FieldLevel& known = surface_facts(frame.kernel).field;
-    const auto* const field = dynamic_cast<const BlobsField*>(known.field.get());
-    if (field == nullptr) return std::nullopt;
-    const FieldLevel::Value level = known.at(frame.scene.uniforms);
+    const Blobs* const found = blobs_of(frame.kernel);
+    if (found == nullptr) return std::nullopt;
+    const Blobs& blobs = *found;
+    const FieldLevel::Value level = surface_facts(frame.kernel).field.at(frame.scene.uniforms);
     const double size = std::abs(level.middle);
-    const Blobs& blobs = field->function();
     // Where no ball is, f is known to less than this.
     const double unsure = 0x1p-40 * (1 + blobs.set().total().size());
     if (!(level.error <= most_unknown * size) || size <= unsure || size > most ||

@@ -18,6 +18,9 @@ struct BlobSurface {
     }
 };
 
+/// The balls whose sum the surface is a level of; nullptr: it is none of such.
+const Blobs* blobs_of(const Kernel& surface);
+
 /// The frame's surface, for its uniforms, in upward rounding; nothing where it is none, where no
 /// side of the level is known away from all balls, where the level is known badly, or where its
 /// numbers are beyond those of floats.

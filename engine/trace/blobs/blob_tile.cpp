@@ -24,9 +24,9 @@ struct BlockPixel {
     int col, row;
 };
 constexpr auto places = [] {
-    std::array<BlockPixel, ball_block_rays> all{};
-    for (int row = 0; row < ball_block_side; ++row) {
-        for (int col = 0; col < ball_block_side; ++col)
+    std::array<BlockPixel, ray_block_rays> all{};
+    for (int row = 0; row < ray_block_side; ++row) {
+        for (int col = 0; col < ray_block_side; ++col)
             all[place_in_block(col, row)] = {.col = col, .row = row};
     }
     return all;
@@ -73,7 +73,7 @@ BlobTile::Block BlobTile::block_at(int col, int row, int side) const {
     block.inside = rays_.depths(block.u, block.v, block.u_radius, block.v_radius);
     set_bracket(block);
     if (block.inside.empty()) return block;
-    for (std::size_t place = 0; place < ball_block_rays; ++place) {
+    for (std::size_t place = 0; place < ray_block_rays; ++place) {
         if (places[place].col < block.cols && places[place].row < block.rows)
             block.open |= bit(place);
     }
@@ -139,11 +139,11 @@ bool BlobTile::run() {
 
 void BlobTile::begin_blocks() {
     count_ = 0;
-    for (int row = 0; row < tile_.rows; row += ball_block_side) {
-        for (int col = 0; col < tile_.cols; col += ball_block_side) {
+    for (int row = 0; row < tile_.rows; row += ray_block_side) {
+        for (int col = 0; col < tile_.cols; col += ray_block_side) {
             rays_of_[count_].at.fill(-unbounded);
             rays_of_[count_].side.fill(0);
-            blocks_[count_++] = block_at(col, row, ball_block_side);
+            blocks_[count_++] = block_at(col, row, ray_block_side);
         }
     }
 }

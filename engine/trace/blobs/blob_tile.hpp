@@ -43,7 +43,7 @@ private:
     /// The state of a block's rays at the end of a slab.
     struct RaysKnown {
         BallBlock::Numbers at;  ///< no root is before
-        std::array<std::int8_t, ball_block_rays> side;
+        std::array<std::int8_t, ray_block_rays> side;
     };
 
     [[nodiscard]] Block block_at(int col, int row, int side) const;
@@ -68,7 +68,7 @@ private:
     TileRays rays_;
     BlobHits hits_;
     Counters& counters_;
-    static constexpr std::size_t most_blocks = std::size_t{tile_size} * tile_size / ball_block_rays;
+    static constexpr std::size_t most_blocks = std::size_t{tile_size} * tile_size / ray_block_rays;
 
     double tail_ = 0;
     std::size_t count_ = 0;

@@ -22,9 +22,9 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real, BlobKind kind>
 BallLooks march_in(const BallQuestion& question, BallBlock& block) {
     thread_local std::vector<SlotOf<Real>> slots;
-    std::array<std::uint8_t, ball_block_rays> open{};
+    std::array<std::uint8_t, ray_block_rays> open{};
     std::size_t count = 0;
-    for (std::size_t i = 0; i < ball_block_rays; ++i) {
+    for (std::size_t i = 0; i < ray_block_rays; ++i) {
         if (block.state[i] == BallRayState::Open) open[count++] = static_cast<std::uint8_t>(i);
     }
     if (count == 0) return 0;

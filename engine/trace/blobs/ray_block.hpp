@@ -2,6 +2,7 @@
 
 #include "engine/blobs/blob_kind.hpp"
 #include "engine/trace/blobs/near_balls.hpp"
+#include "engine/trace/followed_rays.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,20 +11,6 @@
 #include <vector>
 
 namespace zeroset {
-
-inline constexpr int ball_block_side = 8;
-inline constexpr std::size_t ball_block_rays = 64;
-
-/// The place of a ray of a block among its numbers: neighbours in the image are neighbours there,
-/// so that whole vectors of rays are as square as can be.
-constexpr std::size_t place_in_block(int col, int row) {
-    std::size_t place = 0;
-    for (unsigned bit = 0; bit < 3; ++bit) {
-        place |= (static_cast<unsigned>(col) >> bit & 1U) << (2 * bit);
-        place |= (static_cast<unsigned>(row) >> bit & 1U) << (2 * bit + 1);
-    }
-    return place;
-}
 
 /// The state of a ray of a block.
 enum class BallRayState : std::uint8_t {
@@ -38,13 +25,13 @@ enum class BallRayState : std::uint8_t {
 ///   start + s tilt
 /// to the side of the middle ray, which itself goes by `u`, `v` aside for each 1 along the view.
 struct BallBlock {
-    using Numbers = std::array<double, ball_block_rays>;
+    using Numbers = std::array<double, ray_block_rays>;
 
     alignas(64) Numbers u, v;
     Numbers start_x, start_y, tilt_x, tilt_y;
     Numbers at, stop;
-    std::array<std::int8_t, ball_block_rays> side;  ///< of f - level at `at`; 0: not known
-    std::array<BallRayState, ball_block_rays> state;
+    std::array<std::int8_t, ray_block_rays> side;  ///< of f - level at `at`; 0: not known
+    std::array<BallRayState, ray_block_rays> state;
     Numbers depth, to;             ///< of roots
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };

@@ -6,11 +6,12 @@
 #include <cmath>
 
 namespace zeroset {
-namespace {
 
 const Volume* volume_of(const Kernel& surface) {
     return dynamic_cast<const Volume*>(surface_facts(surface).field.field.get());
 }
+
+namespace {
 
 /// The largest relative error of a level; beyond it beams tell more than rays at one level would.
 constexpr double most_unknown_of_level = 0x1p-30;

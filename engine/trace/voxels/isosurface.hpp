@@ -15,6 +15,9 @@ struct Isosurface {
     double level_error = 0.0;  ///< how far it may be off
 };
 
+/// The volume that the surface is a level of; nullptr: there is none.
+const Volume* volume_of(const Kernel& surface);
+
 /// Why a surface is no plain isosurface of one trilinear volume: a line to be translated that says
 /// what to type instead; nullptr: it is one.
 const char* no_isosurface(const Kernel& surface);

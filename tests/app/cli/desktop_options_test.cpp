@@ -87,9 +87,8 @@ TEST_F(SavedSession, DrawsItsVisibleRowsInTheirColors) {
     const Scene scene = scene_of(
         picture_request(prepared->formula, prepared->colors, input->document, {}, {64, 64}));
     ASSERT_EQ(scene.surfaces.size(), 2U);
-    ASSERT_EQ(scene.colors.size(), 2U);
-    EXPECT_EQ(scene.colors[0].back[0], surface_colors(0x3399FF).back[0]);
-    EXPECT_EQ(scene.colors[1].front[1], colors_of(2).front[1]);
+    EXPECT_EQ(scene.surfaces[0].colors->back[0], surface_colors(0x3399FF).back[0]);
+    EXPECT_EQ(scene.surfaces[1].colors->front[1], colors_of(2).front[1]);
     EXPECT_EQ(scene.uniforms.middle_double.at(1), 3.0);
 }
 

@@ -29,8 +29,6 @@ Scene scene_of_texts(const std::vector<std::string>& texts, const Box& clip) {
     Scene scene = scene_of(texts.front(), clip);
     for (std::size_t i = 1; i < texts.size(); ++i)
         scene.surfaces.push_back(scene_of(texts[i], clip).surfaces[0]);
-    for (std::size_t i = 0; i < texts.size(); ++i)
-        scene.colors.push_back(colors_of(i));
     return scene;
 }
 
@@ -130,8 +128,8 @@ TEST(Layers, OfNestedSpheresAreMixedFromTheFrontToTheBack) {
     };
     Scene scene = opaque;
     const std::array<double, 3> opacity{0.3, 0.5, 1.0};
-    for (const double part : opacity)
-        scene.lighting.surfaces.push_back({.opacity = part});
+    for (std::size_t i = 0; i < opacity.size(); ++i)
+        scene.surfaces[i].look = {.opacity = opacity[i]};
     const auto seen = light_at(picture_of(scene, camera, {}), side / 2, side / 2);
     const auto outer = sheet(0, true);
     const auto middle = sheet(1, true);
@@ -141,7 +139,6 @@ TEST(Layers, OfNestedSpheresAreMixedFromTheFrontToTheBack) {
         EXPECT_NEAR(seen[i], mixed, 0.01F);
     }
     // Where only the outer sphere is in the way: its front, its back, the background.
-    scene.lighting.surfaces = {{.opacity = 0.3}};
     scene.surfaces.resize(1);
     const Framebuffer frame = picture_of(scene, camera, {});
     const auto through = light_at(frame, side / 2, side / 2);
@@ -174,16 +171,17 @@ TEST(Looks, OfSingleSurfacesAreThoseThatAllWouldHave) {
     Camera camera = default_camera(scene.clip);
     camera.eye = {0, -8, 0};
     camera.look_at = {0, 0, 0};
-    const auto picture = [&](Look all, std::vector<SurfaceLook> own) {
+    const auto picture = [&](Look all, const std::array<SurfaceLook, 2>& own) {
         scene.lighting.look = all;
-        scene.lighting.surfaces = std::move(own);
+        for (std::size_t i = 0; i < own.size(); ++i)
+            scene.surfaces[i].look = own[i];
         return picture_of(scene, camera, {});
     };
     for (const Look look : looks()) {
         if (look == Look::Phong) continue;  // it has a light of its own, which is the picture's
         const Framebuffer alone = picture(look, {});
         const Framebuffer other = picture(Look::Matte, {});
-        const Framebuffer mixed = picture(Look::Clay, {{.look = look}, {.look = Look::Matte}});
+        const Framebuffer mixed = picture(Look::Clay, {{{.look = look}, {.look = Look::Matte}}});
         ASSERT_GT(count_surfaces(mixed, 2)[0], 100U);
         ASSERT_GT(count_surfaces(mixed, 2)[1], 100U);
         for (std::size_t i = 0; i < mixed.color.size(); ++i) {
@@ -197,14 +195,14 @@ TEST(Looks, OfSingleSurfacesAreThoseThatAllWouldHave) {
 TEST(Layers, SwallowTheColoursThatTheyAreNotByTheirThickness) {
     Scene scene = scene_of_texts({"max(|x| - 0.5, |y| - 3, |z| - 3)"}, Box::cube(2));
     scene.lighting.look = Look::Matte;
-    scene.lighting.surfaces = {{.opacity = 0.0}};
+    scene.surfaces[0].look = {.opacity = 0.0};
     scene.lighting.absorption = 1.5;
     scene.background = {.top = 0xFFFFFF, .bottom = 0xFFFFFF};
     Camera camera = default_camera(scene.clip);
     camera.eye = {8, 0, 0};
     camera.look_at = {0, 0, 0};
     const auto seen = light_at(picture_of(scene, camera, {}), side / 2, side / 2);
-    const SurfaceColors& colors = scene.colors.front();
+    const SurfaceColors& colors = scene.colors_of_surface(0);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(seen[i], std::exp(-1.5F * 1.0F * (1.0F - colors.front[i])), 0.02F);
 }

@@ -26,7 +26,7 @@ struct TextScene {
         scene.uniforms.set(0, 0.0);
         for (const std::string& text : texts) {
             surfaces.push_back(traceable(parse(text).value()));
-            scene.surfaces.push_back(interpret(surfaces.back()));
+            scene.surfaces.push_back({.kernel = interpret(surfaces.back())});
         }
     }
     [[nodiscard]] DrawnScene input(const Camera& camera, const PageSize& page = {}) const {

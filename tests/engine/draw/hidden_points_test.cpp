@@ -36,7 +36,7 @@ RayFacts facts_of(const TextScene& of, const Page& page, const PageRay& ray) {
     for (int i = 0; i < samples; ++i) {
         const double t = far * i / samples;
         const glm::dvec3 at = ray.origin + t * ray.direction;
-        const ValueAndGradient here = value_at(of.scene.surfaces[0], of.scene.uniforms, at);
+        const ValueAndGradient here = value_at(of.scene.surfaces[0].kernel, of.scene.uniforms, at);
         if (last && here.value * last->value < 0.0) roots.push_back(t);
         const double steepness = glm::length(here.gradient);
         const bool turns =

@@ -120,8 +120,8 @@ Counts check_picture(const Case& of, Projection projection, double d_stop, Shado
     constexpr int side = 2 * tile_size;
     const StopCriterion stop{.value = d_stop};
     std::vector<TraceFrame> frames;
-    for (const Kernel& kernel : scene.surfaces)
-        frames.push_back(trace_frame(scene, kernel, ViewFrame(camera), {side, side}, stop));
+    for (const Surface& surface : scene.surfaces)
+        frames.push_back(trace_frame(scene, surface, ViewFrame(camera), {side, side}, stop));
     Counts counts;
     for (const int row : {0, tile_size}) {
         for (const int col : {0, tile_size})

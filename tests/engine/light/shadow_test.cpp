@@ -213,7 +213,7 @@ TEST(Shadows, OfAQuotientAreThoseOfItsNumerator) {
          {"(0.31 x - 0.4 y - 0.56 z + 0.21)", "(x^2 + y^2 + z^2 - 0.7)", "sin(9 x + 7 y - 8 z)"}) {
         Scene quotient = plain;
         const std::string text = numerator + "/" + divisor + " = 0";
-        quotient.surfaces[0] = interpret(traceable(parse(text).value()));
+        quotient.surfaces[0].kernel = interpret(traceable(parse(text).value()));
         const Framebuffer found = picture_of(quotient, camera, tracer, false);
         const Framebuffer shaded = picture_of(quotient, camera, tracer, true);
         int same = 0;

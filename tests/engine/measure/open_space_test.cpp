@@ -21,7 +21,8 @@ OpenSpace space_of(const std::string& text, double w_lo, double w_hi, bool jumps
     const Scene scene = scene_of(text, Box::cube(2));
     Uniforms uniforms;
     uniforms.set(0, w_lo, w_hi);
-    return find_open_space(scene.surfaces.front(), scene.clip, uniforms, levels, jumps, 2).space;
+    return find_open_space(scene.surfaces.front().kernel, scene.clip, uniforms, levels, jumps, 2)
+        .space;
 }
 
 /// Whether a point of the box is in one of the open cells.

@@ -24,7 +24,9 @@ struct Probed {
         tolerance = *certified_width(clip, settings.stop, Precision::Float);
     }
     [[nodiscard]] std::optional<PointFacts> at(int col, int row) const {
-        return probe({frame, camera, scene.surfaces, scene.uniforms, tolerance}, col, row);
+        return probe(
+            {frame, camera, {&scene.surfaces.front().kernel, 1}, scene.uniforms, tolerance}, col,
+            row);
     }
 
     Scene scene;
@@ -84,7 +86,7 @@ TEST(Probe, ProvesNothingWhereThereIsNoChangeOfSign) {
 TEST(Probe, ProvesNothingThroughAJump) {
     // A picture that claims a surface where the sign changes without a zero.
     Probed jump("y", Box::cube(1), 10);
-    jump.scene.surfaces[0] = interpret(*parse("sign(y)"));
+    jump.scene.surfaces[0].kernel = interpret(*parse("sign(y)"));
     const auto facts = jump.at(32, 32);
     ASSERT_TRUE(facts.has_value());
     EXPECT_FALSE(facts->proved);

@@ -28,8 +28,8 @@ struct Frames {
         for (std::size_t i = 1; i < texts.size(); ++i)
             scene.surfaces.push_back(scene_of(texts[i], clip).surfaces[0]);
         const ViewFrame view(default_camera(clip));
-        for (const Kernel& kernel : scene.surfaces)
-            frames.push_back(trace_frame(scene, kernel, view, {.width = 64, .height = 64}, {}));
+        for (const Surface& surface : scene.surfaces)
+            frames.push_back(trace_frame(scene, surface, view, {.width = 64, .height = 64}, {}));
     }
     [[nodiscard]] std::vector<RayHit> hits(const std::vector<SceneRay>& rays) const {
         const UpwardRounding upward;

@@ -91,7 +91,7 @@ TEST(Antialias, IsNearToManyRaysInMirrorsAndBehindTranslucentSurfaces) {
     for (const char* const text : {"x^2 + y^2 + z^2 = 0.4", "(x + 0.2)^2 + (y + 1)^2 + z^2 = 0.16"})
         scene.surfaces.push_back(scene_of(text, scene.clip).surfaces.front());
     scene.lighting.look = Look::Porcelain;
-    scene.lighting.surfaces = {{}, {}, {.opacity = 0.3}};
+    scene.surfaces.back().look = {.opacity = 0.3};
     TraceSettings settings;
     settings.reflections = 2;
     settings.soft_light = false;

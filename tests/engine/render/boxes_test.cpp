@@ -43,7 +43,7 @@ std::uint64_t boxes_not_finite(double half_edge, double distance) {
     Kernel kernel = watched->kernel;
     kernel.in_float.range = {watched_range, watched};
     const auto edge = static_cast<float>(half_edge);
-    Scene scene{{kernel}, {glm::vec3(-edge), glm::vec3(edge)}, {}};
+    Scene scene{{{.kernel = kernel}}, {glm::vec3(-edge), glm::vec3(edge)}, {}};
     scene.uniforms.set(0, 0.0);
     scene.uniforms.set(1, half_edge);
     Camera camera = suite_camera(half_edge);

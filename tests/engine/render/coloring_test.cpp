@@ -37,7 +37,8 @@ Scene painted(Scene scene, const Reflectance& color) {
     std::ranges::copy(color, both.front);
     std::ranges::copy(color, both.back);
     scene.coloring = {};
-    scene.colors.assign(scene.surfaces.size(), both);
+    for (Surface& surface : scene.surfaces)
+        surface.colors = both;
     return scene;
 }
 

@@ -49,8 +49,8 @@ TEST_P(Solid, IsTheSameWithSpecializedKernels) {
     const Camera camera = suite_camera(1.0);
     const Scene scene = scene_of(GetParam(), Box::cube(1));
     Scene whole = scene;
-    ASSERT_NE(scene.surfaces[0].specializer, nullptr);
-    whole.surfaces[0].specializer = nullptr;
+    ASSERT_NE(scene.surfaces[0].kernel.specializer, nullptr);
+    whole.surfaces[0].kernel.specializer = nullptr;
     const Framebuffer expected = picture_of(whole, "beams", camera);
     const CertificateCounts counts = count_certificates(expected);
     EXPECT_GT(counts.certified, 1000U);
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Solid, IsTheSameFromAmongItsParts) {
     const Scene scene = scene_of(spheres("min", 40), Box::cube(1));
     Scene whole = scene;
-    whole.surfaces[0].specializer = nullptr;
+    whole.surfaces[0].kernel.specializer = nullptr;
     for (const glm::dvec3& eye : {glm::dvec3{0.05, -0.1, 0.9}, {0.6, 0.1, 0}, {-0.2, 0.2, -0.4}}) {
         const Camera camera{eye, {0, 0.3, 0}, {0, 0, 1}, 1.4};
         EXPECT_LE(
@@ -99,7 +99,7 @@ TEST(Solid, IsTheSameWhereTheBoxCutsIt) {
     const Camera camera = suite_camera(1.0);
     const Scene scene = scene_of(spheres("min", 40), Box::cube(0.6));
     Scene whole = scene;
-    whole.surfaces[0].specializer = nullptr;
+    whole.surfaces[0].kernel.specializer = nullptr;
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
         Camera view = camera;
         view.projection = projection;
@@ -122,7 +122,7 @@ TEST(Solid, IsThatOfItsParametersInEachFrame) {
         const Framebuffer expected = picture_of(fresh, "beams", camera);
         EXPECT_EQ(again.depth, expected.depth);
         EXPECT_EQ(again.certificate, expected.certificate);
-        fresh.surfaces[0].specializer = nullptr;
+        fresh.surfaces[0].kernel.specializer = nullptr;
         EXPECT_LE(differences(again, picture_of(fresh, "beams", camera)), 40);
         camera = orbit(camera, 0.3, 0.1);
     }
@@ -160,7 +160,7 @@ TEST(Solid, IsTheSameDeepInTheView) {
     camera.look_at = parts[0].centre + parts[0].radius * towards;
     camera.eye = camera.look_at + 1e-6 * towards;
     Scene whole = scene;
-    whole.surfaces[0].specializer = nullptr;
+    whole.surfaces[0].kernel.specializer = nullptr;
     const Framebuffer expected = picture_of(whole, "beams", camera);
     EXPECT_EQ(differences(picture_of(scene, "beams", camera), expected), 0);
 }

@@ -175,7 +175,7 @@ void check_pixel(const Ray& ray, const View& view, Certificate certificate, doub
 }
 
 Tally check_view(const Stand& stand, const View& view, std::string_view tracer) {
-    Scene scene{{interpret(stand.expr)}, view.clip, {}};
+    Scene scene{{{.kernel = interpret(stand.expr)}}, view.clip, {}};
     scene.uniforms.set(0, 0.0);
     TraceSettings settings;
     settings.tracer = tracer;

@@ -134,7 +134,7 @@ TEST_P(DomainTest, DrawsTheSameInTheTraceableForm) {
             drawn.nodes(), [](const Node& node) { return node.op == Op::Oriented; });
         if (!other) continue;
         ++rewritten;
-        Scene scene{{interpret(drawn)}, Box::cube(2), {}};
+        Scene scene{{{.kernel = interpret(drawn)}}, Box::cube(2), {}};
         scene.uniforms.set(0, 0.0);
         check_pictures(domain, scene);
     }

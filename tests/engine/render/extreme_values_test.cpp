@@ -38,7 +38,7 @@ void set_defined_everywhere(Kernel& kernel, bool is) {
 Framebuffer picture_of(const std::string& text, double half, const Lights& lights) {
     Scene scene = scene_of(text, Box::cube(half));
     // Whether f is defined everywhere, as the program finds it for these formulas.
-    set_defined_everywhere(scene.surfaces.front(), text.starts_with("sign"));
+    set_defined_everywhere(scene.surfaces.front().kernel, text.starts_with("sign"));
     Framebuffer frame(96, 96);
     TraceSettings settings;
     settings.antialias = lights.antialias;

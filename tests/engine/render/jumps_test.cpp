@@ -28,7 +28,7 @@ Picture drawn(const std::string& text, bool jumps) {
     const auto expr = parse(text);
     EXPECT_TRUE(expr) << text;
     Scene scene;
-    scene.surfaces.push_back(interpret(*expr));
+    scene.surfaces.push_back({.kernel = interpret(*expr)});
     scene.clip = Box::cube(1.5);
     scene.uniforms.set(0, 0.0);
     scene.jumps = jumps;

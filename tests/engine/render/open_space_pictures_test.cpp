@@ -38,11 +38,10 @@ Framebuffer picture(const Scene& scene, const Camera& camera, const TraceSetting
 void expect_same(Scene scene, const Camera& camera, const TraceSettings& settings,
                  const std::string& what, int size = usual_size) {
     Counters without, with;
-    std::vector<std::shared_ptr<const OpenSpace>> spaces;
-    spaces.swap(scene.open_space);
-    const Framebuffer plain = picture(scene, camera, settings, without, size);
-    spaces.swap(scene.open_space);
     const Framebuffer known = picture(scene, camera, settings, with, size);
+    for (Surface& surface : scene.surfaces)
+        surface.open_space = nullptr;
+    const Framebuffer plain = picture(scene, camera, settings, without, size);
     ASSERT_EQ(plain.certificate, known.certificate) << what;
     ASSERT_EQ(plain.depth, known.depth) << what;
     ASSERT_EQ(plain.color, known.color) << what;
@@ -54,10 +53,9 @@ void expect_same(Scene scene, const Camera& camera, const TraceSettings& setting
 void know(Scene& scene, double lo, double hi) {
     Uniforms uniforms;
     uniforms.set(0, lo, hi);
-    scene.open_space.clear();
-    for (const Kernel& surface : scene.surfaces) {
-        scene.open_space.push_back(std::make_shared<const OpenSpace>(
-            find_open_space(surface, scene.clip, uniforms, 5, scene.jumps, 2).space));
+    for (Surface& surface : scene.surfaces) {
+        surface.open_space = std::make_shared<const OpenSpace>(
+            find_open_space(surface.kernel, scene.clip, uniforms, 5, scene.jumps, 2).space);
     }
 }
 
@@ -107,7 +105,7 @@ TEST(OpenSpacePictures, AreTheSameOfRandomFormulas) {
     for (int i = 0; i < formulas_to_try(25); ++i) {
         Scene scene;
         const Expr expr = random_expression(random, 3);
-        scene.surfaces.push_back(interpret(expr));
+        scene.surfaces.push_back({.kernel = interpret(expr)});
         scene.clip = Box::cube(random.uniform(0.5, 4));
         const double lo = random.uniform(-2, 2);
         const double hi = lo + std::exp2(random.uniform(-10, 0));

@@ -183,9 +183,9 @@ bool is_in_box(const Target& target, const Box& clip) {
 ::testing::AssertionResult is_found(const Shot& shot, const Target& target, Precision precision,
                                     int depth, int offset) {
     const Kernel kernel = kernel_of(target);
-    const Scene scene{{kernel}, shot.clip, {}};
+    const Scene scene{{{.kernel = kernel}}, shot.clip, {}};
     const StopCriterion stop;
-    TraceFrame frame = trace_frame(scene, kernel, ViewFrame(shot.camera),
+    TraceFrame frame = trace_frame(scene, scene.surfaces.front(), ViewFrame(shot.camera),
                                    {.width = shot.width, .height = shot.height}, stop);
     frame.precision = precision;
     frame.depth = {depth, 0};

@@ -278,7 +278,7 @@ TEST(RenderJob, ANewRequestEndsTheOneBeforeSoon) {
 /// A surface that no tracer comes to an end of: a first picture comes, and one can leave.
 TEST(RenderJob, ShowsSomethingOfWhatHasNoEnd) {
     RenderRequest request = request_for("x^2 + y^2 + z^2 = 1", 400, 400);
-    request.scene.surfaces[0] = hooked(request.scene.surfaces[0], [] {
+    request.scene.surfaces[0].kernel = hooked(request.scene.surfaces[0].kernel, [] {
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
     });
     RenderPace pace = whole_pictures();

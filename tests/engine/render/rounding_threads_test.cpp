@@ -100,7 +100,7 @@ TEST(ParallelRounding, HoldsWithinALoopWithinALoop) {
 
 std::vector<float> depths_of_a_sphere() {
     Scene scene;
-    scene.surfaces = {interpret(*parse("x^2 + y^2 + z^2 - 1"))};
+    scene.surfaces = {{.kernel = interpret(*parse("x^2 + y^2 + z^2 - 1"))}};
     scene.uniforms.set(0, 0.0);
     Framebuffer frame(48, 32);
     TraceSettings settings;

@@ -33,7 +33,7 @@ Scene scene_of(std::initializer_list<std::string> texts) {
     for (const std::string& text : texts) {
         const auto expr = parse(text);
         if (expr) {
-            scene.surfaces.push_back(interpret(*expr));
+            scene.surfaces.push_back({.kernel = interpret(*expr)});
         } else {
             ADD_FAILURE() << text << ": " << expr.error().reason;
         }

@@ -177,7 +177,7 @@ TEST(Turns, GrowFromAFirstOne) {
 TEST(RenderFrame, DrawsQuickTilesFirst) {
     Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
     std::atomic<int> calls = 0;
-    scene.surfaces[0] = hooked(scene.surfaces[0], [&] {
+    scene.surfaces[0].kernel = hooked(scene.surfaces[0].kernel, [&] {
         if (calls++ == 1) std::this_thread::sleep_for(milliseconds(40));
     });
     Framebuffer frame(image_size, image_size);

@@ -249,8 +249,8 @@ TEST_P(TracerTest, StopsAmidATile) {
         Framebuffer frame(64, 64);
         frame.depth.assign(frame.depth.size(), 7.0F);
         std::atomic<bool> cancel{false};
-        const Counting forms(scene.surfaces[0].in_float.form, cancels ? &cancel : nullptr);
-        const Counting ranges(scene.surfaces[0].in_float.range, cancels ? &cancel : nullptr);
+        const Counting forms(scene.surfaces[0].kernel.in_float.form, cancels ? &cancel : nullptr);
+        const Counting ranges(scene.surfaces[0].kernel.in_float.range, cancels ? &cancel : nullptr);
         int tiles = 0;
         render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 22), frame,
                      {.limit = {.cancel = &cancel}, .on_tile = [&](const PixelRect&) { ++tiles; }});

@@ -91,7 +91,7 @@ TEST(TileRays, EnclosesWhereRaysAreInside) {
         const ViewFrame camera(random_view(random));
         const int height = random.between(64, 600);
         const TraceFrame frame =
-            trace_frame(scene, Kernel{}, camera, {.width = height, .height = height}, {});
+            trace_frame(scene, Surface{}, camera, {.width = height, .height = height}, {});
         const Tile tile{random.between(0, height - 64), random.between(0, height - 64), 64, 64};
         const TileRays view(frame, tile);
         const int pixels = random.one_in(2) ? 1 : 8 << random.between(0, 3);
@@ -136,7 +136,7 @@ TEST(TileRays, KnowsWhereARayEntersAndLeaves) {
         const ViewFrame frame_view(camera);
         const Framebuffer image(200, 200);
         const TraceFrame frame =
-            trace_frame(scene, Kernel{}, frame_view, {.width = 200, .height = 200}, {});
+            trace_frame(scene, Surface{}, frame_view, {.width = 200, .height = 200}, {});
         const Tile tile{random.between(0, 136), random.between(0, 136), 64, 64};
         const TileRays view(frame, tile);
         for (int col = 0; col < 64; col += 3) {

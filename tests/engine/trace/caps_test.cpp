@@ -169,10 +169,10 @@ TEST_P(CapTest, FillsTheSameHoweverTheSurfaceIsRestricted) {
             const auto read = read_program(ball + " = 0, " + restriction);
             ASSERT_TRUE(read);
             const Expr& surface = read->surfaces.front();
-            scene_.surfaces[0] = interpret(surface);
+            scene_.surfaces[0].kernel = interpret(surface);
             const auto plain = unrestricted(surface);
             ASSERT_TRUE(plain);
-            scene_.solids = {{SolidSide::Automatic, interpret(*plain).in_float.value}};
+            scene_.surfaces[0].solid = {SolidSide::Automatic, interpret(*plain).in_float.value};
             render();
             EXPECT_EQ(solid_sign(scene_, 0), sign);
             EXPECT_EQ(frame_.certificate, whole.certificate);
@@ -183,10 +183,10 @@ TEST_P(CapTest, FillsTheSameHoweverTheSurfaceIsRestricted) {
 TEST_P(CapTest, FillsTheSideThatIsChosen) {
     draw(ball_text);
     const Framebuffer automatic = frame_;
-    scene_.solids = {{SolidSide::Below, {}}};
+    scene_.surfaces[0].solid = {SolidSide::Below, {}};
     render();
     EXPECT_EQ(frame_.depth, automatic.depth);
-    scene_.solids = {{SolidSide::Above, {}}};
+    scene_.surfaces[0].solid = {SolidSide::Above, {}};
     render();
     EXPECT_GT(check_caps(region_.sections.front(), [](const glm::dvec3& p) { return -ball(p); }),
               300U);

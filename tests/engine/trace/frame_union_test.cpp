@@ -54,7 +54,7 @@ TEST_P(View, ListsThePartsThatRaysMeet) {
     const ViewFrame view(GetParam());
     const TraceFrame frame = trace_frame(scene, scene.surfaces[0], view,
                                          {.width = image_size, .height = image_size}, {});
-    const UnionParts& union_parts = *scene.surfaces[0].specializer->union_parts();
+    const UnionParts& union_parts = *scene.surfaces[0].kernel.specializer->union_parts();
     const FrameUnion all(frame, union_parts);
     Framebuffer picture(image_size, image_size);
     render_frame(scene, GetParam(), settings_at("beams", 22), picture);
@@ -102,7 +102,7 @@ int tiles_as_whole(const std::string& text, const Camera& camera) {
     const Scene scene = scene_of(text, Box::cube(1));
     const TraceFrame frame = trace_frame(scene, scene.surfaces[0], ViewFrame(camera),
                                          {.width = image_size, .height = image_size}, {});
-    const FrameUnion all(frame, *scene.surfaces[0].specializer->union_parts());
+    const FrameUnion all(frame, *scene.surfaces[0].kernel.specializer->union_parts());
     std::vector<UnionMember> parts;
     int count = 0;
     for (int tile = 0; tile < 9; ++tile)

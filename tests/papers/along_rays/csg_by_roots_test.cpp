@@ -216,7 +216,7 @@ TEST(CsgByRoots, SearchesPartsOneByOne) {
     std::atomic<int> whole{0};
     std::atomic<int> parts{0};
     Scene scene = scene_of(two.text, Box::cube(4));
-    Kernel& kernel = scene.surfaces[0];
+    Kernel& kernel = scene.surfaces[0].kernel;
     const std::vector<Kernel> own = kernel.memory->of<CsgParts>()->kernels();
     ASSERT_EQ(own.size(), 2U);
     kernel = hooked(kernel, [&] { ++whole; });
@@ -239,7 +239,7 @@ TEST(CsgByRoots, SearchesPartsOneByOne) {
 
 TEST(CsgByRoots, IsMrfroOnAFormulaWithoutParts) {
     const Scene scene = scene_of("x^4 + y^4 + z^4 - 1.2x^2 = 0.3", Box::cube(2));
-    EXPECT_TRUE(scene.surfaces[0].memory->of<CsgParts>()->kernels().empty());
+    EXPECT_TRUE(scene.surfaces[0].kernel.memory->of<CsgParts>()->kernels().empty());
     Framebuffer by_roots(40, 40);
     Framebuffer mrfro(40, 40);
     const Camera camera = default_camera(scene.clip);

@@ -116,7 +116,7 @@ TEST(RegularGrid, WalksAnewWhereTheViewHasChanged) {
                 const auto kept = drawn(camera, size);
                 EXPECT_EQ(grid_of(scene), all);
                 Scene fresh = scene;
-                fresh.surfaces[0].memory = std::make_shared<KernelMemory>();
+                fresh.surfaces[0].kernel.memory = std::make_shared<KernelMemory>();
                 std::swap(scene, fresh);
                 EXPECT_FALSE(grid_of(scene)->of_frames());
                 const auto alone = drawn(camera, size);

@@ -138,7 +138,7 @@ TEST(FlorezBoxes, CountTheirBoxes) {
         SCOPED_TRACE(tracer);
         Framebuffer frame(100, 90);
         render_frame(scene, near_camera, settings_at(tracer, 20), frame);
-        const auto tally = scene.surfaces[0].memory->of<BoxTally>();
+        const auto tally = scene.surfaces[0].kernel.memory->of<BoxTally>();
         const ImageBoxCounters boxes = tally->take();
         EXPECT_EQ(tally->take().rejected.boxes, 0U);
         EXPECT_EQ(boxes.rejected.pixels + boxes.included.pixels + boxes.undefined.pixels, 9000U);

@@ -167,7 +167,7 @@ TEST(OctreeMemory, KeepsAnOctreeUntilTheSurfaceChanges) {
     EXPECT_EQ(octree->depth(), 6);
     EXPECT_EQ(prepared_of(framed.frame), octree.get());
     // Another view, another kernel object of the same code.
-    const Kernel copy = framed.scene.surfaces.front();
+    const Surface copy = framed.scene.surfaces.front();
     Camera moved = framed.camera;
     moved.eye.x += 1.0;
     const ViewFrame view(moved);

@@ -24,7 +24,7 @@ const std::vector<Kernel>& parts_of(const Formula& formula) {
     request.surfaces.emplace_back();
     request.uniforms = {0.0};
     const Scene scene = scene_of(request);
-    return scene.surfaces[0].memory->of<CsgParts>()->kernels();
+    return scene.surfaces[0].kernel.memory->of<CsgParts>()->kernels();
 }
 
 TEST(CsgCode, IsThatOfThePartsOfSolids) {

@@ -152,7 +152,7 @@ TEST_P(VoxelTracer, LooksForNothingBehindAnotherSurface) {
     Scene scene = scene_of_level(volume, 0.1);
     const Camera camera = camera_at(Projection::Perspective);
     const Framebuffer alone = drawn(scene, camera);
-    scene.surfaces.push_back(kernel_with_level(level_set(volume, 0.3)));
+    scene.surfaces.push_back({.kernel = kernel_with_level(level_set(volume, 0.3))});
     const Framebuffer both = drawn(scene, camera);
     int nearer = 0;
     for (std::size_t i = 0; i < both.depth.size(); ++i) {

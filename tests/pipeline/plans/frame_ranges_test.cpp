@@ -28,13 +28,13 @@ public:
 
     /// Whether a frame was told where it is empty; it took so many evaluations.
     bool draw(int frame, std::uint64_t evaluations) {
-        scene_.open_space.clear();
+        scene_.surfaces.front().open_space = nullptr;
         ranges_.add_to(scene_, frame);
         ranges_.learn(evaluations);
-        return !scene_.open_space.empty();
+        return scene_.surfaces.front().open_space != nullptr;
     }
     [[nodiscard]] const FrameRangeWork& work() const { return ranges_.work(); }
-    [[nodiscard]] const OpenSpace& space() const { return *scene_.open_space.front(); }
+    [[nodiscard]] const OpenSpace& space() const { return *scene_.surfaces.front().open_space; }
 
 private:
     FrameRanges ranges_;

@@ -59,11 +59,11 @@ TEST(SceneOfADocument, KnowsTheSidesOfItsSurfaces) {
     ASSERT_TRUE(prepared);
     const Scene scene =
         scene_of(picture_request(prepared->formula, prepared->colors, read.document, {}, {64, 64}));
-    ASSERT_EQ(scene.solids.size(), 2U);
-    EXPECT_EQ(scene.solids[0].side, SolidSide::Automatic);
-    EXPECT_EQ(scene.solids[1].side, SolidSide::Above);
-    EXPECT_FALSE(scene.solids[0].unrestricted);
-    EXPECT_TRUE(scene.solids[1].unrestricted);
+    ASSERT_EQ(scene.surfaces.size(), 2U);
+    EXPECT_EQ(scene.surfaces[0].solid.side, SolidSide::Automatic);
+    EXPECT_EQ(scene.surfaces[1].solid.side, SolidSide::Above);
+    EXPECT_FALSE(scene.surfaces[0].solid.unrestricted);
+    EXPECT_TRUE(scene.surfaces[1].solid.unrestricted);
 }
 
 TEST(ReadOpacities, TakeNumbersFrom0To1) {

@@ -5,7 +5,7 @@
 #include "engine/kernel/point_batch.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/render/render.hpp"
-#include "engine/trace/blobs/proved_blobs.hpp"
+#include "engine/trace/blobs/blob_way.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "tests/support/alike_frames.hpp"
 #include "tests/support/blob_scenes.hpp"
@@ -262,7 +262,7 @@ TEST_P(BlobKernel, IsRightAboutWholePixels) {
         hits.clear();
         Counters counters;
         const UpwardRegisters upward;
-        ASSERT_TRUE(trace_tile_proved_blobs(seen.frame, tile, hits, counters));
+        ASSERT_TRUE(BlobWay().trace_tile(seen.frame, tile, hits, counters));
         ASSERT_TRUE(hits.cover.known);
         for (int at = 0; at < side * side; at += 5)
             check(seen, hits.cover, at % side, at / side);
@@ -300,7 +300,7 @@ TEST(BlobEdges, CoverWhatABallCoversOfEachPixel) {
         const std::vector<Blob> ball{{.center = {middle.x, middle.y, 0.1}, .radius = radius}};
         // Each kind's ball alone has its radius where the field is 1.
         const Expr f = level_of(blobs_field(kind, ball, "alone"), 1);
-        Scene scene{{kernel_with_level(f)}, Box::cube(1.5), {}};
+        Scene scene{{{.kernel = kernel_with_level(f)}}, Box::cube(1.5), {}};
         scene.uniforms.set(0, 0.0);
         const Seen seen(scene, from_above);
         const UpwardRounding upward;

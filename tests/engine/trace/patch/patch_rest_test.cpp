@@ -57,16 +57,16 @@ TEST(PatchRest, StaysSmallWhereAPatchIsUndefinedEverywhere) {
     const UpwardRounding upward;
     const std::string nowhere = "x / (1 + y + ln(x - x))";
     Scene scene = patch_scene({nowhere, nowhere, nowhere}, Way::WithoutModels, Box::cube(2));
-    Kernel& surface = scene.surfaces.front();
+    Kernel& surface = scene.surfaces.front().kernel;
     Stop stop{.boxes_left = 300'000};
     std::array<Kernel, 3> point = surface_facts(surface).patch->point;
     auto& forms = point.front().in_double.form;
     forms = {CountedForms::call, std::make_shared<const CountedForms>(forms, &stop)};
     surface = patch_kernel(std::move(point));
     const ViewFrame view(default_camera(scene.clip));
-    TraceFrame frame =
-        trace_frame(scene, surface, view, {.width = tile_size, .height = tile_size}, {})
-            .with(surface, {.cancel = &stop.cancel});
+    TraceFrame frame = trace_frame(scene, scene.surfaces.front(), view,
+                                   {.width = tile_size, .height = tile_size}, {})
+                           .with(surface, {.cancel = &stop.cancel});
     const auto tree = patch_tree(surface, scene.uniforms);
     frame.prepared = tree.get();
     const Tile tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace zeroset::test::blob_shadows_test {
+namespace zeroset::test::followed_shadows_test {
 namespace {
 
 constexpr glm::ivec2 size_px(192, 192);
@@ -76,7 +76,7 @@ void expect_alike(const Both& both, const Camera& camera) {
 
 const Camera usual{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.9};
 
-TEST(BlobShadows, AreThoseOfBeams) {
+TEST(FollowedShadows, AreThoseOfBeams) {
     for (const BlobKind kind : {BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn}) {
         SCOPED_TRACE(blob_name(kind));
         expect_alike(both_of(kind, {}, 0.8), usual);
@@ -85,18 +85,18 @@ TEST(BlobShadows, AreThoseOfBeams) {
     }
 }
 
-TEST(BlobShadows, AreThoseOfBeamsAmongManySmallBalls) {
+TEST(FollowedShadows, AreThoseOfBeamsAmongManySmallBalls) {
     expect_alike(both_of(BlobKind::Wyvill, {.count = 3000, .least = 0.02, .largest = 0.05}, 1),
                  usual);
 }
 
-TEST(BlobShadows, AreThoseOfBeamsFromWithin) {
+TEST(FollowedShadows, AreThoseOfBeamsFromWithin) {
     expect_alike(both_of(BlobKind::Metaball, {.count = 300}, 1),
                  {{0.1, 0.2, 0.05}, {-0.9, 0.6, 0.35}, {0, 0, 1}, 2.2});
 }
 
 /// Parts of balls that are cut away throw no shadow: rays begin within balls there.
-TEST(BlobShadows, AreThoseOfBeamsWhereRegionsAreCut) {
+TEST(FollowedShadows, AreThoseOfBeamsWhereRegionsAreCut) {
     Both both = both_of(BlobKind::Wyvill, {.count = 300}, 1);
     for (Scene* const scene : {&both.balls, &both.beams}) {
         scene->clip.hi.z -= 0.7;
@@ -107,7 +107,7 @@ TEST(BlobShadows, AreThoseOfBeamsWhereRegionsAreCut) {
 }
 
 /// Hits of another surface.
-TEST(BlobShadows, FallOnOtherSurfaces) {
+TEST(FollowedShadows, FallOnOtherSurfaces) {
     const Both both = both_of(BlobKind::Wyvill, {.count = 60}, 1);
     Scene plane = scene_of("z + 1.1", Box::cube(1.2));
     const auto compare_on_plane = [&](const Camera& camera) {
@@ -143,4 +143,4 @@ TEST(BlobShadows, FallOnOtherSurfaces) {
 }
 
 }  // namespace
-}  // namespace zeroset::test::blob_shadows_test
+}  // namespace zeroset::test::followed_shadows_test

@@ -1,4 +1,4 @@
-#include "engine/trace/voxels/proved_voxels.hpp"
+#include "engine/trace/voxels/voxel_way.hpp"
 
 #include "engine/trace/voxels/grid_bounds.hpp"
 #include "engine/trace/voxels/isosurface.hpp"
@@ -59,8 +59,10 @@ bool trace_trilinear(const TileWork& work, const Isosurface& surface, double err
 
 }  // namespace
 
-bool trace_tile_proved_voxels(const TraceFrame& frame, const Tile& tile, TileHits& hits,
-                              Counters& counters) {
+bool VoxelWay::is_of(const Kernel& surface) const { return volume_of(surface) != nullptr; }
+
+bool VoxelWay::trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits,
+                          Counters& counters) const {
     const bool plain = frame.precision == Precision::Float && !frame.whole_pixels &&
                        tile.places == nullptr && frame.union_members.empty();
     if (!plain) return false;

@@ -1,4 +1,4 @@
-#include "engine/trace/voxels/proved_voxels.hpp"
+#include "engine/trace/voxels/voxel_way.hpp"
 
 #include "engine/render/render.hpp"
 #include "engine/volume/spline.hpp"
@@ -23,7 +23,7 @@
 // samples of all types, views along all axes, from within, cut, behind others. The exact reference
 // is in tests/oracle/volume_oracle_test.cpp.
 
-namespace zeroset::test::proved_voxels_test {
+namespace zeroset::test::voxel_way_test {
 namespace {
 
 /// Waves with some noise, -100 to 100.
@@ -86,7 +86,7 @@ Framebuffer drawn(const Scene& scene, const Camera& camera, int side = 90) {
 
 /// The scene as one of a formula of which only beams know.
 Scene by_beams(Scene scene, const std::shared_ptr<const Volume>& volume, double level) {
-    scene.surfaces[0] = interpret(level_set(volume, level));
+    scene.surfaces[0].kernel = interpret(level_set(volume, level));
     return scene;
 }
 
@@ -100,7 +100,7 @@ void expect_alike(const Framebuffer& voxels, const Framebuffer& beams, const std
     EXPECT_LT(seen.difference / seen.certified, 3.0) << "they are lit alike";
 }
 
-TEST(ProvedVoxels, AgreeWithBeamsFromAllSides) {
+TEST(VoxelWay, AgreeWithBeamsFromAllSides) {
     const auto volume = wavy_volume<float>(0);
     const Scene scene = scene_of_level(volume, 10);
     const Scene other = by_beams(scene, volume, 10);
@@ -120,7 +120,7 @@ TEST(ProvedVoxels, AgreeWithBeamsFromAllSides) {
     }
 }
 
-TEST(ProvedVoxels, AgreeOnSplinesFromAllSides) {
+TEST(VoxelWay, AgreeOnSplinesFromAllSides) {
     for (const SplineKind kind : {SplineKind::Interpolating, SplineKind::Smoothing}) {
         const auto volume = wavy_spline(kind);
         const Scene scene = scene_of_level(volume, 10);
@@ -136,7 +136,7 @@ TEST(ProvedVoxels, AgreeOnSplinesFromAllSides) {
     }
 }
 
-TEST(ProvedVoxels, AgreeOnSplinesFromWithinAndFromFar) {
+TEST(VoxelWay, AgreeOnSplinesFromWithinAndFromFar) {
     const auto volume = wavy_spline(SplineKind::Interpolating);
     const Scene scene = scene_of_level(volume, -20);
     const Scene other = by_beams(scene, volume, -20);
@@ -146,7 +146,7 @@ TEST(ProvedVoxels, AgreeOnSplinesFromWithinAndFromFar) {
     expect_alike(drawn(scene, far, 60), drawn(other, far, 60), "far");
 }
 
-TEST(ProvedVoxels, AgreeFromWithinAndFromNear) {
+TEST(VoxelWay, AgreeFromWithinAndFromNear) {
     const auto volume = wavy_volume<float>(0);
     const Scene scene = scene_of_level(volume, -20);
     const Scene other = by_beams(scene, volume, -20);
@@ -156,7 +156,7 @@ TEST(ProvedVoxels, AgreeFromWithinAndFromNear) {
     }
 }
 
-TEST(ProvedVoxels, AgreeOnSamplesOfAllTypes) {
+TEST(VoxelWay, AgreeOnSamplesOfAllTypes) {
     const Camera camera{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
     const auto compare = [&](const std::shared_ptr<const Volume>& volume, double level) {
         const Scene scene = scene_of_level(volume, level);
@@ -169,7 +169,7 @@ TEST(ProvedVoxels, AgreeOnSamplesOfAllTypes) {
     compare(wavy_volume<float>(0, 1e-30), 5e-30);
 }
 
-TEST(ProvedVoxels, AgreeWhereRegionsAreCut) {
+TEST(VoxelWay, AgreeWhereRegionsAreCut) {
     const auto volume = wavy_volume<float>(0);
     Scene scene = scene_of_level(volume, 10);
     scene.clip.lo.x += 0.3;
@@ -179,7 +179,7 @@ TEST(ProvedVoxels, AgreeWhereRegionsAreCut) {
     expect_alike(drawn(scene, camera), drawn(by_beams(scene, volume, 10), camera), "cut");
 }
 
-TEST(ProvedVoxels, AgreeWherePixelsAreLargerThanVoxels) {
+TEST(VoxelWay, AgreeWherePixelsAreLargerThanVoxels) {
     const auto volume = wavy_volume<float>(0);
     const Scene scene = scene_of_level(volume, 40);
     const Camera camera{{60, -50, 40}, {0, 0, 0}, {0, 0, 1}, 0.03};
@@ -196,7 +196,7 @@ TEST(ProvedVoxels, AgreeWherePixelsAreLargerThanVoxels) {
     EXPECT_GT(hits, 200);
 }
 
-TEST(ProvedVoxels, AreUndecidedWhereTheVolumeIsTheLevel) {
+TEST(VoxelWay, AreUndecidedWhereTheVolumeIsTheLevel) {
     const auto volume = volume_from({9, 9, 9}, {}, [](double i, double, double) {
         return i < 4 ? -1.0 : i > 5 ? 1.0 : 0.0;
     });
@@ -210,7 +210,7 @@ TEST(ProvedVoxels, AreUndecidedWhereTheVolumeIsTheLevel) {
 }
 
 /// Rays in the planes of the outermost samples meet what is in them.
-TEST(ProvedVoxels, AreThereOnTheBordersOfTheGrid) {
+TEST(VoxelWay, AreThereOnTheBordersOfTheGrid) {
     const Geometry place{.world_from_index = {{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}},
                          .origin = {-2, -2, -2}};
     const auto square = [](double i) { return (i - 4) * (i - 4) / 4; };
@@ -232,7 +232,7 @@ TEST(ProvedVoxels, AreThereOnTheBordersOfTheGrid) {
 }
 
 /// Sums of them are no floats.
-TEST(ProvedVoxels, AgreeOnHugeSamples) {
+TEST(VoxelWay, AgreeOnHugeSamples) {
     RandomNumbers random(4);
     const auto volume = volume_from(
         {9, 9, 9}, {}, [&](double, double, double) { return random.one_in(2) ? 3e38 : -3e38; });
@@ -246,7 +246,7 @@ TEST(ProvedVoxels, AgreeOnHugeSamples) {
     EXPECT_GT(seen.certified, 300);
 }
 
-TEST(ProvedVoxels, PassLevelsThatNoSampleReaches) {
+TEST(VoxelWay, PassLevelsThatNoSampleReaches) {
     const auto volume = wavy_volume<float>(0);
     const Scene scene = scene_of_level(volume, 1000);
     const Framebuffer frame = drawn(scene, default_camera(scene.clip), 64);
@@ -255,10 +255,10 @@ TEST(ProvedVoxels, PassLevelsThatNoSampleReaches) {
     }));
 }
 
-TEST(ProvedVoxels, FindNothingBehindAnotherSurface) {
+TEST(VoxelWay, FindNothingBehindAnotherSurface) {
     const auto volume = wavy_volume<float>(0);
     Scene scene = scene_of_level(volume, 10);
-    scene.surfaces.push_back(kernel_with_level(level_set(volume, 30)));
+    scene.surfaces.push_back({.kernel = kernel_with_level(level_set(volume, 30))});
     Scene other = scene;
     other.surfaces = {interpret(level_set(volume, 10)), interpret(level_set(volume, 30))};
     const Camera camera{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
@@ -266,4 +266,4 @@ TEST(ProvedVoxels, FindNothingBehindAnotherSurface) {
 }
 
 }  // namespace
-}  // namespace zeroset::test::proved_voxels_test
+}  // namespace zeroset::test::voxel_way_test

@@ -1,7 +1,7 @@
 // Stretches of parallel rays through soft balls: blocks of them go through slabs of depth as those
 // of pixels do (blob_tile.cpp), but begin and end where they like, and are anywhere in the view.
 
-#include "engine/trace/blobs/blob_ways.hpp"
+#include "engine/trace/blobs/follow_blobs.hpp"
 
 #include "engine/real/unbounded.hpp"
 #include "engine/trace/blobs/blob_surface.hpp"
@@ -20,7 +20,7 @@ struct BallReach {
     double u_lo = unbounded, u_hi = -unbounded, v_lo = unbounded, v_hi = -unbounded;
     double from = unbounded, to = -unbounded;
 
-    void add(const BlobRay& ray) {
+    void add(const FollowedRay& ray) {
         u_lo = std::min(u_lo, ray.u);
         u_hi = std::max(u_hi, ray.u);
         v_lo = std::min(v_lo, ray.v);
@@ -48,11 +48,11 @@ private:
 
 /// A block on its way.
 struct Block {
-    BlobRays* rays;
+    FollowedRays* rays;
     BallReach reach;
-    std::array<bool, ball_block_rays> open{};  ///< rays that have not ended
-    BallBlock::Numbers at{};                   ///< no root is before
-    std::array<std::int8_t, ball_block_rays> side{};
+    std::array<bool, ray_block_rays> open{};  ///< rays that have not ended
+    BallBlock::Numbers at{};                  ///< no root is before
+    std::array<std::int8_t, ray_block_rays> side{};
     bool any_open = false;
 };
 
@@ -75,11 +75,11 @@ public:
           counters_(counters),
           per_distance_(1 / rays.distance()) {}
 
-    void run(std::span<BlobRays> blocks);
+    void run(std::span<FollowedRays> blocks);
 
 private:
     /// Sets up the blocks; returns how far they reach.
-    BallReach begin(std::span<BlobRays> blocks);
+    BallReach begin(std::span<FollowedRays> blocks);
     void go(Block& block);
     void fill(const Block& block, double first);
     void end(Block& block, double first) const;
@@ -93,13 +93,13 @@ private:
     double per_distance_;
 };
 
-BallReach Follower::begin(std::span<BlobRays> blocks) {
+BallReach Follower::begin(std::span<FollowedRays> blocks) {
     BallReach all;
     room_.blocks.clear();
-    for (BlobRays& rays : blocks) {
+    for (FollowedRays& rays : blocks) {
         Block block{.rays = &rays, .reach = {}};
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            rays[i].way = BlobWay::Free;
+            rays[i].found = RayFinding::Free;
             rays[i].side = surface_.level > 0 ? -1 : 1;  // where no ball is
             block.at[i] = -unbounded;
             block.open[i] = rays[i].from < rays[i].to;
@@ -112,7 +112,7 @@ BallReach Follower::begin(std::span<BlobRays> blocks) {
     return all;
 }
 
-void Follower::run(std::span<BlobRays> blocks) {
+void Follower::run(std::span<FollowedRays> blocks) {
     const BallReach all = begin(blocks);
     if (all.empty()) return;
     NearBalls& near = room_.slab.near;
@@ -138,8 +138,8 @@ void Follower::run(std::span<BlobRays> blocks) {
 void Follower::go(Block& block) {
     const NearBalls& near = room_.slab.near;
     if (frame_.stopped()) {
-        for (std::size_t i = 0; i < ball_block_rays; ++i) {
-            if (block.open[i]) (*block.rays)[i].way = BlobWay::Unknown;
+        for (std::size_t i = 0; i < ray_block_rays; ++i) {
+            if (block.open[i]) (*block.rays)[i].found = RayFinding::Unknown;
         }
         block.any_open = false;
         return;
@@ -182,9 +182,9 @@ void Follower::fill(const Block& block, double first) {
     to.state.fill(BallRayState::Outside);
     const double u = block.reach.u();
     const double v = block.reach.v();
-    for (std::size_t i = 0; i < ball_block_rays; ++i) {
+    for (std::size_t i = 0; i < ray_block_rays; ++i) {
         if (!block.open[i]) continue;
-        const BlobRay& ray = (*block.rays)[i];
+        const FollowedRay& ray = (*block.rays)[i];
         to.u[i] = to.v[i] = to.tilt_x[i] = to.tilt_y[i] = 0;
         to.start_x[i] = ray.u - u;
         to.start_y[i] = ray.v - v;
@@ -204,9 +204,9 @@ void Follower::fill(const Block& block, double first) {
 void Follower::end(Block& block, double first) const {
     const BallBlock& found = room_.block;
     block.any_open = false;
-    for (std::size_t i = 0; i < ball_block_rays; ++i) {
+    for (std::size_t i = 0; i < ray_block_rays; ++i) {
         if (!block.open[i]) continue;
-        BlobRay& ray = (*block.rays)[i];
+        FollowedRay& ray = (*block.rays)[i];
         block.side[i] = found.side[i];
         if (found.side[i] != 0) ray.side = found.side[i];
         block.open[i] = false;
@@ -216,15 +216,15 @@ void Follower::end(Block& block, double first) const {
             block.any_open = block.any_open || block.open[i];
             continue;
         }
-        ray.way = found.state[i] == BallRayState::Root ? BlobWay::Root : BlobWay::Unknown;
+        ray.found = found.state[i] == BallRayState::Root ? RayFinding::Root : RayFinding::Unknown;
         ray.root = first + found.depth[i];
     }
 }
 
 }  // namespace
 
-bool follow_blob_rays(const TraceFrame& frame, const TileRays& rays, double bracket,
-                      std::span<BlobRays> blocks, Counters& counters) {
+bool follow_blobs(const TraceFrame& frame, const TileRays& rays, double bracket,
+                  std::span<FollowedRays> blocks, Counters& counters) {
     if (!rays.axes().parallel() || !frame.union_members.empty()) return false;
     const auto surface = blob_surface(frame);
     if (!surface || !(bracket > 64 * rays.depth_error())) return false;

@@ -1,4 +1,4 @@
-#include "engine/rays/scene_ray.hpp"
+#include "engine/trace/scene_ray.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/trace/blobs/proved_blobs.hpp"
+#include "engine/trace/blobs/blob_way.hpp"
 
 #include "engine/blobs/blobs.hpp"
 #include "engine/render/render.hpp"
@@ -21,7 +21,7 @@
 // single balls: all kinds, views from all sides, from within, cut, behind others; and against the
 // closed form of a ball alone. The exact reference is in tests/oracle/noise_oracle_test.cpp.
 
-namespace zeroset::test::proved_blobs_test {
+namespace zeroset::test::blob_way_test {
 namespace {
 
 constexpr std::array kinds{BlobKind::Wyvill, BlobKind::Metaball, BlobKind::Blinn};
@@ -56,7 +56,7 @@ void expect_alike(const Both& both, const Camera& camera, const std::string& wha
 
 const Camera usual{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
 
-TEST(ProvedBlobs, AgreeWithBeamsFromAllSides) {
+TEST(BlobWay, AgreeWithBeamsFromAllSides) {
     for (const BlobKind kind : kinds) {
         const Both both = both_of(kind, {}, 0.8);
         for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
@@ -70,7 +70,7 @@ TEST(ProvedBlobs, AgreeWithBeamsFromAllSides) {
     }
 }
 
-TEST(ProvedBlobs, AgreeFromWithin) {
+TEST(BlobWay, AgreeFromWithin) {
     for (const BlobKind kind : kinds) {
         const Both both = both_of(kind, {.count = 400}, 1);
         for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 0.05), {0.9, 0.1, 0.1}, {0, 0, -0.8}}) {
@@ -80,7 +80,7 @@ TEST(ProvedBlobs, AgreeFromWithin) {
     }
 }
 
-TEST(ProvedBlobs, AgreeAtOtherLevelsAndSizes) {
+TEST(BlobWay, AgreeAtOtherLevelsAndSizes) {
     expect_alike(both_of(BlobKind::Wyvill, {.hollow = 0.5}, -0.5), usual, "below 0");
     expect_alike(both_of(BlobKind::Blinn, {.count = 30}, 3), usual, "within");
     expect_alike(both_of(BlobKind::Metaball, {.count = 30, .least = 0.01, .largest = 1}, 0.3),
@@ -93,7 +93,7 @@ TEST(ProvedBlobs, AgreeAtOtherLevelsAndSizes) {
     expect_alike(both_of(BlobKind::Wyvill, large, 1), far, "large", 1e5);
 }
 
-TEST(ProvedBlobs, AgreeWhereRegionsAreCut) {
+TEST(BlobWay, AgreeWhereRegionsAreCut) {
     for (const BlobKind kind : kinds) {
         Both both = both_of(kind, {.count = 300}, 1);
         for (Scene* const scene : {&both.balls, &both.beams}) {
@@ -105,7 +105,7 @@ TEST(ProvedBlobs, AgreeWhereRegionsAreCut) {
     }
 }
 
-TEST(ProvedBlobs, AgreeWhereThereAreSeveralSurfaces) {
+TEST(BlobWay, AgreeWhereThereAreSeveralSurfaces) {
     Both both = both_of(BlobKind::Wyvill, {}, 1);
     const Both other = both_of(BlobKind::Metaball, {.count = 60}, 0.5);
     both.balls.surfaces.push_back(other.balls.surfaces[0]);
@@ -114,13 +114,13 @@ TEST(ProvedBlobs, AgreeWhereThereAreSeveralSurfaces) {
 }
 
 // Far more balls than one slab of depth takes.
-TEST(ProvedBlobs, AgreeOnManyBallsBehindEachOther) {
+TEST(BlobWay, AgreeOnManyBallsBehindEachOther) {
     const Both both = both_of(BlobKind::Wyvill, {.count = 4000, .least = 0.01, .largest = 0.03}, 1);
     expect_alike(both, {{8, -5, 4}, {0, 0, 0}, {0, 0, 1}, 0.2}, "many");
 }
 
 // Rays of a block leave the box at very different depths, among balls of two slabs.
-TEST(ProvedBlobs, AgreeOnManyBallsWhereRaysLeaveTheBox) {
+TEST(BlobWay, AgreeOnManyBallsWhereRaysLeaveTheBox) {
     Both both = both_of(BlobKind::Wyvill, {.count = 100000, .least = 0.004, .largest = 0.007}, 0.7);
     both.balls.clip = both.beams.clip = Box::cube(0.85);
     const auto look = [&](const glm::dvec3& eye, const glm::dvec3& at) {
@@ -141,11 +141,11 @@ TEST(ProvedBlobs, AgreeOnManyBallsWhereRaysLeaveTheBox) {
     look({-0.6, -0.6, 0.5}, {0.8, 0.9, 0.9});
 }
 
-TEST(ProvedBlobs, AreRoundAlone) {
+TEST(BlobWay, AreRoundAlone) {
     for (const BlobKind kind : kinds) {
         const Blob ball{.center = {0.3, -0.2, 0.1}, .radius = 0.7};
         const Expr f = level_of(blobs_field(kind, std::span(&ball, 1), "one"), 1);
-        Scene scene{{kernel_with_level(f)}, Box::cube(2), {}};
+        Scene scene{{{.kernel = kernel_with_level(f)}}, Box::cube(2), {}};
         scene.uniforms.set(0, 0.0);
         const Framebuffer frame = drawn(scene, usual, 120, 22);
         const glm::dvec3 middle(0.3, -0.2, 0.1);
@@ -169,10 +169,10 @@ TEST(ProvedBlobs, AreRoundAlone) {
 }
 
 // Two balls that touch in one point, seen along their common tangent plane; and a ray that grazes.
-TEST(ProvedBlobs, LeaveTouchesUndecided) {
+TEST(BlobWay, LeaveTouchesUndecided) {
     const std::vector<Blob> one{{.center = {0, 0, 0}, .radius = 1}};
     const Expr f = level_of(blobs_field(BlobKind::Wyvill, one, "one"), 1);
-    Scene scene{{kernel_with_level(f)}, Box::cube(3), {}};
+    Scene scene{{{.kernel = kernel_with_level(f)}}, Box::cube(3), {}};
     scene.uniforms.set(0, 0.0);
     // Parallel rays one unit apart, of which one passes at a distance of exactly 1.
     Camera camera{{0, -10, 0}, {0, 0, 0}, {0, 0, 1}, 0.0, Projection::Orthographic};
@@ -185,14 +185,14 @@ TEST(ProvedBlobs, LeaveTouchesUndecided) {
 }
 
 // Metaballs are 8/3 - 2 q within q = 4/9: a ball alone is a ball of radius sqrt((8/3 - level) / 2).
-TEST(ProvedBlobs, EncloseTheLevelOfTheSurface) {
+TEST(BlobWay, EncloseTheLevelOfTheSurface) {
     constexpr double level = 2.1000004;
     const double square = (8.0 / 3 - level) / 2;
     const Blob ball{.center = {0, 0, 0}, .radius = 1};
     const auto field = blobs_field(BlobKind::Metaball, std::span(&ball, 1), "one");
     // The level is off by 2e-8 in doubles, then by 2e-5.
     for (const double large : {1e9, 1e12}) {
-        Scene scene{{kernel_with_level(level_beside(field, large))}, Box::cube(2), {}};
+        Scene scene{{{.kernel = kernel_with_level(level_beside(field, large))}}, Box::cube(2), {}};
         scene.uniforms.set(0, level);
         const double off = std::abs((level + large) - large - level);
         ASSERT_GT(off, 1e-17 * large) << "the test looks at nothing";
@@ -215,7 +215,7 @@ TEST(ProvedBlobs, EncloseTheLevelOfTheSurface) {
     }
 }
 
-TEST(ProvedBlobs, LeaveOthersToBeams) {
+TEST(BlobWay, LeaveOthersToBeams) {
     const Scene scene = both_of(BlobKind::Wyvill, {}, 1).balls;
     const ViewFrame view(usual);
     TileHits hits;
@@ -226,14 +226,14 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
         const TraceFrame frame = trace_frame(of, of.surfaces[0], view, {.width = 64, .height = 64},
                                              {.rule = StopRule::DStop, .value = 14});
         hits.clear();
-        return trace_tile_proved_blobs(frame, tile, hits, counters);
+        return BlobWay().trace_tile(frame, tile, hits, counters);
     };
     EXPECT_TRUE(takes(scene));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 1).beams));
     EXPECT_FALSE(takes(both_of(BlobKind::Wyvill, {}, 0).balls)) << "all of space is at the level";
     const auto beside = [&](double large) {
         const Expr f = level_beside(blobs_field(BlobKind::Wyvill, balls_of({}), "test"), large);
-        Scene of{{kernel_with_level(f)}, scene.clip, {}};
+        Scene of{{{.kernel = kernel_with_level(f)}}, scene.clip, {}};
         of.uniforms.set(0, 0.8);
         return of;
     };
@@ -242,4 +242,4 @@ TEST(ProvedBlobs, LeaveOthersToBeams) {
 }
 
 }  // namespace
-}  // namespace zeroset::test::proved_blobs_test
+}  // namespace zeroset::test::blob_way_test

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/real/scalar.hpp"
-#include "engine/trace/single_rays.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "papers/octree/leaf_tests.hpp"
@@ -12,10 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <utility>
-
-// Where the octree's tracers have their rays from, and whom they tell what is found.
 
 namespace zeroset {
 
@@ -31,8 +27,6 @@ class TileSource {
 public:
     TileSource(const TraceFrame& frame, const Tile& tile, TileHits& hits)
         : frame_(frame), tile_(tile), hits_(hits), rays_(frame, tile) {}
-
-    static constexpr bool has_pixels = true;
 
     /// The next ray, with a name; nothing when there are no more.
     [[nodiscard]] std::optional<std::pair<OctreeRay, TileHits::Pixel>> next(
@@ -63,52 +57,6 @@ private:
     TileHits& hits_;
     TileRays rays_;
     int next_pixel_ = 0;
-};
-
-/// Rays from anywhere, at most most_single_rays.
-constexpr std::size_t most_single_rays = 1 << 14;
-class SingleSource {
-public:
-    SingleSource(std::span<const SingleRay> rays, std::span<SingleRoot> roots,
-                 const TraceFrame& frame)
-        : frame_(frame), rays_(rays), roots_(roots) {}
-
-    static constexpr bool has_pixels = false;  ///< names of rays are places in a tile
-
-    [[nodiscard]] std::optional<std::pair<OctreeRay, TileHits::Pixel>> next(
-        const OctreeSpace& space) {
-        while (next_ < rays_.size()) {
-            const std::size_t i = next_++;
-            if (const auto ray = octree_ray(frame_, rays_[i], space))
-                return std::pair{*ray,
-                                 TileHits::Pixel{.col = static_cast<std::int16_t>(i), .row = 0}};
-        }
-        return std::nullopt;
-    }
-    void leave(TileHits::Pixel pixel, const OctreeRay&, double) { root(pixel).unsettled = true; }
-    void hit(TileHits::Pixel pixel, const OctreeRay& ray, const LeafCase& judged, bool certified) {
-        SingleRoot& found = root(pixel);
-        found.is_found = true;
-        found.is_proved = certified;
-        const SingleRay& single = rays_[static_cast<std::size_t>(pixel.col)];
-        const auto t_of = [&](double parameter) {
-            return (ray.point(parameter)[ray.k] - single.origin[ray.k]) / single.direction[ray.k];
-        };
-        found.from = t_of(judged.from);
-        found.to = t_of(judged.to);
-    }
-    void stop() {
-        for (SingleRoot& found : roots_)
-            found.unsettled = found.unsettled || !found.is_found;
-    }
-
-private:
-    SingleRoot& root(TileHits::Pixel pixel) { return roots_[static_cast<std::size_t>(pixel.col)]; }
-
-    const TraceFrame& frame_;
-    std::span<const SingleRay> rays_;
-    std::span<SingleRoot> roots_;
-    std::size_t next_ = 0;
 };
 
 }  // namespace zeroset

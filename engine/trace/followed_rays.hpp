@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace zeroset {
+
+/// What is found on a stretch of a ray.
+enum class RayFinding : std::uint8_t {
+    Free,     ///< it meets nothing
+    Root,     ///< it meets the surface
+    Unknown,  ///< it may meet something
+};
+
+/// A stretch of a parallel ray: to the right and up from the point looked at, and two depths, as
+/// TileRays has them; in world units. One that ends before it begins is not looked at.
+struct FollowedRay {
+    double u = 0, v = 0, from = 0, to = -1;
+    RayFinding found = RayFinding::Free;
+    /// Before the first root, none is before it, which is between there and `to`; of a level set.
+    double root = 0;
+    std::int8_t side = 0;  ///< the sign of f on a free stretch; of a level set
+};
+
+inline constexpr int ray_block_side = 8;
+inline constexpr std::size_t ray_block_rays = 64;
+
+/// The place of a ray of a block among its numbers: neighbours in the image are neighbours there,
+/// so that whole vectors of rays are as square as can be.
+constexpr std::size_t place_in_block(int col, int row) {
+    std::size_t place = 0;
+    for (unsigned bit = 0; bit < 3; ++bit) {
+        place |= (static_cast<unsigned>(col) >> bit & 1U) << (2 * bit);
+        place |= (static_cast<unsigned>(row) >> bit & 1U) << (2 * bit + 1);
+    }
+    return place;
+}
+
+/// Rays that lie together, by place_in_block.
+using FollowedRays = std::array<FollowedRay, ray_block_rays>;
+
+}  // namespace zeroset
