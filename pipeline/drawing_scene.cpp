@@ -3,6 +3,7 @@
 #include "document/framing.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
+#include "engine/volume/volume.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/color_formulas.hpp"
 #include "pipeline/fit_view.hpp"
@@ -12,6 +13,7 @@
 
 #include <glm/ext/vector_int2.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -70,6 +72,14 @@ Kernel kernel_of(const Expr& f) {
         f, {.hasty = nodes > most_thorough_nodes, .patient_nodes = patience * nodes});
 }
 
+/// Whether a volume that is interpolated linearly is among the functions of f.
+bool has_linear_volume(const Expr& f) {
+    return std::ranges::any_of(f.nodes(), [](const Node& node) {
+        const auto* const volume = dynamic_cast<const Volume*>(node.field.get());
+        return volume != nullptr && volume->spline() == nullptr;
+    });
+}
+
 }  // namespace
 
 std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProgram rows,
@@ -110,7 +120,9 @@ LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit, cons
                            .camera = scene.camera,
                            .page = scene.page,
                            .make_kernel = kernel_of};
-    return draw_scene(input, scene.options, limit, on_path);
+    LineDrawing drawing = draw_scene(input, scene.options, limit, on_path);
+    drawing.has_linear_volume = std::ranges::any_of(scene.surfaces, has_linear_volume);
+    return drawing;
 }
 
 }  // namespace zeroset

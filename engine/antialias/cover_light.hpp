@@ -18,7 +18,7 @@ namespace zeroset {
 /// Linear light, red, green and blue; and how much of what is seen is not the background.
 using CoverColor = std::array<float, 4>;
 
-/// Room for lighting samples; one for each thread.
+/// Memory for lighting samples; one for each thread.
 class CoverLight {
 public:
     /// The light that each sample's hit sends to the eye. `layers`: the tile's own hits, lit. Ends

@@ -83,10 +83,11 @@ private:
     LeastSearch least_;
     RayPoints points_;
 };
-static_assert(square_ray_count * EdgeLines::room_of_all_rays + lanes<double> <= LeastSearch::room);
-static_assert(EdgeLines::room <= LeastSearch::room);
-static_assert((square_ray_count - 1) * EdgeLines::room <= RayPoints::room);
-static_assert(EdgeLines::room % batch_multiple == 0);
+static_assert(square_ray_count * EdgeLines::capacity_of_all_rays + lanes<double> <=
+              LeastSearch::capacity);
+static_assert(EdgeLines::capacity <= LeastSearch::capacity);
+static_assert((square_ray_count - 1) * EdgeLines::capacity <= RayPoints::capacity);
+static_assert(EdgeLines::capacity % batch_multiple == 0);
 
 void LineSearch::load_rays(std::size_t rays) {
     const std::size_t count = squares_.count;

@@ -22,9 +22,9 @@ struct LineRules {
 /// Squares of one size within the clip region, and the lines that edges of a continuous f without
 /// kinks are in them. In columns, plain data, nothing of it set at first.
 struct EdgeLines {
-    static constexpr std::size_t room = 64;
-    static constexpr std::size_t room_of_all_rays = 24;  ///< with all_rays
-    using Column = std::array<double, room>;
+    static constexpr std::size_t capacity = 64;
+    static constexpr std::size_t capacity_of_all_rays = 24;  ///< with all_rays
+    using Column = std::array<double, capacity>;
 
     double side;  ///< in pixels
     LineRules rules;
@@ -45,7 +45,7 @@ struct EdgeLines {
     /// out: 1: there may be several roots, and another sheet, before those that were found; else 0
     alignas(64) Column folds;
     /// out, with all_rays
-    std::array<std::array<RayStretch, square_ray_count>, room_of_all_rays> stretches;
+    std::array<std::array<RayStretch, square_ray_count>, capacity_of_all_rays> stretches;
 };
 
 /// Fills in what is `out`. In upward rounding.

@@ -14,12 +14,12 @@ namespace zeroset {
 /// Depths are rounded outward: less is free, and more wanted. In upward rounding.
 template <class Real>
 struct FrontBlock {
-    static constexpr std::size_t room = 128;
-    static_assert(room % batch_multiple == 0);
-    using Numbers = std::array<Real, room>;
+    static constexpr std::size_t capacity = 128;
+    static_assert(capacity % batch_multiple == 0);
+    using Numbers = std::array<Real, capacity>;
 
     alignas(64) Numbers at, to, end, step, open_from, inside_from, inside_to, turn;
-    alignas(64) std::array<ContinuityMask<Real>, room> marks;  ///< FrontMarks
+    alignas(64) std::array<ContinuityMask<Real>, capacity> marks;  ///< FrontMarks
 
     void load(std::size_t i, const Front& front) {
         at[i] = below(front.at);

@@ -83,7 +83,7 @@ inline constexpr double most_error_of_least = 1.0 / 8192;
 /// The search in some stretches. Plain data, nothing of it set at first.
 class LeastSearch {
 public:
-    static constexpr std::size_t room = 128;
+    static constexpr std::size_t capacity = 128;
 
     void search(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
                 Counters& counters);
@@ -146,7 +146,7 @@ private:
     HWY_INLINE void keep_best(std::size_t i, M<double> lanes, V<double> s, V<double> f,
                               const Vectors3& gradient);
 
-    using Column = double[room];
+    using Column = double[capacity];
 
     alignas(64) Column u_, v_;
     /// The stretches; df/ds is below 0 at the one end, and above at the other one.
@@ -308,7 +308,7 @@ inline void LeastSearch::search_loaded(const TraceFrame& frame, const TileRays& 
     const TileLines lines(rays);
     const std::size_t size = padded(count);
     const auto lines_at = [&](std::size_t i) { return lines.at(load(u_ + i), load(v_ + i)); };
-    OpenParts<room> open(size);
+    OpenParts<capacity> open(size);
     // Evaluate f at both ends of all stretches.
     open.for_each([&](std::size_t i, std::size_t) {
         points_.ask(i, lines_at(i), load(lo_s_ + i));

@@ -22,8 +22,8 @@ namespace zeroset::HWY_NAMESPACE {
 void search_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
                   Counters& counters) {
     LeastSearch search;
-    for (std::size_t first = 0; first < stretches.size(); first += LeastSearch::room) {
-        const std::size_t count = std::min(LeastSearch::room, stretches.size() - first);
+    for (std::size_t first = 0; first < stretches.size(); first += LeastSearch::capacity) {
+        const std::size_t count = std::min(LeastSearch::capacity, stretches.size() - first);
         search.search(frame, rays, stretches.subspan(first, count), counters);
     }
 }
@@ -33,7 +33,7 @@ void search_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRo
     RootSearch search;
     for (const bool several : {false, true}) {
         const std::size_t samples = several ? RootSearch::several_samples : 2;
-        std::array<std::uint32_t, RootSearch::room> some{};
+        std::array<std::uint32_t, RootSearch::capacity> some{};
         std::size_t count = 0;
         const auto search_some = [&] {
             if (count > 0)

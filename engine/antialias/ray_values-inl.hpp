@@ -85,10 +85,10 @@ private:
 
 /// Some points, and f and its gradient there. Plain data, nothing of it set at first.
 struct RayPoints {
-    static constexpr std::size_t room = 512;
+    static constexpr std::size_t capacity = 512;
     static constexpr std::size_t at_once = 256;
 
-    alignas(64) double x[3][room], f[room], gradient[3][room];
+    alignas(64) double x[3][capacity], f[capacity], gradient[3][capacity];
 
     HWY_INLINE void ask(std::size_t i, const LinesOfRays& lines, V<double> s) {
         const Vectors3 at = along(lines.origin, s, lines.direction);
@@ -115,7 +115,7 @@ struct RayPoints {
 
 /// Some rays, as many in a part as batches take at least, of which parts are done one after the
 /// other.
-template <std::size_t room>
+template <std::size_t capacity>
 class OpenParts {
 public:
     explicit OpenParts(std::size_t size) : count_(size / batch_multiple) {
@@ -145,7 +145,7 @@ public:
     }
 
 private:
-    std::size_t firsts_[room / batch_multiple];
+    std::size_t firsts_[capacity / batch_multiple];
     std::size_t count_;
 };
 

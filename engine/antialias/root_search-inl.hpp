@@ -22,7 +22,7 @@ namespace zeroset::HWY_NAMESPACE {
 /// The search for the roots of some stretches. Plain data, nothing of it set at first.
 class RootSearch {
 public:
-    static constexpr std::size_t room = 64;
+    static constexpr std::size_t capacity = 64;
     /// The number of samples that show the roots of a stretch that may hold several.
     static constexpr std::size_t several_samples = 8;
 
@@ -43,7 +43,7 @@ private:
     HWY_INLINE void end(std::size_t i, const TileLines& tile, const LinesOfRays& lines);
     void write(std::span<RayRoot> roots, std::span<const std::uint32_t> some) const;
 
-    using Column = double[room];
+    using Column = double[capacity];
 
     alignas(64) Column u_, v_, from_, to_;
     alignas(64) Column lo_, hi_, f_lo_, f_hi_, next_;
@@ -52,7 +52,7 @@ private:
     alignas(64) Column open_, found_, falls_;
     alignas(64) Column s_, gradient_[3], by_col_, by_row_, cosine_;
     RayPoints points_;
-    static_assert(room * several_samples <= RayPoints::room);
+    static_assert(capacity * several_samples <= RayPoints::capacity);
 };
 
 HWY_INLINE V<double> RootSearch::sample_at(std::size_t i, std::size_t sample,
@@ -185,7 +185,7 @@ inline void RootSearch::search(const TraceFrame& frame, const TileRays& rays,
         to_[i] = root.to;
     }
     const auto lines_at = [&](std::size_t i) { return tile.at(load(u_ + i), load(v_ + i)); };
-    const OpenParts<room> all(size);
+    const OpenParts<capacity> all(size);
     // Sample all stretches, and bracket their first roots.
     all.for_each([&](std::size_t i, std::size_t) {
         for (std::size_t k = 0; k < samples; ++k)
@@ -193,7 +193,7 @@ inline void RootSearch::search(const TraceFrame& frame, const TileRays& rays,
     });
     points_.evaluate(frame, samples * size);
     counters.value += samples * some.size();
-    OpenParts<room> open = all;
+    OpenParts<capacity> open = all;
     open.keep([&](std::size_t i, std::size_t) { return bracket(i, size, samples); });
     // Narrow brackets until a step is shorter than the error that roots may have.
     for (int step = 0; step < most_steps && open.size() > 0 && !frame.stopped(); ++step) {

@@ -67,12 +67,13 @@ private:
     SquareField& field_;
     const TileRays& rays_;
     Real margin_;  ///< cells are longer than their slabs by this at both ends
-    FormCells<Real, FrontBlock<Real>::room> cells_;
-    std::array<ContinuityMask<Real>, FrontBlock<Real>::room> branches_;
+    FormCells<Real, FrontBlock<Real>::capacity> cells_;
+    std::array<ContinuityMask<Real>, FrontBlock<Real>::capacity> branches_;
     FrontBlock<Real> fronts_;
     std::size_t filled_ = 0;  ///< how many of them hold something
-    std::array<std::size_t, FrontBlock<Real>::room> squares_;
-    std::array<std::uint64_t, FrontBlock<Real>::room / 64> ended_;  ///< a bit each: goes on no more
+    std::array<std::size_t, FrontBlock<Real>::capacity> squares_;
+    std::array<std::uint64_t, FrontBlock<Real>::capacity / 64>
+        ended_;  ///< a bit each: goes on no more
 };
 
 template <class Real>
@@ -231,7 +232,7 @@ void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_en
     if (!frame_.kernel.branches) branches_.fill(0);
     std::size_t count = 0;
     while ((count > 0 || !squares.empty()) && !frame_.stopped()) {
-        while (count < FrontBlock<Real>::room && !squares.empty()) {
+        while (count < FrontBlock<Real>::capacity && !squares.empty()) {
             load(count++, squares.front());
             squares = squares.subspan(1);
         }

@@ -12,11 +12,12 @@ namespace zeroset {
 /// Places of squares of one size, and where their rays are inside of the clip region, as
 /// TileRays::depths has it. Plain data, nothing of it set at first.
 struct SquareDepths {
-    static constexpr std::size_t room = 64;
+    static constexpr std::size_t capacity = 64;
 
-    alignas(64) std::array<double, room> u, v;
-    alignas(64) std::array<double, room> enter_lo, enter_hi, exit_lo, exit_hi;  ///< out
-    alignas(64) std::array<double, room> hit;  ///< of their middle rays: a distance; out: its depth
+    alignas(64) std::array<double, capacity> u, v;
+    alignas(64) std::array<double, capacity> enter_lo, enter_hi, exit_lo, exit_hi;  ///< out
+    alignas(
+        64) std::array<double, capacity> hit;  ///< of their middle rays: a distance; out: its depth
 
     [[nodiscard]] DepthRange range(std::size_t i) const {
         return {.enter_lo = enter_lo[i],

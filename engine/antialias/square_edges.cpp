@@ -382,8 +382,9 @@ void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::
     } else {
         sort(squares);
         unclear_.clear();
-        for_each_part(even_, EdgeLines::room, [&](auto some) { decide_lines(some, false, open); });
-        for_each_part(unclear_, EdgeLines::room_of_all_rays,
+        for_each_part(even_, EdgeLines::capacity,
+                      [&](auto some) { decide_lines(some, false, open); });
+        for_each_part(unclear_, EdgeLines::capacity_of_all_rays,
                       [&](auto some) { decide_lines(some, true, open); });
         for_each_part(others_, most_squares, [&](auto some) { decide_squares(some, open); });
     }

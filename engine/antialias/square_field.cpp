@@ -5,12 +5,12 @@
 
 namespace zeroset {
 
-auto SquareField::kept_room() -> Room& {
-    thread_local Room room;
-    return room;
+auto SquareField::kept_scratch() -> Scratch& {
+    thread_local Scratch scratch;
+    return scratch;
 }
 
-void SquareField::Room::clear() {
+void SquareField::Scratch::clear() {
     squares.clear();
     next_squares.clear();
     ray_squares.clear();
@@ -31,18 +31,18 @@ void SquareField::place_hits(std::size_t first, std::size_t count, SquareDepths&
 
 void SquareField::place_all() {
     const auto depths = [&](std::size_t first, std::size_t count) -> const SquareDepths& {
-        thread_local SquareDepths room;
+        thread_local SquareDepths kept;
         for (std::size_t i = 0; i < count; ++i) {
             const CoverSquare& square = in_.squares[first + i];
-            room.u[i] = rays_.u(col_of(square, square_middle));
-            room.v[i] = rays_.v(row_of(square, square_middle));
+            kept.u[i] = rays_.u(col_of(square, square_middle));
+            kept.v[i] = rays_.v(row_of(square, square_middle));
         }
-        find_depths(rays_, 0.5 * in_.squares[first].side * rays_.pixel(), count, room);
-        if (in_.squares[first].whole != nullptr) place_hits(first, count, room);
-        return room;
+        find_depths(rays_, 0.5 * in_.squares[first].side * rays_.pixel(), count, kept);
+        if (in_.squares[first].whole != nullptr) place_hits(first, count, kept);
+        return kept;
     };
-    for (std::size_t first = 0; first < in_.squares.size(); first += SquareDepths::room) {
-        const std::size_t count = std::min(SquareDepths::room, in_.squares.size() - first);
+    for (std::size_t first = 0; first < in_.squares.size(); first += SquareDepths::capacity) {
+        const std::size_t count = std::min(SquareDepths::capacity, in_.squares.size() - first);
         const SquareDepths& of_squares = depths(first, count);
         for (std::size_t i = 0; i < count; ++i) {
             for (Front& front : fronts(first + i)) {

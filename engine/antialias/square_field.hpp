@@ -23,11 +23,11 @@ struct SquareDepths;
 class SquareField {
 public:
     SquareField(const TileRays& rays, std::size_t surfaces)
-        : rays_(rays), surfaces_(surfaces), in_(std::exchange(kept_room(), {})) {}
+        : rays_(rays), surfaces_(surfaces), in_(std::exchange(kept_scratch(), {})) {}
     SquareField(const SquareField&) = delete;
     ~SquareField() {
         in_.clear();
-        kept_room() = std::move(in_);
+        kept_scratch() = std::move(in_);
     }
 
     [[nodiscard]] std::size_t size() const { return in_.squares.size(); }
@@ -107,7 +107,7 @@ public:
 
 private:
     /// The squares of this level, those of the next, and rays, with their fronts.
-    struct Room {
+    struct Scratch {
         std::vector<CoverSquare> squares, next_squares, ray_squares;
         std::vector<Front> fronts, next_fronts, ray_fronts;
         std::deque<SquareRest> rests;  ///< of the squares
@@ -115,8 +115,8 @@ private:
 
         void clear();
     };
-    /// The room of this thread's last field, for the next one.
-    static Room& kept_room();
+    /// The memory of this thread's last field, for the next one.
+    static Scratch& kept_scratch();
 
     /// Sets where the hits of whole pixels are, some squares from `first` on.
     void place_hits(std::size_t first, std::size_t count, SquareDepths& depths);
@@ -129,7 +129,7 @@ private:
 
     const TileRays& rays_;
     std::size_t surfaces_;
-    Room in_;
+    Scratch in_;
 };
 
 }  // namespace zeroset

@@ -42,6 +42,12 @@ std::string LineDrawing::lacks(double tolerance_pt) const {
         }
         return filled(tr("some {0} may be missing"), {names});
     }
+    if (paths.empty() && has_linear_volume)
+        return tr(
+            "nothing is drawn: between its samples the volume has corners in place of "
+            "silhouettes; type cubic behind its file's name, as in volume(\"ct.nrrd\", cubic)");
+    if (paths.empty())
+        return tr("nothing is drawn: none of the lines that are asked for is in the view");
     if (!all_seams) return tr("lines may be missing where f jumps: there are too many such places");
     if (!(report.open_pt > tolerance_pt)) return "";
     return filled(tr("lines may be missing in {0} places of up to {1} pt, where equations of lines "

@@ -51,6 +51,9 @@ struct LineDrawing {
     std::array<bool, 5> cut{};  ///< by CurveKind: the time did not suffice for all of them
     bool all_seams = true;      ///< false: some jumps are left out, as there were too many
     std::optional<double> contour_width_pt = {};  ///< if one was asked for with the contour lines
+    /// A surface is of a volume between whose samples f is no smooth function: it has corners
+    /// there, in place of the lines that are followed.
+    bool has_linear_volume = false;
 
     /// "some silhouettes may be missing": one line on what it may lack where lines are to be within
     /// `tolerance_pt`; empty if nothing.

@@ -8,15 +8,15 @@
 namespace zeroset {
 namespace {
 
-class Room {
+class Buffer {
 public:
-    Room() = default;
-    Room(const Room&) = delete;
-    Room& operator=(const Room&) = delete;
-    Room(Room&& other) noexcept
+    Buffer() = default;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    Buffer(Buffer&& other) noexcept
         : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
-    Room& operator=(Room&&) = delete;
-    ~Room() { release(); }
+    Buffer& operator=(Buffer&&) = delete;
+    ~Buffer() { release(); }
 
     void* with(std::size_t bytes) {
         if (bytes > size_) {
@@ -37,25 +37,25 @@ private:
     std::size_t size_ = 0;
 };
 
-struct Rooms {
-    std::vector<Room> rooms;
+struct Buffers {
+    std::vector<Buffer> buffers;
     std::size_t in_use = 0;
 };
 
-Rooms& rooms_of_thread() {
-    thread_local Rooms rooms;
-    return rooms;
+Buffers& buffers_of_thread() {
+    thread_local Buffers buffers;
+    return buffers;
 }
 
 }  // namespace
 
 Scratch::Scratch(std::size_t bytes) {
-    auto& [rooms, in_use] = rooms_of_thread();
-    if (rooms.size() <= in_use) rooms.emplace_back();
-    data_ = rooms[in_use].with(bytes);
+    auto& [buffers, in_use] = buffers_of_thread();
+    if (buffers.size() <= in_use) buffers.emplace_back();
+    data_ = buffers[in_use].with(bytes);
     ++in_use;
 }
 
-Scratch::~Scratch() { --rooms_of_thread().in_use; }
+Scratch::~Scratch() { --buffers_of_thread().in_use; }
 
 }  // namespace zeroset

@@ -8,16 +8,16 @@
 
 namespace zeroset {
 
-/// Some cells of a frustum and their forms: FormBatchOf's arrays, of a fixed room.
+/// Some cells of a frustum and their forms: FormBatchOf's arrays, of a fixed capacity.
 /// Plain data, nothing of it set at first.
-template <class Real, std::size_t room>
+template <class Real, std::size_t capacity>
 struct FormCells {
-    static_assert(room % batch_multiple == 0);
+    static_assert(capacity % batch_multiple == 0);
 
-    std::array<Real, room> u, v, s, s_radius;
-    std::array<Real, room> c, e, r, slope_neg_lo, slope_hi;
-    std::array<std::array<Real, room>, 3> k;
-    std::array<ContinuityMask<Real>, room> continuous, nowhere;
+    std::array<Real, capacity> u, v, s, s_radius;
+    std::array<Real, capacity> c, e, r, slope_neg_lo, slope_hi;
+    std::array<std::array<Real, capacity>, 3> k;
+    std::array<ContinuityMask<Real>, capacity> continuous, nowhere;
 
     /// The first `count`, a multiple of batch_multiple; `uniforms`: for boxes.
     FormBatchOf<Real> batch(std::size_t count, const FrustumOf<Real>& frustum,

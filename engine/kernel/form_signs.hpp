@@ -48,18 +48,18 @@ void put_box_of_cell(const FormCells<Real, cell_room>& cells, std::size_t i,
 /// range of its type in them, or comes near a pole: by ranges over the boxes about them. Where f
 /// surely has a sign, its form becomes 1 or -1, which tells no more than that. Returns how many
 /// boxes were asked about. `in_rays`: the cells have no width. In upward rounding.
-template <class Real, std::size_t room>
+template <class Real, std::size_t capacity>
 std::size_t ask_unknown_signs(const KernelFunction<RangeBatchOf<Real>>& range,
                               const FrustumOf<Real>& frustum, bool in_rays, const Real* uniforms,
-                              std::size_t count, FormCells<Real, room>& cells) {
+                              std::size_t count, FormCells<Real, capacity>& cells) {
     constexpr Real unknown = std::numeric_limits<Real>::infinity();
     // Seldom: all cells are looked at in one go first.
     bool all_known = true;
     for (std::size_t i = 0; i < count; ++i)
         all_known = all_known & (cells.e[i] < unknown);
     if (all_known) return 0;
-    std::array<std::size_t, room> asked{};
-    RangeBoxes<Real, room> boxes;
+    std::array<std::size_t, capacity> asked{};
+    RangeBoxes<Real, capacity> boxes;
     std::size_t size = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (cells.e[i] < unknown || cells.nowhere[i] != 0) continue;

@@ -18,15 +18,15 @@ int sign_of_range(Real neg_lo, Real hi) {
 
 /// Some boxes and enclosures of f over them: RangeBatchOf's arrays, of a fixed room. Plain
 /// data, nothing of it set at first.
-template <class Real, std::size_t room>
+template <class Real, std::size_t most>
 struct RangeBoxes {
-    static_assert(room % batch_multiple == 0);
-    static constexpr std::size_t capacity = room;
+    static_assert(most % batch_multiple == 0);
+    static constexpr std::size_t capacity = most;
 
-    alignas(64) Real ends[6][room];  ///< -lo of x, y, z, then hi of x, y, z
-    alignas(64) Real f_neg_lo[room];
-    alignas(64) Real f_hi[room];
-    alignas(64) ContinuityMask<Real> continuous[room];
+    alignas(64) Real ends[6][most];  ///< -lo of x, y, z, then hi of x, y, z
+    alignas(64) Real f_neg_lo[most];
+    alignas(64) Real f_hi[most];
+    alignas(64) ContinuityMask<Real> continuous[most];
 
     /// Repeats the first of `count` boxes up to whole batches.
     void pad(std::size_t count) {

@@ -9,6 +9,7 @@
 #endif
 
 #include "engine/kernel/form_cells.hpp"
+#include "engine/light/cell_verdicts-inl.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 
 #include <algorithm>
@@ -35,11 +36,11 @@ struct RayMarks {
 /// Rays on their ways. Plain data, nothing of it set at first.
 template <class Real>
 struct RayBlock {
-    static constexpr std::size_t room = 256;
-    static_assert(room % batch_multiple == 0);
+    static constexpr std::size_t capacity = 256;
+    static_assert(capacity % batch_multiple == 0);
 
-    using Column = Real[room];
-    using Words = RayWord<Real>[room];
+    using Column = Real[capacity];
+    using Words = RayWord<Real>[capacity];
 
     alignas(64) Column u, v, s;
     alignas(64) Column from, to;  ///< depths between which the search goes on
@@ -92,9 +93,9 @@ HWY_INLINE V<Real> next_of(const RayBlock<Real>& rays, std::size_t i, M<Real> le
 }
 
 /// Sets the next cells of a vector of rays. In upward rounding.
-template <class Real, std::size_t room>
+template <class Real, std::size_t capacity>
 HWY_INLINE void place_cells(const RayBlock<Real>& rays, const RayRules<Real>& rules, std::size_t i,
-                            FormCells<Real, room>& cells) {
+                            FormCells<Real, capacity>& cells) {
     const auto marks = hn::Load(du<Real>, rays.marks + i);
     const V<Real> to = hn::Load(d<Real>, rays.to + i);
     const V<Real> next = next_of(rays, i, has<Real>(marks, RayMarks::left));
@@ -107,60 +108,18 @@ HWY_INLINE void place_cells(const RayBlock<Real>& rays, const RayRules<Real>& ru
     hn::StoreU(hn::Add(radius, hn::Set(d<Real>, rules.margin)), d<Real>, &cells.s_radius[i]);
 }
 
-/// Whether cells prove their rays free or dark. Lanes are set in one of `free` and `dark`, or in
-/// none.
+/// The hits of a vector of rays with these marks.
 template <class Real>
-struct RayVerdict {
-    M<Real> free;                ///< no root but the hits
-    M<Real> dark;                ///< a root
-    M<Real> positive, negative;  ///< f at the end towards the light, of a free cell
-    M<Real> continuous;
-};
-
-/// The verdicts of `judge` (shadow_cells.hpp) on a vector of cells. In upward rounding.
-template <class Real, std::size_t room>
-HWY_INLINE RayVerdict<Real> verdict_of(const FormCells<Real, room>& cells, std::size_t i,
-                                       hn::Vec<hn::RebindToUnsigned<Tag<Real>>> marks,
-                                       bool is_member) {
-    const V<Real> zero = hn::Zero(d<Real>);
-    const auto number_at = [&](const auto& column) { return hn::LoadU(d<Real>, &column[i]); };
-    const V<Real> c = number_at(cells.c);
-    const V<Real> along = number_at(cells.k[2]);
-    const V<Real> aside =
-        hn::Add(hn::Add(hn::Abs(number_at(cells.k[0])), hn::Abs(number_at(cells.k[1]))),
-                number_at(cells.e));
-    const M<Real> falls = hn::Lt(number_at(cells.slope_hi), zero);
-    const M<Real> rises = hn::Lt(number_at(cells.slope_neg_lo), zero);
-    const M<Real> nowhere = mask_at(d<Real>, &cells.nowhere[i]);
-    RayVerdict<Real> verdict;
-    verdict.continuous = mask_at(d<Real>, &cells.continuous[i]);
-
-    const V<Real> steepness = hn::Abs(along);
-    const V<Real> size = hn::Abs(c);
-    const M<Real> rejected = hn::AndNot(nowhere, hn::Gt(size, hn::Add(steepness, aside)));
-    const M<Real> undecided = hn::AndNot(hn::Or(nowhere, rejected), verdict.continuous);
-    // Depths fall towards the light: f goes away from 0 there, from the hits, or from where its
-    // sign is known.
+HWY_INLINE HitsOfCell<VectorOfCells<Real>> hits_with(hn::Vec<hn::RebindToUnsigned<Tag<Real>>> marks,
+                                                     bool is_member) {
     const M<Real> left = has<Real>(marks, RayMarks::left);
-    const M<Real> above = has<Real>(marks, RayMarks::positive);
-    const M<Real> below = has<Real>(marks, RayMarks::negative);
-    const M<Real> rises_only = hn::AndNot(falls, rises);
-    const M<Real> away = hn::And(left, hn::Or(hn::And(falls, above), hn::And(rises_only, below)));
     const M<Real> at_root = hn::AndNot(left, has<Real>(marks, RayMarks::root));
-    const M<Real> leaves = hn::And(at_root, is_member ? falls : hn::Or(falls, rises));
-    const M<Real> sloped = hn::And(undecided, hn::Or(away, leaves));
-    verdict.free = hn::Or(nowhere, hn::Or(rejected, sloped));
-    const M<Real> is_positive = hn::Gt(c, zero);
-    // Where f is not continuous, the form is of another function with its zeros, not its signs.
-    const M<Real> has_sign = hn::And(rejected, verdict.continuous);
-    verdict.positive = hn::Or(hn::And(has_sign, is_positive), hn::And(sloped, falls));
-    verdict.negative = hn::Or(hn::AndNot(is_positive, has_sign), hn::AndNot(falls, sloped));
-
-    const M<Real> turned = hn::Or(hn::And(above, hn::Lt(hn::Add(hn::Sub(c, along), aside), zero)),
-                                  hn::And(below, hn::Lt(hn::Add(hn::Sub(along, c), aside), zero)));
-    const M<Real> opposite = hn::Gt(steepness, hn::Add(size, aside));
-    verdict.dark = hn::AndNot(sloped, hn::And(hn::And(undecided, left), hn::Or(turned, opposite)));
-    return verdict;
+    const M<Real> none = hn::AndNot(left, left);
+    return {.behind = left,
+            .left_falling = at_root,
+            .left_rising = is_member ? none : at_root,
+            .above = has<Real>(marks, RayMarks::positive),
+            .below = has<Real>(marks, RayMarks::negative)};
 }
 
 /// Rays that ended, as bits: all, those of which there is something to tell, the dark ones.
@@ -169,15 +128,16 @@ struct RayEnds {
 };
 
 /// Takes a vector of rays on by what their cells tell. In upward rounding.
-template <class Real, std::size_t room>
+template <class Real, std::size_t capacity>
 HWY_INLINE RayEnds take_cells(RayBlock<Real>& rays, const RayRules<Real>& rules, std::size_t i,
-                              const FormCells<Real, room>& cells) {
+                              const FormCells<Real, capacity>& cells) {
     // Halves of shorter cells might not be shorter in these numbers.
     constexpr Real least = 64 * std::numeric_limits<Real>::epsilon();
     const auto tag = du<Real>;
     const auto number = [](Real value) { return hn::Set(d<Real>, value); };
     const auto marks = hn::Load(tag, rays.marks + i);
-    const RayVerdict<Real> verdict = verdict_of(cells, i, marks, rules.is_member);
+    const auto f = line_of<VectorOfCells<Real>>(cells, i);
+    const auto verdict = verdict_of(f, hits_with<Real>(marks, rules.is_member));
     const M<Real> left = has<Real>(marks, RayMarks::left);
     const V<Real> to = hn::Load(d<Real>, rays.to + i);
     const V<Real> step = hn::Load(d<Real>, rays.step + i);
@@ -189,7 +149,7 @@ HWY_INLINE RayEnds take_cells(RayBlock<Real>& rays, const RayRules<Real>& rules,
     const M<Real> passed = hn::AndNot(halved, open);
     // A root at the hit itself may be the hit.
     const M<Real> at_hit = hn::AndNot(left, hn::And(passed, has<Real>(marks, RayMarks::root)));
-    const M<Real> seems_dark = hn::And(hn::AndNot(at_hit, passed), verdict.continuous);
+    const M<Real> seems_dark = hn::And(hn::AndNot(at_hit, passed), f.continuous);
     const M<Real> dark = hn::Or(verdict.dark, seems_dark);
     const M<Real> unproved = hn::Or(passed, has<Real>(marks, RayMarks::unproved));
     const M<Real> goes_on = hn::Not(hn::Or(halved, dark));

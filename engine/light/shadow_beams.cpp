@@ -1,5 +1,5 @@
 #include "engine/kernel/form_signs.hpp"
-#include "engine/light/shadow_cells.hpp"
+#include "engine/light/cell_verdicts-inl.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
 
@@ -24,6 +24,19 @@ constexpr unsigned few_hits = 4;
 /// Beams of one group are of widths that differ by a factor of 2 at most; the narrowest and the
 /// widest groups have no bound.
 constexpr int width_groups = 16;
+
+template <class Real>
+using OneCell = HWY_NAMESPACE::OneCell<Real>;
+template <class Real>
+using CellLine = HWY_NAMESPACE::CellLine<OneCell<Real>>;
+
+/// The hits of a beam: in the next cell, or behind it as the light sees it.
+enum class Start : std::uint8_t {
+    Roots,   ///< in it, the hits: roots of the surface's own function
+    Above,   ///< in it, hits at which f is 0 or above
+    Others,  ///< in it, hits of other surfaces, or on caps
+    Behind,  ///< the hits are behind it
+};
 
 Square square_at(int col, int row, int side) {
     return {.col = static_cast<std::uint8_t>(col),
@@ -288,7 +301,7 @@ CellLine<Real> BeamSearch<Real>::slanted_line(const Beam& beam, std::size_t i) c
                          along * part(hits.by_u * hits.u_radius * per_radius);
     const Real aside_v = cells_.k[1][i] * part(hits.v_radius / widest_v_) +
                          along * part(hits.by_v * hits.v_radius * per_radius);
-    CellLine<Real> line = line_of(cells_, i);
+    auto line = HWY_NAMESPACE::line_of<OneCell<Real>>(cells_, i);
     const double off = std::abs(static_cast<double>(cells_.s[i]) - beam.middle()) + margin_;
     const Real spare =
         rounding * (line.aside + std::abs(along)) + std::abs(along) * part(off * per_radius);
@@ -306,16 +319,23 @@ void BeamSearch<Real>::darken(const Square& square) {
 template <class Real>
 void BeamSearch<Real>::take(Beam& beam, const CellLine<Real>& line, std::vector<Beam>& group) {
     const double length = beam.length();
-    const ShadeVerdict verdict = judge(line, beam.start, beam.sign);
-    if (verdict.shade == Shade::Dark && search_.way == ShadowWay::Boxes) return divide(beam);
-    if (verdict.shade == Shade::Dark && beam.next() >= beam.entry.last) {
+    const bool at_roots = beam.start == Start::Roots;
+    const auto verdict = verdict_of(line, {.behind = beam.start == Start::Behind,
+                                           .left_falling = at_roots || beam.start == Start::Above,
+                                           .left_rising = at_roots,
+                                           .above = beam.sign == RaySign::Positive,
+                                           .below = beam.sign == RaySign::Negative});
+    if (verdict.dark && search_.way == ShadowWay::Boxes) return divide(beam);
+    if (verdict.dark && beam.next() >= beam.entry.last) {
         darken(beam.square);
         return;
     }
-    if (verdict.shade == Shade::Free) {
+    if (verdict.free) {
         beam.to = beam.next();
         beam.start = Start::Behind;
-        beam.sign = verdict.sign;
+        beam.sign = verdict.positive   ? RaySign::Positive
+                    : verdict.negative ? RaySign::Negative
+                                       : RaySign::Unknown;
         beam.step *= growth;
         if (beam.entry.first < beam.to) group.push_back(beam);
         return;

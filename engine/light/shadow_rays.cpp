@@ -52,7 +52,7 @@ private:
     FrustumOf<Real> frustum_;
     RayRules<Real> rules_;
     RayBlock<Real> block_;
-    FormCells<Real, RayBlock<Real>::room> cells_;
+    FormCells<Real, RayBlock<Real>::capacity> cells_;
 };
 
 template <class Real>
@@ -115,7 +115,7 @@ template <class Real>
 void RaySearch<Real>::search(std::span<const LightRay> rays) {
     std::size_t count = 0;
     while ((count > 0 || !rays.empty()) && !search_.light.stopped()) {
-        const std::size_t more = std::min(RayBlock<Real>::room - count, rays.size());
+        const std::size_t more = std::min(RayBlock<Real>::capacity - count, rays.size());
         for (std::size_t i = 0; i < more; ++i)
             load(count + i, rays[i]);
         rays = rays.subspan(more);

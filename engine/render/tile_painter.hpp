@@ -22,7 +22,7 @@
 
 namespace zeroset {
 
-/// Room that a thread keeps from tile to tile.
+/// Memory that a thread keeps from tile to tile.
 struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
@@ -59,7 +59,7 @@ public:
                     Counters& counters) const;
 
 private:
-    /// What the tracer, or the way of its kind, makes of a surface (TraceFrame::prepared).
+    /// Prepares a surface (TraceFrame::prepared) by the tracer, or by the way of its kind.
     [[nodiscard]] std::shared_ptr<const PreparedSurface> prepare(const TraceFrame& surface,
                                                                  const TraceSettings& settings,
                                                                  const TimeLimit& limit) const;

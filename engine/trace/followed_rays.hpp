@@ -6,7 +6,7 @@
 
 namespace zeroset {
 
-/// What is found on a stretch of a ray.
+/// The finding on a stretch of a ray.
 enum class RayFinding : std::uint8_t {
     Free,     ///< it meets nothing
     Root,     ///< it meets the surface
@@ -18,7 +18,8 @@ enum class RayFinding : std::uint8_t {
 struct FollowedRay {
     double u = 0, v = 0, from = 0, to = -1;
     RayFinding found = RayFinding::Free;
-    /// Before the first root, none is before it, which is between there and `to`; of a level set.
+    /// A depth before which there is no root of a level set; its first one is between there and
+    /// `to`.
     double root = 0;
     std::int8_t side = 0;  ///< the sign of f on a free stretch; of a level set
 };

@@ -77,7 +77,7 @@ public:
     bool are_above_zero(const Kernel& kernel);
 
 private:
-    static constexpr std::size_t room = batch_multiple;
+    static constexpr std::size_t capacity = batch_multiple;
     static constexpr int across = 4;
     static constexpr int side = tile_size / across;
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -85,7 +85,7 @@ private:
     const TraceFrame& frame_;
     FrustumOf<Real> frustum_;
     std::size_t size_ = 0;
-    FormCells<Real, room> cells_;
+    FormCells<Real, capacity> cells_;
 };
 
 template <class Real>
@@ -111,7 +111,7 @@ Entries<Real>::Entries(const TraceFrame& frame, const Tile& tile) : frame_(frame
             Real{}, 0.5 * (far - depths.enter_lo) + 16 * most * unit + 4 * rays.depth_error());
         ++size_;
     }
-    for (std::size_t i = size_; i < room && size_ > 0; ++i) {
+    for (std::size_t i = size_; i < capacity && size_ > 0; ++i) {
         cells_.u[i] = cells_.u[0];
         cells_.v[i] = cells_.v[0];
         cells_.s[i] = cells_.s[0];
@@ -122,7 +122,7 @@ Entries<Real>::Entries(const TraceFrame& frame, const Tile& tile) : frame_(frame
 template <class Real>
 bool Entries<Real>::are_above_zero(const Kernel& kernel) {
     if (size_ == 0) return true;
-    kernel.form(cells_.batch(room, frustum_, frame_.scene.uniforms.template boxes<Real>()));
+    kernel.form(cells_.batch(capacity, frustum_, frame_.scene.uniforms.template boxes<Real>()));
     for (std::size_t i = 0; i < size_; ++i) {
         const bool above = cells_.c[i] > cells_.spread(i);
         if (!above || cells_.continuous[i] == 0) return false;

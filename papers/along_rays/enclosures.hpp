@@ -27,7 +27,7 @@ inline constexpr std::size_t most_tasks = 256;
 template <class Real>
 class RangesOnRays {
 public:
-    static constexpr std::size_t room = 3 * most_tasks;
+    static constexpr std::size_t capacity = 3 * most_tasks;
 
     void begin(const TraceFrame& frame, const RayLines& lines, Counters& counters) {
         frame_ = &frame;
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     /// Adds [from, to] of a pixel's ray; its index.
     std::size_t push(std::uint32_t pixel, double from, double to) {
-        assert(size_ < room);
+        assert(size_ < capacity);
         const RayLine& line = lines_->of(pixel);
         pixels_[size_] = pixel;
         spans_.from[size_] = from;
@@ -86,7 +86,7 @@ public:
 
 private:
     static std::array<const double*, 3> pointers(
-        const std::array<std::array<double, room>, 3>& columns) {
+        const std::array<std::array<double, capacity>, 3>& columns) {
         return {columns[0].data(), columns[1].data(), columns[2].data()};
     }
 
@@ -94,9 +94,9 @@ private:
     const RayLines* lines_ = nullptr;
     Counters* counters_ = nullptr;
     std::size_t size_ = 0;
-    std::array<std::uint32_t, room> pixels_;
-    RaySpans<room> spans_;
-    RangeBoxes<Real, room> boxes_;
+    std::array<std::uint32_t, capacity> pixels_;
+    RaySpans<capacity> spans_;
+    RangeBoxes<Real, capacity> boxes_;
 };
 
 /// Affine forms of f over stretches of rays, and enclosures F' of df/ds there: cells of beams
@@ -104,7 +104,7 @@ private:
 template <class Real>
 class FormsOnRays {
 public:
-    static constexpr std::size_t room = most_tasks;
+    static constexpr std::size_t capacity = most_tasks;
 
     void begin(const TraceFrame& frame, const TileRays& rays, Counters& counters) {
         frame_ = &frame;
@@ -122,7 +122,7 @@ public:
     void clear() { size_ = 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
     std::size_t push(std::uint32_t pixel, const Stretch& stretch) {
-        assert(size_ < room);
+        assert(size_ < capacity);
         const auto s = static_cast<Real>(stretch.middle());
         const auto middle = static_cast<double>(s);
         const double radius = std::max(stretch.to - middle, middle - stretch.from) + margin_;
@@ -170,8 +170,8 @@ private:
     double margin_ = 0.0;
     FrustumOf<Real> frustum_{};
     std::array<Real, tile_size> u_{}, v_{};
-    std::array<std::uint32_t, room> pixels_;
-    FormCells<Real, room> cells_;
+    std::array<std::uint32_t, capacity> pixels_;
+    FormCells<Real, capacity> cells_;
 };
 
 }  // namespace zeroset

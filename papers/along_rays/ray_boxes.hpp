@@ -6,12 +6,12 @@
 namespace zeroset {
 
 /// Stretches of rays: the points origin + s direction for s between `from` and `to`. Arrays of a
-/// fixed room, a multiple of 8.
-template <std::size_t room>
+/// fixed capacity, a multiple of 8.
+template <std::size_t capacity>
 struct RaySpans {
-    static_assert(room % 8 == 0);
-    std::array<double, room> from{}, to{};
-    std::array<std::array<double, room>, 3> origin{}, direction{};
+    static_assert(capacity % 8 == 0);
+    std::array<double, capacity> from{}, to{};
+    std::array<std::array<double, capacity>, 3> origin{}, direction{};
 };
 
 /// RaySpans as plain arrays.

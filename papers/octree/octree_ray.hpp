@@ -46,8 +46,8 @@ RayBox box_on_ray(const OctreeRay& ray, double from, double to);
 /// The part of an octant in the clip box. In upward rounding.
 RayBox box_of_octant(const OctreeRay& ray, const Octant& octant, const Box& clip);
 /// Puts a box into the columns of RangeBoxes as number i. In upward rounding.
-template <class Real, std::size_t room>
-void store_box(const RayBox& box, Real (&ends)[6][room], std::size_t i) {
+template <class Real, std::size_t capacity>
+void store_box(const RayBox& box, Real (&ends)[6][capacity], std::size_t i) {
     for (int axis = 0; axis < 3; ++axis) {
         ends[axis][i] = static_cast<Real>(box.neg_lo[axis]);
         ends[axis + 3][i] = static_cast<Real>(box.hi[axis]);

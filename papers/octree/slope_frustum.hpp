@@ -22,9 +22,9 @@ inline constexpr double slope_slant = 0x1p-50;
 ///
 /// The eye is 2^56 times as far away as all boxes reach: a ray at y from the axis is at y + s y / D
 /// at depth s, which moves it by less than 2^-55 of that reach.
-template <class Real, std::size_t room>
+template <class Real, std::size_t capacity>
 FrustumOf<Real> slope_frustum(std::span<const RayBox> boxes, int axis,
-                              FormCells<Real, room>& cells) {
+                              FormCells<Real, capacity>& cells) {
     const int across[2] = {(axis + 1) % 3, (axis + 2) % 3};
     double reach = 0.0;
     for (const RayBox& box : boxes) {

@@ -185,6 +185,16 @@ class FileTest(DrawingTest):
         self.assertRegex(result.err, r"^zeroset: lines may be missing in \d+ places of up to "
                                      r"[\d.]+ pt.*\n$")
 
+    def test_empty_drawings_are_told(self):
+        self.run_ok("sample", "x^2 + y^2 + z^2 = 1", "--size", "12", "-o", "ball.nrrd")
+        for equation, told in (('volume("ball.nrrd")(x, y, z) = 0', r"type cubic behind its file"),
+                               ('volume("ball.nrrd", cubic)(x, y, z) = 0', None),
+                               ("x^2 + y^2 + z^2 = -1", r"none of the lines .* is in the view")):
+            result = run("draw", equation, "-o", "a.svg", cwd=self.folder)
+            self.assertEqual(result.code, 0, str(result))
+            wanted = "^$" if told is None else rf"^zeroset: nothing is drawn: .*{told}.*\n$"
+            self.assertRegex(result.err, wanted)
+
 
 class ErrorTest(DrawingTest):
     def error_of(self, *options, code=2):

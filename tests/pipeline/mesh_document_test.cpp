@@ -31,8 +31,8 @@ MeshObject closed_mesh(const std::string& text, double half, const MeshSettings&
     const TriangleMesh& mesh = meshes.file.objects[0].mesh;
     EXPECT_EQ(defect_of(mesh), "") << text;
     EXPECT_GT(enclosed_volume(mesh), 0) << text;
-    EXPECT_NEAR(enclosed_volume(mesh), meshes.surfaces[0].kernel.facts.volume, 1e-9) << text;
-    EXPECT_EQ(euler_characteristic(mesh), meshes.surfaces[0].kernel.facts.euler()) << text;
+    EXPECT_NEAR(enclosed_volume(mesh), meshes.surfaces[0].facts.volume, 1e-9) << text;
+    EXPECT_EQ(euler_characteristic(mesh), meshes.surfaces[0].facts.euler()) << text;
     return std::move(meshes.file.objects[0]);
 }
 
@@ -56,7 +56,7 @@ TEST_P(MeshTopology, IsProvedAndRight) {
         const TriangleMesh& mesh = meshes.file.objects[0].mesh;
         EXPECT_EQ(defect_of(mesh), "");
         EXPECT_EQ(euler_characteristic(mesh), known.euler);
-        EXPECT_EQ(meshes.surfaces[0].kernel.facts.components, known.components);
+        EXPECT_EQ(meshes.surfaces[0].facts.components, known.components);
         EXPECT_TRUE(meshes.surfaces[0].report.isotopic) << proof_line(meshes.surfaces[0].report);
         EXPECT_EQ(meshes.surfaces[0].report.unchanged, !thin);
         EXPECT_LE(meshes.surfaces[0].report.deviation, known.tolerance);
@@ -221,8 +221,8 @@ TEST(MeshSingular, IsClosedAndSaidToBeUnproved) {
 TEST(MeshOpen, EndsWhereTheBoxDoes) {
     const DocumentMeshes meshes = meshed("z = x y/2", 1, {.tolerance = 0.01, .open = true});
     ASSERT_EQ(meshes.surfaces.size(), 1U);
-    EXPECT_EQ(meshes.surfaces[0].kernel.facts.euler(), 1);
-    EXPECT_GT(meshes.surfaces[0].kernel.facts.open_edges, 3U);
+    EXPECT_EQ(meshes.surfaces[0].facts.euler(), 1);
+    EXPECT_GT(meshes.surfaces[0].facts.open_edges, 3U);
     for (const MeshVertex& vertex : meshes.file.objects[0].mesh.vertices)
         EXPECT_NEAR(vertex.point.z, vertex.point.x * vertex.point.y / 2, 1e-6);
 }

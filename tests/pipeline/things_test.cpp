@@ -127,7 +127,7 @@ TEST(ThingMeshes, PolygonsAreSheets) {
     const auto meshes = mesh_document(drawn.request, {.tolerance = 0.02});
     ASSERT_TRUE(meshes);
     ASSERT_EQ(meshes->surfaces.size(), 1U);
-    EXPECT_GT(meshes->surfaces[0].kernel.facts.open_edges, 0U);
+    EXPECT_GT(meshes->surfaces[0].facts.open_edges, 0U);
     const TriangleMesh& mesh = meshes->file.objects.at(0).mesh;
     double area = 0.0;
     for (const auto& triangle : mesh.triangles) {
@@ -202,7 +202,7 @@ TEST(Thicknesses, OfOneRowLeaveTheOthersAlone) {
 
 /// The tree of a surface in a scene.
 std::shared_ptr<const PatchTree> tree_in(const Scene& scene, std::size_t surface) {
-    return patch_tree(scene.surfaces.at(surface), scene.uniforms);
+    return patch_tree(scene.surfaces.at(surface).kernel, scene.uniforms);
 }
 
 /// Expects that of two surfaces this one alone has another tree when the picture changes.

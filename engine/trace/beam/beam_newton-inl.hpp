@@ -26,14 +26,14 @@ inline double value_error(double r) {
 /// Some rays of a tile on their way to roots: the arrays of NewtonBatchOf and RayValueBatch. Plain
 /// data, nothing of it set at first; functions take the first `count` rays, a multiple of
 /// Kernel::lane_multiple.
-template <class Real, std::size_t room>
+template <class Real, std::size_t capacity>
 struct NewtonRays {
-    alignas(64) float col[room], row[room];
-    alignas(64) Real from[room], to[room];  ///< where the root is looked for
-    alignas(64) Real guess[room];
-    alignas(64) Real gradient[3][room], per_slope[room];  ///< near the guess
-    alignas(64) float float_per_slope[room];
-    alignas(64) double s[room], f[room];  ///< the guess in double, and f there
+    alignas(64) float col[capacity], row[capacity];
+    alignas(64) Real from[capacity], to[capacity];  ///< where the root is looked for
+    alignas(64) Real guess[capacity];
+    alignas(64) Real gradient[3][capacity], per_slope[capacity];  ///< near the guess
+    alignas(64) float float_per_slope[capacity];
+    alignas(64) double s[capacity], f[capacity];  ///< the guess in double, and f there
 
     /// Up to `most` steps from the guesses: a help only, nothing rests on where they end.
     void take_steps(const TraceFrame& frame, const TileRays& rays, const Kernel& kernel,

@@ -22,7 +22,7 @@ struct SquareOfPixels {
     std::uint16_t side;
 };
 
-/// Room that a RangeList keeps.
+/// Memory that a RangeList keeps.
 template <class Real>
 struct RangeMemory {
     RangeBoxList<Real> boxes;

@@ -59,7 +59,7 @@ struct LeftoverSegment {
     bool continuous;
 };
 
-/// Room that a RayMarcher keeps; empty between marches.
+/// Memory that a RayMarcher keeps; empty between marches.
 template <class Real>
 struct MarchMemory {
     static constexpr std::size_t capacity = 256;

@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Room that a thread keeps from tile to tile.
+/// Memory that a thread keeps from tile to tile.
 template <class Real>
 struct BeamMemory {
     TreeMemory<Real> tree;

@@ -34,7 +34,7 @@ constexpr int most_parts = 4;  ///< into which a slab is cut at once
 /// Cells of so many neighbouring slabs of a tile share a specialized kernel.
 constexpr std::size_t slabs_a_kernel = 4;
 
-/// Room for cells piece by piece.
+/// Memory for cells, piece by piece.
 template <class Real>
 struct PieceMemory {
     Pieces<Real> pieces;
@@ -47,7 +47,7 @@ struct PieceMemory {
     std::vector<Left> left;  ///< of each cell of a list
 };
 
-/// Room that a CellTree keeps from tile to tile.
+/// Memory that a CellTree keeps from tile to tile.
 template <class Real>
 struct TreeMemory {
     Cells<Real> cells[2];

@@ -124,11 +124,11 @@ void set_ball(SlotOf<Real>& slot, const ViewBall& ball, const MarchBounds<Real>&
     if (by_radius > 0.01) slot.error = std::numeric_limits<double>::infinity();
 }
 
-/// The distance on which f cannot come to 0 from `room` away, while it nears 0 by `rise`, which
-/// grows by `curve` at most.
+/// The distance on which f cannot come to 0 from `clearance` away, while it nears 0 by `rise`,
+/// which grows by `curve` at most.
 template <class Real>
-HWY_INLINE V<Real> safe_step(V<Real> room, V<Real> rise, V<Real> curve) {
-    const V<Real> twice = hn::Add(room, room);
+HWY_INLINE V<Real> safe_step(V<Real> clearance, V<Real> rise, V<Real> curve) {
+    const V<Real> twice = hn::Add(clearance, clearance);
     const V<Real> square = hn::MulAdd(rise, rise, hn::Mul(twice, curve));
     const V<Real> root = hn::Sqrt(hn::Max(square, hn::Zero(d<Real>)));
     const M<Real> rises = hn::Ge(rise, hn::Zero(d<Real>));

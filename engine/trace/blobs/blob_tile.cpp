@@ -42,18 +42,18 @@ constexpr std::uint64_t bit(std::size_t place) { return std::uint64_t{1} << plac
 }  // namespace
 
 BlobTile::BlobTile(const TraceFrame& frame, const Tile& tile, const BlobSurface& surface,
-                   BlobRoom& room, TileHits& hits, Counters& counters)
+                   BlobScratch& scratch, TileHits& hits, Counters& counters)
     : frame_(frame),
       tile_(tile),
       surface_(surface),
-      room_(room),
+      scratch_(scratch),
       rays_(frame, tile),
       hits_(frame, rays_, hits, counters),
       counters_(counters) {
     tail_ = surface.tail();
     const bool in_double = frame.precision == Precision::Double;
-    room_.lines.begin_singly(frame, in_double ? std::numeric_limits<double>::digits
-                                              : std::numeric_limits<float>::digits);
+    scratch_.lines.begin_singly(frame, in_double ? std::numeric_limits<double>::digits
+                                                 : std::numeric_limits<float>::digits);
 }
 
 std::uint32_t BlobTile::pixel_of(const Block& block, std::size_t place) {
@@ -100,8 +100,8 @@ void BlobTile::set_bracket(Block& block) const {
     line.per_size = 1 / largest;
     for (std::uint8_t axis = 0; axis < 3; ++axis) {
         line.axis = axis;
-        block.bracket = std::min(block.bracket, room_.lines.finest(line, block.inside.enter_lo));
-        block.certifies = block.certifies && room_.lines.certifies(line);
+        block.bracket = std::min(block.bracket, scratch_.lines.finest(line, block.inside.enter_lo));
+        block.certifies = block.certifies && scratch_.lines.certifies(line);
     }
 }
 
@@ -111,18 +111,18 @@ bool BlobTile::run() {
     if (!(whole.bracket > 64 * rays_.depth_error())) return false;
     const Blobs& blobs = *surface_.blobs;
     // Begin with the balls that may reach the tile's rays.
-    room_.slab.near.begin(blobs.set(), blob_facts(blobs.kind()).reach, rays_,
-                          {.u = whole.u,
-                           .v = whole.v,
-                           .u_radius = whole.u_radius,
-                           .v_radius = whole.v_radius,
-                           .from = whole.inside.enter_lo,
-                           .to = whole.inside.exit_hi});
-    bool any = room_.slab.near.next();
+    scratch_.slab.near.begin(blobs.set(), blob_facts(blobs.kind()).reach, rays_,
+                             {.u = whole.u,
+                              .v = whole.v,
+                              .u_radius = whole.u_radius,
+                              .v_radius = whole.v_radius,
+                              .from = whole.inside.enter_lo,
+                              .to = whole.inside.exit_hi});
+    bool any = scratch_.slab.near.next();
     if (any) begin_blocks();
     // Take all blocks through one slab after the other.
-    for (; any; any = any && room_.slab.near.next()) {
-        room_.slab.columns.fill(room_.slab.near.balls());
+    for (; any; any = any && scratch_.slab.near.next()) {
+        scratch_.slab.columns.fill(scratch_.slab.near.balls());
         any = false;
         for (std::size_t i = 0; i < count_; ++i) {
             if (blocks_[i].open == 0) continue;
@@ -150,7 +150,7 @@ void BlobTile::begin_blocks() {
 
 /// Takes a block's rays through the slab.
 void BlobTile::trace(Block& block, RaysKnown& known) {
-    const NearBalls& near = room_.slab.near;
+    const NearBalls& near = scratch_.slab.near;
     // List the slab's balls that the block's rays may meet.
     const double from = std::max(block.inside.enter_lo, near.from());
     const double to = std::min(block.inside.exit_hi, near.to());
@@ -158,7 +158,7 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
     if (!(from <= to) || !list_balls(block, from, to)) return;
     if (!block.singly && near_ends(block)) take_singly(block);
     // Put rays and balls into the block's own coordinates.
-    const double first = std::max(from, room_.slab.balls.front().from());
+    const double first = std::max(from, scratch_.slab.balls.front().from());
     fill(block, known, first);
     const Blobs& blobs = *surface_.blobs;
     const double extent = std::max(to - first, 0.0);
@@ -167,7 +167,7 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
     const BallQuestion question{
         .kind = blobs.kind(),
         .level = surface_.level,
-        .balls = room_.slab.balls,
+        .balls = scratch_.slab.balls,
         .extent = extent,
         .width = (block.u_radius + block.v_radius) * (rays_.distance() + std::abs(first) + extent),
         .square = 1 + u_most * u_most + v_most * v_most,
@@ -175,7 +175,7 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
         .tail = tail_,
         .bracket = block.bracket};
     // March the rays, and take over what is found.
-    const BallLooks looks = march(question, room_.block);
+    const BallLooks looks = march(question, scratch_.block);
     counters_.value += looks;
     if (counters_.costs != nullptr) {
         counters_.costs->add(block.col, block.row, block.cols, block.rows,
@@ -188,22 +188,22 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
 /// bring f to the level.
 bool BlobTile::list_balls(const Block& block, double from, double to) {
     ++counters_.range;
-    return room_.slab.list(surface_, tail_, rays_,
-                           {.u = block.u,
-                            .v = block.v,
-                            .u_radius = block.u_radius,
-                            .v_radius = block.v_radius,
-                            .distance = 0,
-                            .from = from,
-                            .to = to,
-                            .spare = 0});
+    return scratch_.slab.list(surface_, tail_, rays_,
+                              {.u = block.u,
+                               .v = block.v,
+                               .u_radius = block.u_radius,
+                               .v_radius = block.v_radius,
+                               .distance = 0,
+                               .from = from,
+                               .to = to,
+                               .spare = 0});
 }
 
 /// Whether balls are where some rays are inside and others are not.
 bool BlobTile::near_ends(const Block& block) const {
     if (tile_.limits != nullptr) return true;
     const DepthRange& inside = block.inside;
-    return std::ranges::any_of(room_.slab.balls, [&](const ViewBall& ball) {
+    return std::ranges::any_of(scratch_.slab.balls, [&](const ViewBall& ball) {
         const bool at_begin = ball.to() >= inside.enter_lo && ball.from() <= inside.enter_hi;
         const bool at_end = ball.to() >= inside.exit_lo && ball.from() <= inside.exit_hi;
         return at_begin || at_end;
@@ -213,21 +213,21 @@ bool BlobTile::near_ends(const Block& block) const {
 void BlobTile::take_singly(Block& block) {
     block.singly = true;
     for_each_bit(block.open, [&](std::size_t place) {
-        const bool seen = room_.lines.take(tile_, rays_, block.col + places[place].col,
-                                           block.row + places[place].row);
+        const bool seen = scratch_.lines.take(tile_, rays_, block.col + places[place].col,
+                                              block.row + places[place].row);
         if (!seen) block.open &= ~bit(place);
     });
 }
 
 double BlobTile::end_of(const Block& block, std::size_t place) const {
-    return block.singly ? room_.lines.of(pixel_of(block, place)).to : block.inside.exit_lo;
+    return block.singly ? scratch_.lines.of(pixel_of(block, place)).to : block.inside.exit_lo;
 }
 
 /// Puts rays and balls into the block's coordinates.
 void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
     const bool parallel = rays_.axes().parallel();
     const double distance = rays_.distance();
-    BallBlock& to = room_.block;
+    BallBlock& to = scratch_.block;
     to.state.fill(BallRayState::Outside);
     for_each_bit(block.open, [&](std::size_t place) {
         const double u = rays_.u(block.col + places[place].col);
@@ -239,13 +239,13 @@ void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
         to.start_x[place] = (u - block.u) * (distance + first);
         to.start_y[place] = (v - block.v) * (distance + first);
         const double begin =
-            block.singly ? room_.lines.of(pixel_of(block, place)).from : block.inside.enter_hi;
+            block.singly ? scratch_.lines.of(pixel_of(block, place)).from : block.inside.enter_hi;
         to.at[place] = std::max({known.at[place], begin, first}) - first;
-        to.stop[place] = std::min(end_of(block, place), room_.slab.near.to()) - first;
+        to.stop[place] = std::min(end_of(block, place), scratch_.slab.near.to()) - first;
         to.side[place] = known.side[place];
         to.state[place] = to.at[place] < to.stop[place] ? BallRayState::Open : BallRayState::Passed;
     });
-    for (ViewBall& ball : room_.slab.balls) {
+    for (ViewBall& ball : scratch_.slab.balls) {
         ball.x -= block.u * (distance + ball.z);
         ball.y -= block.v * (distance + ball.z);
         ball.z -= first;
@@ -254,14 +254,14 @@ void BlobTile::fill(const Block& block, const RaysKnown& known, double first) {
 
 /// Takes over what was found of a block's rays.
 void BlobTile::end(Block& block, RaysKnown& known, double first) {
-    const BallBlock& found = room_.block;
+    const BallBlock& found = scratch_.block;
     for_each_bit(block.open, [&](std::size_t place) {
         known.side[place] = found.side[place];
         if (found.state[place] == BallRayState::Passed) {
             known.at[place] = first + found.stop[place];
             // Balls of the next slab may be where some rays have ended and others have not.
             const double last = block.singly ? end_of(block, place) : block.inside.exit_hi;
-            if (last <= room_.slab.near.to()) block.open &= ~bit(place);
+            if (last <= scratch_.slab.near.to()) block.open &= ~bit(place);
             return;
         }
         block.open &= ~bit(place);
@@ -271,9 +271,9 @@ void BlobTile::end(Block& block, RaysKnown& known, double first) {
 }
 
 void BlobTile::tell(const Block& block, std::size_t place, double first) {
-    const BallBlock& found = room_.block;
+    const BallBlock& found = scratch_.block;
     const std::uint32_t pixel = pixel_of(block, place);
-    const DepthRange& inside = block.singly ? room_.lines.of(pixel).inside : block.inside;
+    const DepthRange& inside = block.singly ? scratch_.lines.of(pixel).inside : block.inside;
     const bool proved = found.state[place] == BallRayState::Root && block.certifies &&
                         first + found.depth[place] >= inside.enter_hi &&
                         first + found.to[place] <= inside.exit_lo;

@@ -12,8 +12,8 @@
 
 namespace zeroset {
 
-/// Room that a thread keeps from tile to tile.
-struct BlobRoom {
+/// Memory that a thread keeps from tile to tile.
+struct BlobScratch {
     SlabBalls slab;
     RayLines lines;
     BallBlock block;
@@ -23,8 +23,8 @@ struct BlobRoom {
 class BlobTile {
 public:
     /// All outlive it.
-    BlobTile(const TraceFrame& frame, const Tile& tile, const BlobSurface& surface, BlobRoom& room,
-             TileHits& hits, Counters& counters);
+    BlobTile(const TraceFrame& frame, const Tile& tile, const BlobSurface& surface,
+             BlobScratch& scratch, TileHits& hits, Counters& counters);
 
     /// False, and nothing done: places are not known well enough to prove anything.
     bool run();
@@ -64,7 +64,7 @@ private:
     const TraceFrame& frame_;
     const Tile& tile_;
     const BlobSurface& surface_;
-    BlobRoom& room_;
+    BlobScratch& scratch_;
     TileRays rays_;
     BlobHits hits_;
     Counters& counters_;

@@ -18,9 +18,9 @@ bool BlobWay::trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hi
     if (!plain) return false;
     const auto surface = blob_surface(frame);
     if (!surface) return false;
-    thread_local const auto kept = std::make_unique<BlobRoom>();
-    BlobRoom& room = *kept;
-    if (!BlobTile(frame, tile, *surface, room, hits, counters).run()) return false;
+    thread_local const auto kept = std::make_unique<BlobScratch>();
+    BlobScratch& scratch = *kept;
+    if (!BlobTile(frame, tile, *surface, scratch, hits, counters).run()) return false;
     if (frame.whole_pixels) mark_blob_cover(frame, tile, *surface, hits);
     return true;
 }

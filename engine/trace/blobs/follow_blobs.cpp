@@ -56,8 +56,8 @@ struct Block {
     bool any_open = false;
 };
 
-/// Room that a thread keeps.
-struct Room {
+/// Memory that a thread keeps.
+struct FollowScratch {
     SlabBalls slab;
     BallBlock block;
     std::vector<Block> blocks;
@@ -66,12 +66,12 @@ struct Room {
 class Follower {
 public:
     Follower(const TraceFrame& frame, const TileRays& rays, const BlobSurface& surface,
-             double bracket, Room& room, Counters& counters)
+             double bracket, FollowScratch& scratch, Counters& counters)
         : frame_(frame),
           rays_(rays),
           surface_(surface),
           bracket_(bracket),
-          room_(room),
+          scratch_(scratch),
           counters_(counters),
           per_distance_(1 / rays.distance()) {}
 
@@ -88,14 +88,14 @@ private:
     const TileRays& rays_;
     const BlobSurface& surface_;
     double bracket_;
-    Room& room_;
+    FollowScratch& scratch_;
     Counters& counters_;
     double per_distance_;
 };
 
 BallReach Follower::begin(std::span<FollowedRays> blocks) {
     BallReach all;
-    room_.blocks.clear();
+    scratch_.blocks.clear();
     for (FollowedRays& rays : blocks) {
         Block block{.rays = &rays, .reach = {}};
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -107,7 +107,7 @@ BallReach Follower::begin(std::span<FollowedRays> blocks) {
         }
         block.any_open = !block.reach.empty();
         all.add(block.reach);
-        if (block.any_open) room_.blocks.push_back(block);
+        if (block.any_open) scratch_.blocks.push_back(block);
     }
     return all;
 }
@@ -115,7 +115,7 @@ BallReach Follower::begin(std::span<FollowedRays> blocks) {
 void Follower::run(std::span<FollowedRays> blocks) {
     const BallReach all = begin(blocks);
     if (all.empty()) return;
-    NearBalls& near = room_.slab.near;
+    NearBalls& near = scratch_.slab.near;
     near.begin(surface_.blobs->set(), blob_facts(surface_.blobs->kind()).reach, rays_,
                {.u = all.u() * per_distance_,
                 .v = all.v() * per_distance_,
@@ -124,9 +124,9 @@ void Follower::run(std::span<FollowedRays> blocks) {
                 .from = all.from,
                 .to = all.to});
     for (bool any = near.next(); any; any = any && near.next()) {
-        room_.slab.columns.fill(near.balls());
+        scratch_.slab.columns.fill(near.balls());
         any = false;
-        for (Block& block : room_.blocks) {
+        for (Block& block : scratch_.blocks) {
             if (!block.any_open) continue;
             go(block);
             any = any || block.any_open;
@@ -136,7 +136,7 @@ void Follower::run(std::span<FollowedRays> blocks) {
 
 /// Takes a block's rays through the slab.
 void Follower::go(Block& block) {
-    const NearBalls& near = room_.slab.near;
+    const NearBalls& near = scratch_.slab.near;
     if (frame_.stopped()) {
         for (std::size_t i = 0; i < ray_block_rays; ++i) {
             if (block.open[i]) (*block.rays)[i].found = RayFinding::Unknown;
@@ -149,36 +149,37 @@ void Follower::go(Block& block) {
     if (near.from() > reach.to) block.any_open = false;
     const double from = std::max(reach.from, near.from());
     const double to = std::min(reach.to, near.to());
-    const bool some = from <= to && room_.slab.list(surface_, surface_.tail(), rays_,
-                                                    {.u = reach.u() * per_distance_,
-                                                     .v = reach.v() * per_distance_,
-                                                     .u_radius = reach.u_radius() * per_distance_,
-                                                     .v_radius = reach.v_radius() * per_distance_,
-                                                     .distance = 0,
-                                                     .from = from,
-                                                     .to = to,
-                                                     .spare = 0});
+    const bool some =
+        from <= to && scratch_.slab.list(surface_, surface_.tail(), rays_,
+                                         {.u = reach.u() * per_distance_,
+                                          .v = reach.v() * per_distance_,
+                                          .u_radius = reach.u_radius() * per_distance_,
+                                          .v_radius = reach.v_radius() * per_distance_,
+                                          .distance = 0,
+                                          .from = from,
+                                          .to = to,
+                                          .spare = 0});
     if (!some) return;
     // March the rays through these, and take over what is found.
-    const double first = std::max(from, room_.slab.balls.front().from());
+    const double first = std::max(from, scratch_.slab.balls.front().from());
     fill(block, first);
     const double extent = std::max(to - first, 0.0);
     counters_.value += march({.kind = surface_.blobs->kind(),
                               .level = surface_.level,
-                              .balls = room_.slab.balls,
+                              .balls = scratch_.slab.balls,
                               .extent = extent,
                               .width = reach.u_radius() + reach.v_radius(),
                               .square = 1,
                               .place_error = 16 * rays_.depth_error(),
                               .tail = surface_.tail(),
                               .bracket = bracket_},
-                             room_.block);
+                             scratch_.block);
     end(block, first);
 }
 
 /// Puts rays and balls into the block's coordinates.
 void Follower::fill(const Block& block, double first) {
-    BallBlock& to = room_.block;
+    BallBlock& to = scratch_.block;
     to.state.fill(BallRayState::Outside);
     const double u = block.reach.u();
     const double v = block.reach.v();
@@ -189,11 +190,11 @@ void Follower::fill(const Block& block, double first) {
         to.start_x[i] = ray.u - u;
         to.start_y[i] = ray.v - v;
         to.at[i] = std::max({block.at[i], ray.from, first}) - first;
-        to.stop[i] = std::min(ray.to, room_.slab.near.to()) - first;
+        to.stop[i] = std::min(ray.to, scratch_.slab.near.to()) - first;
         to.side[i] = block.side[i];
         to.state[i] = to.at[i] < to.stop[i] ? BallRayState::Open : BallRayState::Passed;
     }
-    for (ViewBall& ball : room_.slab.balls) {
+    for (ViewBall& ball : scratch_.slab.balls) {
         ball.x -= u;
         ball.y -= v;
         ball.z -= first;
@@ -202,7 +203,7 @@ void Follower::fill(const Block& block, double first) {
 
 /// Takes over what was found of a block's rays.
 void Follower::end(Block& block, double first) const {
-    const BallBlock& found = room_.block;
+    const BallBlock& found = scratch_.block;
     block.any_open = false;
     for (std::size_t i = 0; i < ray_block_rays; ++i) {
         if (!block.open[i]) continue;
@@ -212,7 +213,7 @@ void Follower::end(Block& block, double first) const {
         block.open[i] = false;
         if (found.state[i] == BallRayState::Passed) {
             block.at[i] = first + found.stop[i];
-            block.open[i] = ray.to > room_.slab.near.to();
+            block.open[i] = ray.to > scratch_.slab.near.to();
             block.any_open = block.any_open || block.open[i];
             continue;
         }
@@ -228,9 +229,9 @@ bool follow_blobs(const TraceFrame& frame, const TileRays& rays, double bracket,
     if (!rays.axes().parallel() || !frame.union_members.empty()) return false;
     const auto surface = blob_surface(frame);
     if (!surface || !(bracket > 64 * rays.depth_error())) return false;
-    thread_local const auto kept = std::make_unique<Room>();
-    Room& room = *kept;
-    Follower(frame, rays, *surface, bracket, room, counters).run(blocks);
+    thread_local const auto kept = std::make_unique<FollowScratch>();
+    FollowScratch& scratch = *kept;
+    Follower(frame, rays, *surface, bracket, scratch, counters).run(blocks);
     return true;
 }
 

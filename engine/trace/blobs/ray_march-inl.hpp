@@ -2,19 +2,19 @@
 //   s      the depth along the view; f is known to be on one side of the level up to here
 //   ds     from where a ray is nearest to a ball's middle
 //   q      the square of the distance from a ball's middle, by the ball's radius
-//   room   how far f is from the level, at least, along the side that it is on
+//   clearance   how far f is from the level, at least, along the side that it is on
 //
 // Along a ray q is nearest + square ds^2. f is once differentiable, and where certain balls are all
-// that reach a stretch of the ray, its second derivative is bounded there by theirs. So from room,
-// slope and that bound follows how long f cannot come to the level: a step of Newton's method that
-// is always too short, of second order near a root. Where no ball reaches, the step goes to the
-// next one. [Kalra89] has the idea with bounds of slopes.
+// that reach a stretch of the ray, its second derivative is bounded there by theirs. So from
+// clearance, slope and that bound follows how long f cannot come to the level: a step of Newton's
+// method that is always too short, of second order near a root. Where no ball reaches, the step
+// goes to the next one. [Kalra89] has the idea with bounds of slopes.
 //
 // What is proved: balls are where they are to an error (`MarchBounds`), as are the rays; this moves
 // f by no more than that times the slopes of the balls, and its slope by that times their second
-// derivatives, which `error_` and `slope_error_` take from room and add to the slope. Rounding of a
-// step is of the size of those of places, which are counted twice.
-// Included once for each instruction set, after Highway.
+// derivatives, which `error_` and `slope_error_` take from clearance and add to the slope. Rounding
+// of a step is of the size of those of places, which are counted twice. Included once for each
+// instruction set, after Highway.
 
 #if defined(ZEROSET_RAY_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZEROSET_RAY_MARCH_INL
@@ -251,23 +251,23 @@ private:
         // f - level
         const Vector f = hn::Sub(sums.value, level_);
         if (fresh_) choose_sides(f);
-        const Vector room = hn::Sub(hn::Mul(side_, f), number(error_));
+        const Vector clearance = hn::Sub(hn::Mul(side_, f), number(error_));
         const Vector rise = hn::Sub(number(slope_error_), hn::Mul(side_, sums.slope));
-        const Vector step = safe_step<Real>(room, rise, sums.curve);
+        const Vector step = safe_step<Real>(clearance, rise, sums.curve);
         const Mask empty = sums.empty;
         Vector next = hn::Add(s_, hn::Min(step, window_));
-        const Mask has_room = hn::Gt(room, zero());
+        const Mask has_clearance = hn::Gt(clearance, zero());
         if (!hn::AllFalse(d<Real>, hn::AndNot(hn::Not(open_), empty)))
             next = hn::IfThenElse(empty, hn::Max(end, next_entry(end)), next);
-        const Mask ends = hn::And(open_, hn::And(has_room, hn::Ge(next, stop_)));
+        const Mask ends = hn::And(open_, hn::And(has_clearance, hn::Ge(next, stop_)));
         passed_ = hn::Or(passed_, ends);
         open_ = hn::AndNot(ends, open_);
-        const Mask near = hn::And(open_, hn::Or(hn::Not(has_room), hn::Le(step, bracket_)));
+        const Mask near = hn::And(open_, hn::Or(hn::Not(has_clearance), hn::Le(step, bracket_)));
         if (tries_ && !hn::AllFalse(d<Real>, near))
-            certify(near, hn::IfThenElseZero(has_room, step), room, rise);
+            certify(near, hn::IfThenElseZero(has_clearance, step), clearance, rise);
         // In floats no more is known of what is nearer than some errors.
         const Mask moves =
-            hn::And(hn::Gt(room, number(is_double ? 0 : 4 * error_)), hn::Gt(next, s_));
+            hn::And(hn::Gt(clearance, number(is_double ? 0 : 4 * error_)), hn::Gt(next, s_));
         const Mask stuck = hn::AndNot(moves, open_);
         if (!hn::AllFalse(d<Real>, stuck)) end_stuck(stuck);
         s_ = hn::IfThenElse(open_, next, s_);
@@ -285,13 +285,14 @@ private:
         keep_sides();
     }
 
-    HWY_INLINE void certify(Mask near, Vector step, Vector room, Vector rise) {
+    HWY_INLINE void certify(Mask near, Vector step, Vector clearance, Vector rise) {
         const Vector widest = hn::Mul(number(0.98), bracket_);
         certify(near, step, widest);
         const Mask left = hn::And(near, open_);
         if (!is_double || hn::AllFalse(d<Real>, left)) return;
         // f may come back within a bracket: looks where it is just far enough beyond the level.
-        const Vector wanted = hn::MulAdd(number(4), hn::Max(room, zero()), number(16 * error_));
+        const Vector wanted =
+            hn::MulAdd(number(4), hn::Max(clearance, zero()), number(16 * error_));
         const Vector wide = hn::Div(wanted, hn::Max(rise, number(1e-30)));
         certify(left, step, hn::Min(wide, widest));
     }

@@ -51,12 +51,12 @@ InSquare in_own_box(const PatchTree& tree, const PatchForm& form, const ZeroTest
 /// Whether a place is inside of both, by what is known of each.
 InSquare both(InSquare a, InSquare b);
 
-/// Searches single rays, box by box from front to back. A thread's keep their room from one to the
-/// next: one at a time searches.
+/// Searches single rays, box by box from front to back. A thread's keep their memory from one to
+/// the next: one at a time searches.
 class PatchSearch {
 public:
     PatchSearch(const PatchTree& tree, const TimeLimit& limit, Counters& counters)
-        : tree_(tree), limit_(limit), counters_(counters), open_(room()) {}
+        : tree_(tree), limit_(limit), counters_(counters), open_(kept_items()) {}
 
     /// Searches the part of the patch below a node, for what is nearer than `known`, if that is a
     /// hit. When stopped it says so by `unsettled`.
@@ -72,7 +72,7 @@ private:
     };
     enum class Outcome : std::uint8_t { Done, Open };
 
-    static std::vector<Item>& room() {
+    static std::vector<Item>& kept_items() {
         thread_local std::vector<Item> kept;
         return kept;
     }

@@ -63,24 +63,28 @@ SightAxes axes_of(const TileRays& rays) {
             .error = rays.depth_error()};
 }
 
-PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, int cols, int rows, Wish wish,
-                     Counters& counters, Room& room)
+PatchTile::Scratch& PatchTile::kept_scratch() {
+    thread_local Scratch scratch;
+    return scratch;
+}
+
+PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, const TileQuest& quest,
+                     TileAnswer& answer, Counters& counters)
     : frame_(frame),
       rays_(rays),
-      cols_(cols),
-      rows_(rows),
-      wish_(wish),
+      quest_(quest),
+      answer_(answer),
       counters_(counters),
-      room_(room),
+      scratch_(kept_scratch()),
       axes_(axes_of(rays)),
       grid_{.u = rays.u(0.0), .v = rays.v(0.0), .pixel = rays.pixel()},
       tree_(tree_of(frame)),
       clip_(tree_.within(frame.scene.clip)),
       search_(tree_, frame.limit, counters) {
-    room_.leaves.clear();
-    room_.candidates.clear();
-    room_.rest.clear();
-    room_.clear();
+    scratch_.leaves.clear();
+    scratch_.candidates.clear();
+    scratch_.rest.clear();
+    answer_.begin(quest_);
     find_bounds();
     const DepthRange range =
         rays_.depths(0.5 * (bounds_.u_lo + bounds_.u_hi), 0.5 * (bounds_.v_lo + bounds_.v_hi),
@@ -100,27 +104,27 @@ void PatchTile::find_bounds() {
     };
     bounds_ = none;
     // Bound the rays through the pixels' centres by the tile.
-    if (wish_ == Wish::FirstHits) {
+    if (quest_.wish == Wish::FirstHits) {
         bounds_ = {.u_lo = rays_.u(0.0),
-                   .u_hi = rays_.u(cols_ - 1),
-                   .v_lo = rays_.v(rows_ - 1),
+                   .u_hi = rays_.u(quest_.cols - 1),
+                   .v_lo = rays_.v(quest_.rows - 1),
                    .v_hi = rays_.v(0.0)};
-        if (room_.to.empty()) open_blocks();
+        if (quest_.to.empty()) open_blocks();
         find_reaches();
         limit_ = *std::ranges::max_element(block_reach_);
         return;
     }
     // Bound rays that are anywhere by those wanted, block by block.
     blocks_.fill(none);
-    for (int row = 0; row < rows_; ++row) {
-        for (int col = 0; col < cols_; ++col) {
+    for (int row = 0; row < quest_.rows; ++row) {
+        for (int col = 0; col < quest_.cols; ++col) {
             const std::size_t pixel = pixel_index(col, row);
-            if (room_.to[pixel] == -unbounded) continue;
-            limit_ = std::max(limit_, room_.to[pixel]);
+            if (quest_.to[pixel] == -unbounded) continue;
+            limit_ = std::max(limit_, quest_.to[pixel]);
             const auto at =
                 static_cast<std::size_t>(row / block * (tile_size / block) + col / block);
-            widen(blocks_[at], room_.u[pixel], room_.v[pixel]);
-            widen(bounds_, room_.u[pixel], room_.v[pixel]);
+            widen(blocks_[at], quest_.u[pixel], quest_.v[pixel]);
+            widen(bounds_, quest_.u[pixel], quest_.v[pixel]);
         }
     }
 }
@@ -128,8 +132,8 @@ void PatchTile::find_bounds() {
 void PatchTile::open_blocks() {
     changed_blocks_ = 0;
     block_reach_.fill(-unbounded);
-    for (int row = 0; row * block < rows_; ++row) {
-        for (int col = 0; col * block < cols_; ++col)
+    for (int row = 0; row * block < quest_.rows; ++row) {
+        for (int col = 0; col * block < quest_.cols; ++col)
             block_reach_[static_cast<std::size_t>(row * (tile_size / block) + col)] = unbounded;
     }
 }
@@ -146,7 +150,7 @@ bool PatchTile::is_hidden(const SightDepths& depths) const {
 }
 
 void PatchTile::find_reaches() {
-    find_largest(room_.reach.data(), changed_blocks_, block_reach_);
+    find_largest(answer_.reaches(), changed_blocks_, block_reach_);
     changed_blocks_ = 0;
 }
 
@@ -162,40 +166,40 @@ bool PatchTile::is_covered(const Rect& rect, double near) {
 }
 
 PatchTile::Rect PatchTile::pixels_of(const PatchOutline* outline) const {
-    const Rect all{.col = 0, .row = 0, .end_col = cols_, .end_row = rows_};
+    const Rect all{.col = 0, .row = 0, .end_col = quest_.cols, .end_row = quest_.rows};
     return outline == nullptr ? all : outline->within(all);
 }
 
-PatchTile::Division PatchTile::division_of(const Part& part, const Rect& rect) const {
+PatchTile::Refinement PatchTile::refinement_of(const Part& part, const Rect& rect) const {
     const auto& [node, depths, sight] = part;
     if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps))
-        return Division::None;
+        return Refinement::None;
     const glm::dvec3 spread = sight.spread();
     const double pixels = 2.0 * std::max(spread.x, spread.y) / pixel_at(sight.c.z);
-    if (pixels < least_pixels) return Division::None;
-    if (!node->form.continuous || !is_fine(*node, sight)) return Division::Parts;
-    if (node->model != nullptr && pixels < small_pixels) return Division::None;
+    if (pixels < least_pixels) return Refinement::None;
+    if (!node->form.continuous || !is_fine(*node, sight)) return Refinement::Parts;
+    if (node->model != nullptr && pixels < small_pixels) return Refinement::None;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
     const double norm = contraction_of(with_slopes, rays_of(rect)).norm;
-    if (node->model == nullptr) return norm <= flat_norm ? Division::None : Division::Parts;
+    if (node->model == nullptr) return norm <= flat_norm ? Refinement::None : Refinement::Parts;
     const auto most = [](double size) {
         return size < large_pixels ? small_model_norm : model_norm;
     };
-    if (norm <= most(pixels)) return Division::None;
+    if (norm <= most(pixels)) return Refinement::None;
     // Quarters bend half as much.
-    return norm <= 2.0 * most(0.5 * pixels) ? Division::Quarters : Division::Parts;
+    return norm <= 2.0 * most(0.5 * pixels) ? Refinement::Quarters : Refinement::Parts;
 }
 
-PatchNode::Children* PatchTile::divided(PatchNode& node, Division division) {
-    if (division == Division::None) return nullptr;
+PatchNode::Children* PatchTile::divided(PatchNode& node, Refinement refinement) {
+    if (refinement == Refinement::None) return nullptr;
     const auto count_new = [&](const std::atomic<PatchNode::Children*>& at, auto make) {
         const bool is_new = at.load(std::memory_order_acquire) == nullptr;
         PatchNode::Children* const parts = make();
         if (is_new && parts != nullptr) counters_.form += parts->nodes.size();
         return parts;
     };
-    if (division == Division::Quarters) {
+    if (refinement == Refinement::Quarters) {
         if (auto* const quarters = count_new(node.quarters, [&] { return tree_.quarters(node); }))
             return quarters;
     }
@@ -203,7 +207,7 @@ PatchNode::Children* PatchTile::divided(PatchNode& node, Division division) {
 }
 
 SightRays PatchTile::rays_of(const Rect& rect) const {
-    if (wish_ == Wish::AnyHits) {
+    if (quest_.wish == Wish::AnyHits) {
         return {.middle = {.u = 0.5 * (bounds_.u_lo + bounds_.u_hi),
                            .v = 0.5 * (bounds_.v_lo + bounds_.v_hi)},
                 .u_radius = 0.5 * (bounds_.u_hi - bounds_.u_lo),
@@ -228,24 +232,25 @@ bool PatchTile::look_at(PatchNode& node, Part& part) const {
 
 void PatchTile::visit(Part& part) {
     if (frame_.stopped() || is_hidden(part.depths)) return;
-    if (room_.rest.size() >= most_rest) empty_rest();
+    if (scratch_.rest.size() >= most_rest) empty_rest();
     PatchNode& node = *part.node;
     std::optional<PatchOutline> outline;
-    if (wish_ == Wish::FirstHits)
+    if (quest_.wish == Wish::FirstHits)
         outline.emplace(without_growth(part.sight), axes_.distance, grid_);
     const PatchOutline* const seen = outline ? &*outline : nullptr;
     const Rect rect = pixels_of(seen);
-    if (rect.empty() || (wish_ == Wish::FirstHits && is_covered(rect, part.depths.near))) return;
+    if (rect.empty() || (quest_.wish == Wish::FirstHits && is_covered(rect, part.depths.near)))
+        return;
     add_value_error(part.sight, node.form);
-    if (PatchNode::Children* const parts = divided(node, division_of(part, rect)))
+    if (PatchNode::Children* const parts = divided(node, refinement_of(part, rect)))
         return visit_parts(*parts);
     if (node.model == nullptr || !is_fine(node, part.sight)) {
         add_slopes(part.sight, node.form, axes_);
         return scan(part, rect);
     }
-    room_.rects.clear();
-    for_each_rect(part.sight, rect, [&](const Rect& some) { room_.rects.push_back(some); });
-    trace_model(part, {.rects = room_.rects, .outline = seen, .others = {}});
+    scratch_.rects.clear();
+    for_each_rect(part.sight, rect, [&](const Rect& some) { scratch_.rects.push_back(some); });
+    trace_model(part, {.rects = scratch_.rects, .outline = seen, .others = {}});
 }
 
 std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
@@ -297,36 +302,37 @@ void PatchTile::find_limit() {
 
 void PatchTile::empty_rest() {
     solve();
-    room_.leaves.clear();  // no candidate is left that names one
+    scratch_.leaves.clear();  // no candidate is left that names one
     search_rest();
-    room_.rest.clear();
+    scratch_.rest.clear();
 }
 
 void PatchTile::search_rest() {
+    most_kept_ = std::max(most_kept_, scratch_.rest.size());
     // Several pieces of a leaf may leave the same ray.
     const auto what = [](const Rest& rest) { return std::tuple(rest.pixel, rest.node, rest.near); };
-    std::ranges::sort(room_.rest, {}, what);
+    std::ranges::sort(scratch_.rest, {}, what);
     const auto is_same = [](const Rest& a, const Rest& b) {
         return a.pixel == b.pixel && a.node == b.node;
     };
-    const auto others = std::ranges::unique(room_.rest, is_same);
-    room_.rest.erase(others.begin(), others.end());
-    std::ranges::sort(room_.rest, {}, &Rest::near);
-    for (const Rest& rest : room_.rest) {
+    const auto others = std::ranges::unique(scratch_.rest, is_same);
+    scratch_.rest.erase(others.begin(), others.end());
+    std::ranges::sort(scratch_.rest, {}, &Rest::near);
+    for (const Rest& rest : scratch_.rest) {
         if (frame_.stopped()) return;
-        if (rest.near > room_.reach[rest.pixel]) continue;
+        if (rest.near > answer_.reach(rest.pixel)) continue;
         const SightRay ray = ray_of(rest.pixel);
         const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
         const PatchQuest quest{.axes = axes_,
                                .ray = ray,
                                .from = std::max(range.enter_lo, rays_.first_depth()),
-                               .to = std::min(range.exit_hi, room_.limit(rest.pixel)),
+                               .to = std::min(range.exit_hi, answer_.limit(rest.pixel)),
                                .tolerance = rays_.tolerance(),
                                .pixel = 0.5 * pixel_at(rest.near),
                                .clip = clip_,
-                               .any = wish_ == Wish::AnyHits};
+                               .any = quest_.wish == Wish::AnyHits};
         if (!(quest.from <= quest.to)) continue;
-        room_.set(rest.pixel, search_.search(quest, *rest.node, room_.hit(rest.pixel)));
+        answer_.set(rest.pixel, search_.search(quest, *rest.node, answer_.hit(rest.pixel)));
     }
 }
 

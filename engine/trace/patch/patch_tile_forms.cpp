@@ -1,4 +1,3 @@
-#include "engine/real/unbounded.hpp"
 #include "engine/trace/patch/patch_tile.hpp"
 
 #include <algorithm>
@@ -17,13 +16,13 @@ constexpr int most_steps = 4;
 }  // namespace
 
 void PatchTile::scan(const Part& part, const Rect& rect) {
-    const std::size_t leaf = room_.leaves.size();
-    room_.leaves.push_back({.node = part.node,
-                            .sight = part.sight,
-                            .contraction = contraction_of(part.sight, rays_of(rect))});
+    const std::size_t leaf = scratch_.leaves.size();
+    scratch_.leaves.push_back({.node = part.node,
+                               .sight = part.sight,
+                               .contraction = contraction_of(part.sight, rays_of(rect))});
     for_each_rect(part.sight, rect,
                   [&](const Rect& some) { scan_rect(leaf, some, part.depths.near); });
-    if (room_.candidates.size() >= candidates_at_once) solve();
+    if (scratch_.candidates.size() >= candidates_at_once) solve();
 }
 
 void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
@@ -34,54 +33,53 @@ void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
 }
 
 void PatchTile::scan_pixel(std::size_t pixel, std::size_t leaf, double near) {
-    if (near > room_.reach[pixel]) return;
-    const auto& [node, sight, contraction] = room_.leaves[leaf];
+    if (near > answer_.reach(pixel)) return;
+    const auto& [node, sight, contraction] = scratch_.leaves[leaf];
     const SightRay ray = ray_of(pixel);
     const LinearZeros zeros = linear_zeros(sight, axes_, ray);
     if (!zeros.any || zeros.beyond(box_share)) return;
     const bool may_solve = node->model == nullptr && node->form.continuous;
     if (may_solve && zeros.known && contraction.norm < most_norm) {
-        room_.candidates.push_back(
+        scratch_.candidates.push_back(
             {.pixel = pixel,
              .leaf = leaf,
              .place = {.p = std::clamp(zeros.p, -1.0, 1.0), .q = std::clamp(zeros.q, -1.0, 1.0)}});
         return;
     }
-    room_.rest.push_back({.pixel = pixel, .node = node, .near = near});
+    keep({.pixel = pixel, .node = node, .near = near});
 }
 
 void PatchTile::solve() {
-    if (room_.candidates.empty()) return;
-    for (int step = 1; step <= most_steps && !room_.candidates.empty(); ++step)
+    if (scratch_.candidates.empty()) return;
+    for (int step = 1; step <= most_steps && !scratch_.candidates.empty(); ++step)
         advance(step == most_steps);
-    for (const Candidate& candidate : room_.candidates) {
-        const Leaf& leaf = room_.leaves[candidate.leaf];
-        room_.rest.push_back(
-            {.pixel = candidate.pixel, .node = leaf.node, .near = leaf.sight.depths().near});
+    for (const Candidate& candidate : scratch_.candidates) {
+        const Leaf& leaf = scratch_.leaves[candidate.leaf];
+        keep({.pixel = candidate.pixel, .node = leaf.node, .near = leaf.sight.depths().near});
     }
-    room_.candidates.clear();
-    room_.leaves.clear();
+    scratch_.candidates.clear();
+    scratch_.leaves.clear();
     find_limit();
 }
 
 void PatchTile::advance(bool is_last) {
-    const std::size_t count = room_.candidates.size();
-    room_.places.resize(count);
-    room_.points.resize(count);
+    const std::size_t count = scratch_.candidates.size();
+    scratch_.places.resize(count);
+    scratch_.points.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const Candidate& candidate = room_.candidates[i];
-        const UvBox place = place_in(room_.leaves[candidate.leaf].node->box, candidate.place.p,
+        const Candidate& candidate = scratch_.candidates[i];
+        const UvBox place = place_in(scratch_.leaves[candidate.leaf].node->box, candidate.place.p,
                                      candidate.place.q, 0.0);
-        room_.places[i] = {place.u, place.v};
+        scratch_.places[i] = {place.u, place.v};
     }
-    tree_.forms().evaluate(room_.places, room_.points);
+    tree_.forms().evaluate(scratch_.places, scratch_.points);
     counters_.value += count;
     // Settle candidates, or move them on by Newton's method.
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        Candidate candidate = room_.candidates[i];
-        const Leaf& leaf = room_.leaves[candidate.leaf];
-        const PatchPoint& point = room_.points[i];
+        Candidate candidate = scratch_.candidates[i];
+        const Leaf& leaf = scratch_.leaves[candidate.leaf];
+        const PatchPoint& point = scratch_.points[i];
         const SightRay ray = ray_of(candidate.pixel);
         const glm::dvec3 at = axes_.place(point.s);
         const ZeroTest test = zero_test(leaf.sight, axes_, ray, leaf.contraction, at,
@@ -91,21 +89,21 @@ void PatchTile::advance(bool is_last) {
         candidate.place =
             newton_place(test, axes_, ray, at, form_growth * box.u_radius * axes_.turned(point.su),
                          form_growth * box.v_radius * axes_.turned(point.sv), candidate.place);
-        room_.candidates[kept++] = candidate;
+        scratch_.candidates[kept++] = candidate;
     }
-    room_.candidates.resize(kept);
+    scratch_.candidates.resize(kept);
 }
 
 bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const PatchPoint& point,
                        bool is_last) {
     if (test.found == ZeroTest::Found::None) return true;
-    const PatchHit best = room_.hit(candidate.pixel);
+    const PatchHit best = answer_.hit(candidate.pixel);
     if (test.s - test.s_radius > best.s) return true;
     if (test.found != ZeroTest::Found::One || !(2.0 * test.s_radius <= rays_.tolerance()))
         return false;
     // Test whether the zero is in the ranges and in the patch's own box.
-    const UvBox& box = room_.leaves[candidate.leaf].node->box;
-    const PatchForm& form = room_.leaves[candidate.leaf].node->form;
+    const UvBox& box = scratch_.leaves[candidate.leaf].node->box;
+    const PatchForm& form = scratch_.leaves[candidate.leaf].node->form;
     const InSquare where = both(in_square(place_in(box, test.p, test.q, test.radius)),
                                 in_own_box(tree_, form, test, candidate.place, point));
     if (where == InSquare::Outside) return true;
@@ -114,18 +112,18 @@ bool PatchTile::settle(const Candidate& candidate, const ZeroTest& test, const P
     const SightRay ray = ray_of(candidate.pixel);
     // Drop a hit outside of what is wanted on the ray.
     const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
-    if (test.s < range.enter_lo || test.s > std::min(range.exit_hi, room_.limit(candidate.pixel)) ||
+    if (test.s < range.enter_lo ||
+        test.s > std::min(range.exit_hi, answer_.limit(candidate.pixel)) ||
         test.s < rays_.first_depth())
         return true;
     change_all();
-    room_.set(candidate.pixel, {.s = test.s,
-                                .s_radius = test.s_radius,
-                                .is_proved = where == InSquare::Inside,
-                                .normal = glm::cross(point.su, point.sv),
-                                .unsettled = best.unsettled});
-    if (wish_ == Wish::AnyHits && where == InSquare::Inside) {
-        room_.to[candidate.pixel] = -unbounded;
-        room_.reach[candidate.pixel] = -unbounded;
+    answer_.set(candidate.pixel, {.s = test.s,
+                                  .s_radius = test.s_radius,
+                                  .is_proved = where == InSquare::Inside,
+                                  .normal = glm::cross(point.su, point.sv),
+                                  .unsettled = best.unsettled});
+    if (quest_.wish == Wish::AnyHits && where == InSquare::Inside) {
+        answer_.close(candidate.pixel);
     }
     return true;
 }

@@ -5,6 +5,29 @@
 // The parts of a patch that are known by their models.
 
 namespace zeroset {
+
+/// Takes what a leaf tells of single rays.
+class PatchTile::PartTaker final : public LeafTaker {
+public:
+    PartTaker(PatchTile& tile, PatchNode& node) : tile_(tile), node_(node) {}
+
+    RayState judge(const LeafHit& hit) override { return tile_.judge(hit); }
+    void leave(std::size_t pixel, double near, LeafLeft why) override {
+        if (why == LeafLeft::Coarse) {
+            left_.push_back(pixel);
+        } else {
+            tile_.keep({.pixel = pixel, .node = &node_, .near = near});
+        }
+    }
+    /// The pixels for which the leaf's model is too coarse.
+    [[nodiscard]] const std::vector<std::size_t>& left() const { return left_; }
+
+private:
+    PatchTile& tile_;
+    PatchNode& node_;
+    std::vector<std::size_t> left_;
+};
+
 bool PatchTile::is_fine(const PatchNode& node, const PatchSight& sight) const {
     return node.model == nullptr || 6.0 * sight.value_error <= rays_.tolerance();
 }
@@ -22,15 +45,6 @@ LeafWindow PatchTile::window_of(const PatchForm& form, const SightDepths& depths
 }
 
 void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
-    leaf_ = part.node;
-    const LeafRays rays{.u = room_.u.data(),
-                        .v = room_.v.data(),
-                        .reach = room_.reach.data(),
-                        .found = room_.found.data(),
-                        .to = wish_ == Wish::AnyHits ? room_.to.data() : nullptr,
-                        .row_size = tile_size,
-                        .tolerance = rays_.tolerance(),
-                        .grid = wish_ == Wish::FirstHits ? &grid_ : nullptr};
     const LeafSight leaf{.model = *part.node->model,
                          .near = part.depths.near,
                          .sizes = part.node->sizes,
@@ -39,18 +53,16 @@ void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
     const LeafClip clip{.window = window_of(part.node->form, part.depths),
                         .box = clip_,
                         .first = rays_.first_depth()};
-    room_.left.clear();
-    const LeafCount count = trace_leaf(leaf, axes_, rays, pixels, clip, room_.lists, *this);
+    PartTaker taker(*this, *part.node);
+    const LeafCount count = trace_leaf(leaf, axes_, answer_.rays(quest_, rays_.tolerance(), grid_),
+                                       pixels, clip, scratch_.lists, taker);
     counters_.value += count.evaluations;
     new_hits_ += count.hits;
     if (count.hits > 0) {
         std::ranges::for_each(pixels.rects, [&](const Rect& rect) { change(rect); });
         if (!pixels.others.empty()) change_all();
     }
-    if (!room_.left.empty()) {
-        const std::vector<std::size_t> left = room_.left;
-        trace_parts(*part.node, left);
-    }
+    if (!taker.left().empty()) trace_parts(*part.node, taker.left());
     if (new_hits_ >= tile_pixels / 8) find_limit();
 }
 
@@ -61,19 +73,19 @@ void PatchTile::change(const Rect& rect) {
             blocks |= std::uint64_t{1} << (row * (tile_size / block) + col);
     }
     changed_blocks_ |= blocks;
-    room_.touched |= blocks;
+    answer_.touch(blocks);
 }
 
 void PatchTile::change_all() {
     changed_blocks_ = ~std::uint64_t{0};
-    room_.touched = changed_blocks_;
+    answer_.touch(changed_blocks_);
 }
 
 void PatchTile::trace_parts(PatchNode& node, std::span<const std::size_t> pixels) {
     PatchNode::Children* const children = node.level < most_levels ? tree_.parts(node) : nullptr;
     if (children == nullptr) {
         for (const std::size_t pixel : pixels)
-            room_.rest.push_back({.pixel = pixel, .node = &node, .near = depths_.near});
+            keep({.pixel = pixel, .node = &node, .near = depths_.near});
         return;
     }
     Parts parts;
@@ -87,15 +99,7 @@ void PatchTile::trace_parts(PatchNode& node, std::span<const std::size_t> pixels
             continue;
         }
         for (const std::size_t pixel : pixels)
-            room_.rest.push_back({.pixel = pixel, .node = part.node, .near = part.depths.near});
-    }
-}
-
-void PatchTile::leave(std::size_t pixel, double near, LeafLeft why) {
-    if (why == LeafLeft::Coarse) {
-        room_.left.push_back(pixel);
-    } else {
-        room_.rest.push_back({.pixel = pixel, .node = leaf_, .near = near});
+            keep({.pixel = pixel, .node = part.node, .near = part.depths.near});
     }
 }
 
@@ -109,7 +113,7 @@ InSquare PatchTile::side_of_own_box(const LeafHit& hit) const {
     return in_box(*tree_.box(), at, error);
 }
 
-RayState PatchTile::judge(const LeafHit& hit) {
+RayState PatchTile::judge(const LeafHit& hit) const {
     const SightRay ray = ray_of(hit.pixel);
     const DepthRange range = rays_.depths(ray.u, ray.v, 0.0, 0.0);
     if (hit.s < range.enter_lo || hit.s > range.exit_hi || hit.s < rays_.first_depth())

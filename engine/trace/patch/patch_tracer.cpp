@@ -7,42 +7,36 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace zeroset {
 
 namespace {
 
-/// Sets the rays of a tile of the image.
-void place_rays(const Tile& tile, const TileRays& rays, PatchTile::Room& room) {
-    room.u.resize(tile_size);
-    room.v.resize(tile_size);
+/// Asks for the first hits of a tile of the image.
+void ask(const Tile& tile, const TileRays& rays, TileQuest& quest) {
+    quest.wish = TileQuest::Wish::FirstHits;
+    quest.cols = tile.cols;
+    quest.rows = tile.rows;
+    quest.u.resize(tile_size);
+    quest.v.resize(tile_size);
     for (int i = 0; i < tile_size; ++i) {
-        room.u[static_cast<std::size_t>(i)] = rays.u(i);
-        room.v[static_cast<std::size_t>(i)] = rays.v(i);
+        quest.u[static_cast<std::size_t>(i)] = rays.u(i);
+        quest.v[static_cast<std::size_t>(i)] = rays.v(i);
     }
-    room.to.clear();
-    // Reset only the blocks that the last tile touched, where both are whole.
-    const bool is_whole =
-        tile.cols == tile_size && tile.rows == tile_size && tile.limits == nullptr;
-    const bool was_whole = std::exchange(room.is_whole, is_whole);
-    if (is_whole && was_whole) {
-        fill_blocks(room.reach.data(), room.touched, unbounded);
-        return;
-    }
-    // Else open all pixels of the tile, up to its limits.
-    room.reach.assign(tile_pixels, -unbounded);
-    for (int row = 0; row < tile.rows; ++row) {
-        const auto first = static_cast<std::ptrdiff_t>(pixel_index(0, row));
-        std::fill_n(room.reach.begin() + first, tile.cols, unbounded);
-    }
+    quest.to.clear();
     if (tile.limits == nullptr) return;
+    quest.to.assign(tile_pixels, -unbounded);
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col)
-            room.reach[pixel_index(col, row)] = rays.limit(pixel_index(col, row));
+            quest.to[pixel_index(col, row)] = rays.limit(pixel_index(col, row));
     }
-    room.to = room.reach;
 }
+
+/// Memory that a thread keeps from tile to tile.
+struct KeptTile {
+    TileQuest quest;
+    TileAnswer answer;
+};
 
 /// Whether the rays of a tile of the image may meet the patch, as far as its largest parts tell.
 bool may_meet(const TraceFrame& frame, const TileRays& rays, const Tile& tile) {
@@ -93,29 +87,30 @@ void put_hit(const PatchHit& hit, TileHits::Pixel at, const TileRays& rays, doub
 void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                       Counters& counters) {
     assert(tile.places == nullptr);
-    thread_local PatchTile::Room room;
+    thread_local KeptTile kept;
     const TileRays rays(frame, tile);
     if (!may_meet(frame, rays, tile)) return;
-    place_rays(tile, rays, room);
-    PatchTile(frame, rays, tile.cols, tile.rows, PatchTile::Wish::FirstHits, counters, room).run();
+    ask(tile, rays, kept.quest);
+    TileAnswer& answer = kept.answer;
+    PatchTile(frame, rays, kept.quest, answer, counters).run();
     if (frame.stopped()) return hits.leave_undecided(tile);
-    const bool are_others = put_found({.u = room.u.data(),
-                                       .v = room.v.data(),
-                                       .reach = room.reach.data(),
-                                       .found = room.found.data(),
+    const bool are_others = put_found({.u = kept.quest.u.data(),
+                                       .v = kept.quest.v.data(),
+                                       .reach = answer.reaches(),
+                                       .found = answer.found(),
                                        .look_distance = rays.look_distance(),
                                        .cols = tile.cols,
                                        .rows = tile.rows,
-                                       .blocks = room.touched},
+                                       .blocks = answer.touched()},
                                       hits);
     if (!are_others) return;
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
             const std::size_t pixel = pixel_index(col, row);
-            const LeafFound& found = room.found[pixel];
+            const LeafFound& found = answer.found()[pixel];
             const bool is_put = found.state != RayState::Kept && std::isfinite(found.normal[0]);
             if (found.state == RayState::Open || is_put) continue;
-            put_hit(room.hit(pixel),
+            put_hit(answer.hit(pixel),
                     {.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
                     rays, rays.u(col), rays.v(row), hits);
         }
@@ -126,14 +121,14 @@ void find_patch_blocks(const TraceFrame& frame, const TileRays& rays, std::span<
                        std::span<const double> v, std::span<const double> to,
                        std::span<PatchBlock> blocks, Counters& counters) {
     assert(u.size() == tile_pixels && v.size() == tile_pixels && to.size() == tile_pixels);
-    thread_local PatchTile::Room room;
-    room.u.assign(u.begin(), u.end());
-    room.v.assign(v.begin(), v.end());
-    room.to.assign(to.begin(), to.end());
-    room.reach = room.to;
-    PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::AnyHits, counters, room).run();
+    thread_local KeptTile kept;
+    kept.quest.wish = TileQuest::Wish::AnyHits;
+    kept.quest.u.assign(u.begin(), u.end());
+    kept.quest.v.assign(v.begin(), v.end());
+    kept.quest.to.assign(to.begin(), to.end());
+    PatchTile(frame, rays, kept.quest, kept.answer, counters).run();
     for (std::size_t i = 0; i < tile_pixels; ++i) {
-        const PatchHit hit = room.hit(i);
+        const PatchHit hit = kept.answer.hit(i);
         const bool is_open = !hit.is_proved && (hit.is_hit() || hit.unsettled < to[i]);
         blocks[i] = hit.is_hit() && hit.is_proved                        ? PatchBlock::Proved
                     : is_open || (to[i] > -unbounded && frame.stopped()) ? PatchBlock::Unknown

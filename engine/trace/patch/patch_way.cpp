@@ -25,7 +25,7 @@ PatchRay wanted(const TraceFrame& frame, std::uint8_t number, const SceneRay& ra
 constexpr auto blocks_across = static_cast<std::size_t>(tile_size / ray_block_side);
 
 /// The rays of blocks, one item for each pixel of a tile.
-struct PatchRoom {
+struct PatchScratch {
     std::vector<double> u, v, to;
     std::vector<PatchBlock> blocks;
 };
@@ -102,21 +102,21 @@ bool PatchWay::find_blocked(const TraceFrame& frame, std::uint8_t number,
 bool PatchWay::follow(const TraceFrame& frame, const TileRays& rays, double /*bracket*/,
                       std::span<FollowedRays> blocks, Counters& counters) const {
     assert(blocks.size() == blocks_across * blocks_across);
-    thread_local PatchRoom room;
-    room.u.resize(tile_pixels);
-    room.v.resize(tile_pixels);
-    room.to.resize(tile_pixels);
-    room.blocks.assign(tile_pixels, PatchBlock::None);
+    thread_local PatchScratch scratch;
+    scratch.u.resize(tile_pixels);
+    scratch.v.resize(tile_pixels);
+    scratch.to.resize(tile_pixels);
+    scratch.blocks.assign(tile_pixels, PatchBlock::None);
     const double per_distance = 1.0 / rays.distance();
     for_each_ray(blocks, [&](std::size_t pixel, const FollowedRay& ray) {
         const bool is_wanted = ray.from < ray.to;
-        room.u[pixel] = is_wanted ? ray.u * per_distance : 0.0;
-        room.v[pixel] = is_wanted ? ray.v * per_distance : 0.0;
-        room.to[pixel] = is_wanted ? ray.to : -std::numeric_limits<double>::infinity();
+        scratch.u[pixel] = is_wanted ? ray.u * per_distance : 0.0;
+        scratch.v[pixel] = is_wanted ? ray.v * per_distance : 0.0;
+        scratch.to[pixel] = is_wanted ? ray.to : -std::numeric_limits<double>::infinity();
     });
-    find_patch_blocks(frame, rays, room.u, room.v, room.to, room.blocks, counters);
+    find_patch_blocks(frame, rays, scratch.u, scratch.v, scratch.to, scratch.blocks, counters);
     for_each_ray(blocks, [&](std::size_t pixel, FollowedRay& ray) {
-        ray.found = finding_of(room.blocks[pixel]);
+        ray.found = finding_of(scratch.blocks[pixel]);
     });
     return true;
 }

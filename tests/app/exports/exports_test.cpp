@@ -84,7 +84,7 @@ TEST_F(Exports, WriteMeshesAndDrawings) {
     ASSERT_TRUE(meshes) << meshes.error();
     const auto outcome = mesh_work(ball_, wish, folder_ / "a.stl", *meshes)(news_);
     ASSERT_TRUE(outcome) << outcome.error();
-    EXPECT_EQ(bytes_of("a.stl").size(), 84 + 50 * (*meshes)->surfaces[0].kernel.facts.triangles);
+    EXPECT_EQ(bytes_of("a.stl").size(), 84 + 50 * (*meshes)->surfaces[0].facts.triangles);
     const auto drawn = drawing_work(ball_, {}, folder_ / "a.svg", nullptr)(news_);
     ASSERT_TRUE(drawn) << drawn.error();
     EXPECT_NE(bytes_of("a.svg").find("<svg"), std::string::npos);

@@ -111,7 +111,7 @@ TEST_P(EdgeLinesTest, OfTheMiddleRayAreThoseOfAll) {
     std::size_t lines = 0;
     std::size_t lines_of_all = 0;
     for (int row = 0; row < 64; ++row) {
-        const EdgeLines& found = lines_of(row, 1.0, false, strict, EdgeLines::room);
+        const EdgeLines& found = lines_of(row, 1.0, false, strict, EdgeLines::capacity);
         for (std::size_t i = 0; i < found.count; ++i) {
             const Five five = stretches_of(i, row, 1.0);
             const EdgeSamples samples = edge_samples(five);
@@ -132,7 +132,7 @@ TEST_P(EdgeLinesTest, OfTheMiddleRayAreThoseOfAll) {
 }
 
 TEST_P(EdgeLinesTest, TellTheStretchesOfOtherSquares) {
-    const EdgeLines& found = lines_of(30, 1.0, true, strict, EdgeLines::room_of_all_rays);
+    const EdgeLines& found = lines_of(30, 1.0, true, strict, EdgeLines::capacity_of_all_rays);
     for (std::size_t i = 0; i < found.count; ++i) {
         if (found.is_line[i] != 0.0) continue;
         const Five five = stretches_of(i, 30, 1.0);

@@ -29,6 +29,8 @@ Scene scene_of_texts(const std::vector<std::string>& texts, const Box& clip) {
     Scene scene = scene_of(texts.front(), clip);
     for (std::size_t i = 1; i < texts.size(); ++i)
         scene.surfaces.push_back(scene_of(texts[i], clip).surfaces[0]);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        scene.surfaces[i].colors = colors_of(i);
     return scene;
 }
 
@@ -119,7 +121,6 @@ TEST(Layers, OfNestedSpheresAreMixedFromTheFrontToTheBack) {
     const auto sheet = [&](std::size_t surface, bool front) {
         Scene alone = opaque;
         alone.surfaces = {opaque.surfaces[surface]};
-        alone.colors = {opaque.colors[surface]};
         if (!front) {
             const glm::dvec3 forward = glm::normalize(camera.look_at - camera.eye);
             alone.region.sections.push_back(make_section(-forward, 0.0, false));

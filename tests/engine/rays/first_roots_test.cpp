@@ -225,7 +225,7 @@ TEST(FirstRoots, OfAQuotientAreThoseOfItsNumerator) {
     const Box clip = Box::cube(1.5);
     const Frames plain({numerator + " = 0"}, clip);
     Frames quotient({numerator + "/" + divisor + " = 0"}, clip);
-    quotient.scene.surfaces[0] =
+    quotient.scene.surfaces[0].kernel =
         interpret(traceable(parse(numerator + "/" + divisor + " = 0").value()));
     RandomNumbers random(5);
     std::vector<SceneRay> rays;

@@ -133,7 +133,7 @@ TEST(ExtremeValues, CloseWhereASignTimesARootIsZero) {
     for (const std::string text : {"sign(x) (1 + y^2) = 0", "sign(x) (abs(x)^0.5 + 0.01) = 0",
                                    "sign(x) (0.001 + abs(x)) = 0"}) {
         Scene jump = scene_of(text, Box::cube(1.5));
-        set_defined_everywhere(jump.surfaces.front(), true);
+        set_defined_everywhere(jump.surfaces.front().kernel, true);
         Framebuffer frame(48, 48);
         render_frame(jump, default_camera(jump.clip), {}, frame);
         EXPECT_TRUE(std::ranges::all_of(frame.surface, [](auto of) { return of == no_surface; }))

@@ -31,7 +31,7 @@ RenderRequest request_for(std::string_view text, int width, int height) {
         ADD_FAILURE() << expr.error().reason;
         return request;
     }
-    request.scene = {{interpret(*expr)}, Box::cube(2), {}};
+    request.scene = {{{.kernel = interpret(*expr)}}, Box::cube(2), {}};
     request.scene.uniforms.set(0, 0.0);
     request.camera = default_camera(request.scene.clip);
     request.settings.stop.value = 8;

@@ -52,8 +52,8 @@ struct CutFrame {
         Scene slow = scene;
         // A limit cannot be moved while it is looked at: the call sleeps until a near one is over.
         const TimeLimit limit{.until = Clock::now() + milliseconds(60)};
-        for (Kernel& kernel : slow.surfaces) {
-            kernel = hooked(kernel, [&calls, last, &limit] {
+        for (Surface& surface : slow.surfaces) {
+            surface.kernel = hooked(surface.kernel, [&calls, last, &limit] {
                 if (++calls == last) std::this_thread::sleep_until(limit.until + milliseconds(12));
             });
         }

@@ -13,7 +13,6 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,15 +22,14 @@
 namespace zeroset::test::patch_rest_test {
 namespace {
 
-/// A room with the rays of the whole tile, on which all is wanted.
-PatchTile::Room room_for(const TileRays& rays) {
-    PatchTile::Room room;
+/// The rays of the whole tile, on which all is wanted.
+TileQuest quest_for(const TileRays& rays) {
+    TileQuest quest;
     for (int i = 0; i < tile_size; ++i) {
-        room.u.push_back(rays.u(i));
-        room.v.push_back(rays.v(i));
+        quest.u.push_back(rays.u(i));
+        quest.v.push_back(rays.v(i));
     }
-    room.reach.assign(std::size_t{tile_size} * tile_size, std::numeric_limits<double>::infinity());
-    return room;
+    return quest;
 }
 
 /// Ends the work on a tile once the forms of so many boxes have been asked for.
@@ -71,12 +69,14 @@ TEST(PatchRest, StaysSmallWhereAPatchIsUndefinedEverywhere) {
     frame.prepared = tree.get();
     const Tile tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};
     const TileRays rays(frame, tile);
-    PatchTile::Room room = room_for(rays);
+    const TileQuest quest = quest_for(rays);
+    TileAnswer answer;
     Counters counters;
-    PatchTile(frame, rays, tile_size, tile_size, PatchTile::Wish::FirstHits, counters, room).run();
+    PatchTile search(frame, rays, quest, answer, counters);
+    search.run();
     EXPECT_EQ(stop.boxes_left, 0U);
-    EXPECT_GT(room.rest.capacity(), 10'000U);
-    EXPECT_LE(room.rest.capacity(), 300'000U);
+    EXPECT_GT(search.most_kept(), 10'000U);
+    EXPECT_LE(search.most_kept(), 300'000U);
 }
 
 }  // namespace

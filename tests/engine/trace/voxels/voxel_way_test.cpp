@@ -238,7 +238,7 @@ TEST(VoxelWay, AgreeOnHugeSamples) {
         {9, 9, 9}, {}, [&](double, double, double) { return random.one_in(2) ? 3e38 : -3e38; });
     Scene scene = scene_of_level(volume, 6e37);
     Scene other = scene;
-    other.surfaces = {interpret(level_set(volume, 6e37))};
+    other.surfaces = {{.kernel = interpret(level_set(volume, 6e37))}};
     const Camera camera{{14, -9, 11}, {4, 4, 4}, {0, 0, 1}, 0.7};
     Comparison seen;
     ASSERT_NO_FATAL_FAILURE(
@@ -260,7 +260,8 @@ TEST(VoxelWay, FindNothingBehindAnotherSurface) {
     Scene scene = scene_of_level(volume, 10);
     scene.surfaces.push_back({.kernel = kernel_with_level(level_set(volume, 30))});
     Scene other = scene;
-    other.surfaces = {interpret(level_set(volume, 10)), interpret(level_set(volume, 30))};
+    other.surfaces = {{.kernel = interpret(level_set(volume, 10))},
+                      {.kernel = interpret(level_set(volume, 30))}};
     const Camera camera{{2.5, -2, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.7};
     expect_alike(drawn(scene, camera), drawn(other, camera), "two");
 }
