@@ -1,16 +1,14 @@
 #pragma once
 
-#include "engine/antialias/edge_fit.hpp"
 #include "engine/antialias/edge_lines.hpp"
+#include "engine/antialias/edge_verdict.hpp"
 #include "engine/antialias/sample_drafts.hpp"
 #include "engine/antialias/square_creases.hpp"
 #include "engine/antialias/square_field.hpp"
 #include "engine/antialias/square_walls.hpp"
-#include "engine/antialias/thread_fit.hpp"
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,23 +53,18 @@ private:
     void set_stretches(std::span<const std::size_t> squares, std::span<const SquareRay> places,
                        bool inside, std::span<RayStretch> stretches) const;
     /// Decides a square; whether its search goes on behind the edge.
-    bool take(std::size_t square, SquareStretches stretches, CornerStretches corners);
-    /// Decides a square whose edge is line i of lines_; returns as take.
-    bool take_found_line(std::size_t square, std::size_t i);
-    /// Decide a square where f is continuous, within the clip region or at walls of it; return as
-    /// take.
-    bool take_inside(std::size_t square, SquareStretches stretches);
-    bool take_at_walls(std::size_t square, SquareStretches stretches, CornerStretches corners);
-    bool take_line(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
-                   const LinearOnSquare& fit);
-    bool take_thread(std::size_t square, SquareStretches stretches, const EdgeSamples& samples,
-                     const Thread& thread);
-    bool take_rough(std::size_t square, SquareStretches stretches, const EdgeSamples& samples);
+    bool decide_one(std::size_t square, SquareStretches stretches, CornerStretches corners);
+    /// Decides a square where f is continuous, at walls of the clip region; returns as decide_one.
+    bool decide_at_walls(std::size_t square, SquareStretches stretches, CornerStretches corners);
+    /// Decides a square whose edge is line i of lines_; returns as decide_one.
+    bool decide_line(std::size_t square, std::size_t i);
+    /// Does with a square what its verdict says; returns as decide_one.
+    bool act(std::size_t square, const EdgeSquare& edge, const EdgeVerdict& verdict);
     /// Whether f comes to 0 on all rays in the places where it is least, as f near to these tells.
     bool is_touched_nearby(SquareStretches stretches);
-    bool take_ray(std::size_t square, const RayStretch& stretch);
+    bool decide_ray(std::size_t square, const RayStretch& stretch);
     /// Searches a stretch in which f may jump, or not be defined.
-    bool take_broken_ray(std::size_t square, const RayStretch& stretch);
+    bool decide_broken_ray(std::size_t square, const RayStretch& stretch);
     /// Nothing is seen of the surface at the edge.
     bool pass(std::size_t square) {
         field_.fronts(square)[surface_].pass();
