@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -101,6 +102,8 @@ struct Document {
     SectionChoice section_values;
     LightChoice light;
     std::vector<Marker> markers;  ///< in the order of their creation
+    /// Where the files that its texts name come from; nullptr: they must not name any. Not saved.
+    std::shared_ptr<const FieldSource> files = nullptr;
 
     bool operator==(const Document&) const = default;
 };

@@ -73,7 +73,7 @@ Document document_of(const std::vector<TextRow>& rows) {
 template <class RowAt>
 RowProgram row_program(std::string text, Program program, const Document& document,
                        const RowAt& row_at) {
-    RowProgram rows{.text = std::move(text)};
+    RowProgram rows{.text = std::move(text), .files = document.files};
     for (const Reading& reading : program.readings) {
         if (reading.kind != StatementKind::Surface) continue;
         rows.surface_rows.push_back(document.statements[row_at(reading.offset)].id);
@@ -101,16 +101,17 @@ bool same_functions(const RowProgram& a, const RowProgram& b) {
 std::expected<RowProgram, ParseError> read_rows(const Document& document) {
     const JoinedRows joined = joined_rows(document);
     const std::vector<CutText> cuts = joined.cuts(boxes_of(document));
-    auto program = read_program(joined.text, cuts);
+    auto program = read_program(joined.text, document.files.get(), cuts);
     if (!program) return std::unexpected(program.error());
     const auto row_at = [&joined](std::size_t offset) { return joined.row_at(offset); };
     return row_program(text_with_cuts(joined.text, cuts), std::move(*program), document, row_at);
 }
 
-TextDocument read_text(std::string_view text) {
-    auto program = read_program(text);
+TextDocument read_text(std::string_view text, std::shared_ptr<const FieldSource> files) {
+    auto program = read_program(text, files.get());
     const std::vector<TextRow> rows = cut_rows(text, program ? &*program : nullptr);
     Document document = document_of(rows);
+    document.files = std::move(files);
     if (!program)
         return {.document = std::move(document), .rows = std::unexpected(program.error())};
     const auto row_at = [&rows](std::size_t offset) {
@@ -121,8 +122,8 @@ TextDocument read_text(std::string_view text) {
     return {.document = std::move(document), .rows = std::move(read)};
 }
 
-std::vector<std::string> rows_of(std::string_view text) {
-    const auto program = read_program(text);
+std::vector<std::string> rows_of(std::string_view text, const FieldSource* files) {
+    const auto program = read_program(text, files);
     std::vector<std::string> rows;
     for (const TextRow& row : cut_rows(text, program ? &*program : nullptr))
         rows.emplace_back(row.text);

@@ -26,17 +26,18 @@ struct TriedRows {
 };
 
 std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& rows,
-                                              std::span<const std::optional<Box>> boxes) {
+                                              std::span<const std::optional<Box>> boxes,
+                                              const FieldSource* files) {
     JoinedRows joined(rows);
     std::vector<CutText> cuts = joined.cuts(boxes);
-    auto program = read_program(joined.text, cuts);
+    auto program = read_program(joined.text, files, cuts);
     if (program) {
         return TriedRows{
             .joined = std::move(joined), .cuts = std::move(cuts), .program = std::move(*program)};
     }
     const ParseError error = program.error();
     joined.text += stand_in;
-    program = read_program(joined.text);
+    program = read_program(joined.text, files);
     if (program) {
         return TriedRows{.joined = std::move(joined),
                          .cuts = {},
@@ -46,7 +47,8 @@ std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& ro
     return std::unexpected(error);
 }
 
-RowError row_error(const ParseError& error, std::size_t begin, const std::string& row) {
+RowError row_error(const ParseError& error, std::size_t begin, const std::string& row,
+                   const FieldSource* files) {
     const auto of = [&](const ParseError& found, std::size_t offset) {
         const std::string hint = found.hint.empty() ? "" : "; " + found.hint;
         RowError result{.reason = found.reason + hint,
@@ -60,7 +62,7 @@ RowError row_error(const ParseError& error, std::size_t begin, const std::string
     const std::size_t at = error.offset - std::min(begin, error.offset);
     if (at >= row.size()) {
         // The error is where the next row begins. It is this row's if that, alone, stops too early.
-        const auto alone = read_program(JoinedRows({row}).text);
+        const auto alone = read_program(JoinedRows({row}).text, files);
         if (!alone && alone.error().offset >= row.size()) return of(alone.error(), row.size());
     }
     return of(error, at);
@@ -108,14 +110,16 @@ Sheet sheet_of(const Document& document) {
     return sheet;
 }
 
-SheetReading SheetReader::read(const Sheet& sheet) {
+SheetReading SheetReader::read(const Sheet& sheet,
+                               const std::shared_ptr<const FieldSource>& files) {
     SheetReading result;
+    result.files = files;
     for (const SheetRow& row : sheet)
         result.reports[row.id].text = row.text;
     std::vector<std::string> texts = texts_of(sheet);
     const std::vector<std::optional<Box>> boxes = boxes_of(sheet);
     for (std::size_t trial = 0; trial < most_trials; ++trial) {
-        auto rows = try_rows(texts, boxes);
+        auto rows = try_rows(texts, boxes, files.get());
         if (rows) {
             for (std::size_t i = 0; i < sheet.size(); ++i) {
                 if (texts[i] == sheet[i].text) good_[sheet[i].id] = texts[i];
@@ -128,13 +132,14 @@ SheetReading SheetReader::read(const Sheet& sheet) {
         const std::size_t at = joined.row_at(rows.error().offset);
         RowReport& report = result.reports[sheet[at].id];
         const bool first = !report.error;
-        if (first) report.error = row_error(rows.error(), joined.begins[at], texts[at]);
+        if (first)
+            report.error = row_error(rows.error(), joined.begins[at], texts[at], files.get());
         // Try the row's last good text next, or nothing where that fails or is the same.
         const auto good = good_.find(sheet[at].id);
         const bool stands_in = first && good != good_.end() && good->second != texts[at];
         texts[at] = stands_in ? good->second : std::string();
     }
-    report_readings(sheet, *try_rows({}, {}), result);
+    report_readings(sheet, *try_rows({}, {}, nullptr), result);
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +50,9 @@ struct SheetReading : RowProgram {
 /// read: its last text without an error replaces it, or nothing.
 class SheetReader {
 public:
-    SheetReading read(const Sheet& sheet);
+    /// `files`: where the files that rows name come from; nullptr: they must not name any.
+    SheetReading read(const Sheet& sheet,
+                      const std::shared_ptr<const FieldSource>& files = nullptr);
 
 private:
     std::map<int, std::string> good_;  ///< the last good text of each row ever read, by id

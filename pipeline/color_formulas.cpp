@@ -23,7 +23,7 @@ constexpr std::size_t most_nodes_of_code = 4'000;
 std::expected<Expr, InputError> expression_of(const std::string& text, const RowProgram& rows,
                                               const char* missing) {
     if (trimmed(text).empty()) return wrong_input(missing);
-    auto expression = read_value(text, rows.text, rows.program->parameters);
+    auto expression = read_value(text, rows.text, rows.program->parameters, rows.files.get());
     if (!expression) return std::unexpected(input_error(expression.error(), text));
     return std::move(*expression);
 }

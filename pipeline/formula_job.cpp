@@ -11,11 +11,13 @@ namespace {
 /// Prepares sheets; remembers the last good text of each row and the last formula.
 class Preparer {
 public:
-    FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
+    FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice,
+                          const std::shared_ptr<const FieldSource>& files) {
         // Expressions of colours, too, may name files.
-        const std::uint64_t files = files_version();
-        files_changed_ |= std::exchange(files_, files) != files;
-        SheetReading reading = reader_.read(sheet);
+        const std::uint64_t version = files_version();
+        files_changed_ |= std::exchange(files_, version) != version;
+        SheetReading reading = reader_.read(sheet, files);
+        files_changed_ |= last_ != nullptr && last_->files != files;
         FormulaResult result{.sheet = std::move(sheet),
                              .reading = std::move(reading),
                              .formula = last_,
@@ -104,11 +106,15 @@ FormulaJob::~FormulaJob() {
     compiling_.join();
 }
 
-void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice) {
+void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice,
+                        std::shared_ptr<const FieldSource> files) {
     {
         const std::scoped_lock lock(mutex_);
-        pending_ = Request{
-            .number = ++newest_, .sheet = std::move(sheet), .region = region, .choice = choice};
+        pending_ = Request{.number = ++newest_,
+                           .sheet = std::move(sheet),
+                           .region = region,
+                           .choice = choice,
+                           .files = std::move(files)};
         interpreted_.reset();
     }
     wake_.notify_all();
@@ -158,8 +164,8 @@ void FormulaJob::prepare_sheets() {
             if (stop_) return;
             request = std::move(*std::exchange(pending_, std::nullopt));
         }
-        FormulaResult result =
-            preparer.prepare(std::move(request.sheet), request.region, request.choice);
+        FormulaResult result = preparer.prepare(std::move(request.sheet), request.region,
+                                                request.choice, request.files);
         result.number = request.number;
         publish(std::move(result));
     }

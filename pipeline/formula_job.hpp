@@ -42,8 +42,9 @@ public:
     FormulaJob& operator=(const FormulaJob&) = delete;
 
     /// Replaces the sheet to prepare. `region`: where the formula will be looked at. Map and range
-    /// of `choice` do not matter.
-    void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {});
+    /// of `choice` do not matter. `files`: of the document.
+    void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {},
+                std::shared_ptr<const FieldSource> files = nullptr);
     /// Returns the newest result not yet taken, if any.
     std::optional<FormulaResult> take();
     /// Says that the result taken last is on the screen, so that compiling its machine code may
@@ -62,6 +63,7 @@ private:
         Sheet sheet;
         Box region;
         ColorChoice choice = {};
+        std::shared_ptr<const FieldSource> files = nullptr;
     };
 
     void prepare_sheets();

@@ -65,8 +65,6 @@ GalleryItem item_of(const json& item, const std::string& group) {
 }
 
 std::vector<GalleryItem> load() {
-    // Some items name volumes, which the program makes.
-    if (!field_source()) use_volume_folder({});
     std::vector<GalleryItem> items;
     for (const std::string_view text : gallery_files()) {
         const json file = json::parse(text);
@@ -85,7 +83,9 @@ const std::vector<GalleryItem>& gallery() {
 }
 
 ReadDocument read_document(const GalleryItem& item) {
-    ReadDocument read = read_document_text(item.equation);
+    // Some items name volumes, which the program makes.
+    static const auto made_volumes = volume_source({});
+    ReadDocument read = read_document_text(item.equation, made_volumes);
     Document& document = read.document;
     document.clip = item.clip;
     document.camera = document.home = item.camera;

@@ -11,8 +11,8 @@ ReadDocument read_document(Document document) {
     return {.document = std::move(document), .rows = std::unexpected(std::move(error))};
 }
 
-ReadDocument read_document_text(std::string_view text) {
-    TextDocument read = read_text(text);
+ReadDocument read_document_text(std::string_view text, std::shared_ptr<const FieldSource> files) {
+    TextDocument read = read_text(text, std::move(files));
     if (read.rows) return {.document = std::move(read.document), .rows = std::move(*read.rows)};
     return {.document = std::move(read.document),
             .rows = std::unexpected(input_error(read.rows.error(), text))};

@@ -18,8 +18,9 @@ struct ReadDocument {
     std::expected<RowProgram, InputError> rows;
 };
 ReadDocument read_document(Document document);
-/// Makes a document of a text, one row for each statement.
-ReadDocument read_document_text(std::string_view text);
+/// Makes a document of a text, one row for each statement. `files`: the document's.
+ReadDocument read_document_text(std::string_view text,
+                                std::shared_ptr<const FieldSource> files = nullptr);
 
 /// The code that draws a document.
 struct PreparedDocument {

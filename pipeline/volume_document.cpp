@@ -78,7 +78,8 @@ Slider isovalue_slider(const Volume& volume) {
 OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
     allow_volume(file);
     const std::string name = file.string();
-    ReadDocument read = read_document_text("scan = volume(\"" + name + "\")\nscan(x, y, z) = a");
+    ReadDocument read =
+        read_document_text("scan = volume(\"" + name + "\")\nscan(x, y, z) = a", volume_source({}));
     if (!read.rows) return std::unexpected(read.rows.error());
     const Program& program = *read.rows->program;
     fit_to_volumes(program, read.document);

@@ -292,8 +292,6 @@ std::shared_ptr<const FieldSource> volume_source(const VolumeFolder& folder) {
     return std::make_shared<const VolumeSource>(folder);
 }
 
-void use_volume_folder(const VolumeFolder& folder) { set_field_source(volume_source(folder)); }
-
 void allow_volume(const std::filesystem::path& file) {
     const std::scoped_lock lock(allowed().mutex);
     allowed().files.insert(real_path(file));

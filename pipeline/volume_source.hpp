@@ -19,11 +19,7 @@ struct VolumeFolder {
     bool operator==(const VolumeFolder&) const = default;
 };
 
-/// Lets all texts name volumes from now on (set_field_source). Files that were allowed once stay
-/// so.
-void use_volume_folder(const VolumeFolder& folder);
-
-/// Allows a file that someone has chosen, wherever it lies.
+/// Allows a file that someone has chosen, wherever it lies, to all documents of the process.
 void allow_volume(const std::filesystem::path& file);
 
 /// Grows whenever texts that name files may read otherwise than before: as a file is allowed, and
@@ -37,7 +33,7 @@ bool look_for_changed_files();
 /// The files that texts have named and were refused for where they lie, since the last call.
 std::vector<std::filesystem::path> take_refused_volumes();
 
-/// The volumes of the given folder.
+/// The volumes of the given folder, for documents' texts (Document::files).
 std::shared_ptr<const FieldSource> volume_source(const VolumeFolder& folder);
 
 }  // namespace zeroset

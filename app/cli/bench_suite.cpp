@@ -3,6 +3,7 @@
 #include "engine/base/printable.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/volume_source.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -84,7 +85,8 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
             if (const char* const defect = camera_defect(camera))
                 return wrong_input("--suite " + path + ": the camera of '" + name +
                                    "' sees nothing: " + defect);
-            ReadDocument read = read_document_text(surface.at("f").get<std::string>());
+            ReadDocument read =
+                read_document_text(surface.at("f").get<std::string>(), volume_source({}));
             read.document.clip = Box::cube(domain);
             read.document.camera = camera;
             read.document.w.value = suite_w;

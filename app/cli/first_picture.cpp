@@ -86,7 +86,7 @@ OrInputError<EditTimes> Editor::edit(const Document& document) {
     bool machine = false;
     std::optional<std::uint64_t> first;
     const Sheet sheet = sheet_of(document);
-    formulas_.submit(sheet, document.clip, document.coloring);
+    formulas_.submit(sheet, document.clip, document.coloring, document.files);
     while (times.width == 0 || !machine) {
         wait();
         const auto result = formulas_.take();
@@ -161,7 +161,7 @@ double median(std::vector<double> times) {
 /// Returns the item's document with another text.
 Document document_with(const BenchItem& item, const std::string& text) {
     Document document = item.read.document;
-    document.statements = read_text(text).document.statements;
+    document.statements = read_text(text, document.files).document.statements;
     return document;
 }
 

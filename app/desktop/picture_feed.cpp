@@ -33,11 +33,16 @@ void PictureFeed::read(const Document& document) {
     // Rows are read again in another language: their errors and notes are written in it; and when
     // files may be read otherwise.
     const std::uint64_t files = files_version();
-    const bool told_otherwise = given_.language != language() || given_.files != files;
+    const bool told_otherwise =
+        given_.language != language() || given_.files != files || given_.source != document.files;
     if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
     if (told_otherwise) answered_ = {};
-    given_ = {.rows = sheet, .choice = choice, .language = language(), .files = files};
-    formulas_.submit(std::move(sheet), document.clip, choice);
+    given_ = {.rows = sheet,
+              .choice = choice,
+              .language = language(),
+              .files = files,
+              .source = document.files};
+    formulas_.submit(std::move(sheet), document.clip, choice, document.files);
 }
 
 std::optional<FormulaResult> PictureFeed::take_reading() {
@@ -46,7 +51,8 @@ std::optional<FormulaResult> PictureFeed::take_reading() {
     answered_ = {.rows = result->sheet,
                  .choice = result->choice,
                  .language = given_.language,
-                 .files = given_.files};
+                 .files = given_.files,
+                 .source = given_.source};
     if (result->formula) adopt(*result);
     return result;
 }

@@ -77,8 +77,9 @@ private:
     struct Text {
         std::optional<Sheet> rows;
         ColorChoice choice;
-        Language language = Language::English;  ///< of what is told of them
-        std::uint64_t files = 0;                ///< files_version() then
+        Language language = Language::English;                ///< of what is told of them
+        std::uint64_t files = 0;                              ///< files_version() then
+        std::shared_ptr<const FieldSource> source = nullptr;  ///< the document's
     };
     /// The picture on the screen.
     struct OnScreen {

@@ -225,9 +225,7 @@ void Session::attempt(Action action) {
 
 void Session::perform(const Action& action) {
     switch (action.intent) {
-        case Intent::New:
-            use_volume_folder({});
-            return begin(ui::new_document(state_.edited.layout), {});
+        case Intent::New: return begin(ui::new_document(state_.edited.layout), {}, {});
         case Intent::ChooseFile: return choose_file_to_open(Purpose::Open);
         case Intent::ChooseFolder: return choose_file_to_open(Purpose::OpenFolder);
         case Intent::OpenPath: return load(action.path);
@@ -259,7 +257,8 @@ bool Session::browse(const std::string& path) {
     return true;
 }
 
-void Session::begin(Document document, const std::string& path) {
+void Session::begin(Document document, const std::string& path, const VolumeFolder& volumes) {
+    document.files = volume_source(volumes);
     current() = renumbered(std::move(document), unused_id(current()));
     state_.edited.playing.clear();
     history_ = History(current());
@@ -276,18 +275,16 @@ void Session::load(const std::string& path) {
     if (classify(path).kind == InputKind::Volume) return load_volume(path);
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
-    use_volume_folder(volumes_beside(path));
-    begin(std::move(loaded->document), loaded->is_source ? "" : path);
+    begin(std::move(loaded->document), loaded->is_source ? "" : path, volumes_beside(path));
     if (!loaded->is_source) recent_.add(path);
     const bool is_list = loaded->note.contains('\n');
     if (!loaded->note.empty()) say(bare_name(path) + (is_list ? ":\n\n" : ": ") + loaded->note);
 }
 
 void Session::load_volume(const std::string& path) {
-    use_volume_folder({});
     auto document = document_of_volume(path);
     if (!document) return say_failure(document.error().reason);
-    begin(std::move(*document), {});
+    begin(std::move(*document), {}, {});
 }
 
 void Session::save() {

@@ -7,6 +7,7 @@
 #include "document/document.hpp"
 #include "document/history.hpp"
 #include "document/json/collection.hpp"
+#include "pipeline/volume_source.hpp"
 #include "ui/model/ui_state.hpp"
 
 #include <filesystem>
@@ -42,7 +43,8 @@ public:
     void amend(const std::function<void(Document&)>& change);
     /// Accepts the changes of playing sliders as part of the document, without a step of undo.
     void played();
-    /// Replaces the document as a step that can be undone; the new document has no file.
+    /// Replaces the document as a step that can be undone; the new document has no file, but may
+    /// name files (Document::files).
     void show(Document document);
     /// Opens the first of the files or folders that were dropped on the window.
     void open(const std::vector<std::string>& paths);
@@ -75,7 +77,8 @@ private:
     void keep(double now_s);
     void attempt(Action action);
     void perform(const Action& action);
-    void begin(Document document, const std::string& path);
+    /// `volumes`: which files its texts may name.
+    void begin(Document document, const std::string& path, const VolumeFolder& volumes);
     void load(const std::string& path);
     /// Shows the documents of a folder, or of a file with several, to choose from, or says why
     /// there are none; false where the path is something else.

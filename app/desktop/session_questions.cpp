@@ -38,7 +38,7 @@ void Session::answer_restore(std::size_t answer) {
     if (!lost_) return;
     if (answer == 0) {
         const Document untouched = current();
-        begin(std::move(lost_->document), {});
+        begin(std::move(lost_->document), {}, {});
         saved_ = untouched;
         state_.wishes.focus.reset();
         autosave_.keep(current());

@@ -25,10 +25,11 @@ namespace zeroset {
 
 class Elaborator {
 public:
-    /// Text at offset `counted_end` or later does not decide whether an earlier statement is a
-    /// definition.
-    explicit Elaborator(const SyntaxTree& tree, std::size_t counted_end = std::string_view::npos)
-        : tree_(tree), notes_(tree.notes), table_(tree, counted_end, notes_) {
+    /// `files`: where files that the text names come from; nullptr: none are read. Text at offset
+    /// `counted_end` or later does not decide whether an earlier statement is a definition.
+    Elaborator(const SyntaxTree& tree, const FieldSource* files,
+               std::size_t counted_end = std::string_view::npos)
+        : tree_(tree), files_(files), notes_(tree.notes), table_(tree, counted_end, notes_) {
         error_ = table_.error();
     }
 
@@ -302,6 +303,7 @@ private:
     std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
 
     const SyntaxTree& tree_;
+    const FieldSource* files_;
     std::span<const CutText> cuts_;
     Notes notes_;
     DefinitionTable table_;

@@ -143,13 +143,12 @@ Elaborator::Built Elaborator::volume(const Syntax& syntax, const Binding* scope)
 std::shared_ptr<const Field> Elaborator::field_of(const Syntax& syntax) {
     const auto known = fields_.find(syntax.text);
     if (known != fields_.end()) return known->second;
-    const auto source = field_source();
-    if (!source) {
+    if (files_ == nullptr) {
         fail(syntax.offset, tr("no files are read here"));
         return nullptr;
     }
     const FieldCall call = read_field_call(syntax.text).call;
-    const auto field = source->open(call);
+    const auto field = files_->open(call);
     if (!field) {
         const FieldError& error = field.error();
         const bool has_place = !error.at.empty();

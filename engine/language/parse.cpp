@@ -41,17 +41,18 @@ std::expected<Expr, ParseError> renumbered(const Expr& expr,
 
 }  // namespace
 
-std::expected<Program, ParseError> read_program(std::string_view text,
+std::expected<Program, ParseError> read_program(std::string_view text, const FieldSource* files,
                                                 std::span<const CutText> cuts) {
     const auto tree = read_syntax(text);
     if (!tree) return std::unexpected(tree.error());
-    Elaborator elaborator(*tree);
+    Elaborator elaborator(*tree, files);
     elaborator.cut(cuts);
     return elaborator.program();
 }
 
 std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
-                                           std::span<const std::string> parameters) {
+                                           std::span<const std::string> parameters,
+                                           const FieldSource* files) {
     // The expression is first read alone, since it must be one statement whatever program precedes
     // it.
     const auto alone = read_syntax(expression);
@@ -66,7 +67,8 @@ std::expected<Expr, ParseError> read_value(std::string_view expression, std::str
     const std::size_t begin = text.size();
     text += expression;
     const auto tree = read_syntax(text, begin);
-    auto value = tree ? Elaborator(*tree, begin).last_value() : std::unexpected(tree.error());
+    auto value =
+        tree ? Elaborator(*tree, files, begin).last_value() : std::unexpected(tree.error());
     if (!value) {
         ParseError error = value.error();
         error.offset -= std::min(error.offset, begin);
@@ -78,7 +80,7 @@ std::expected<Expr, ParseError> read_value(std::string_view expression, std::str
 std::expected<Expr, ParseError> parse(std::string_view text) {
     const auto tree = read_syntax(text);
     if (!tree) return std::unexpected(tree.error());
-    return Elaborator(*tree).formula();
+    return Elaborator(*tree, nullptr).formula();
 }
 
 }  // namespace zeroset

@@ -12,6 +12,8 @@
 
 namespace zeroset {
 
+class FieldSource;
+
 /// The meaning of a text. All surfaces share the numbering of the parameters.
 struct Program {
     std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
@@ -31,17 +33,21 @@ struct CutText {
 };
 
 /// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded for any
-/// text. `cuts` do not overlap.
+/// text. `files`: where files that it names come from; nullptr: it must not name any. `cuts` do not
+/// overlap.
 std::expected<Program, ParseError> read_program(std::string_view text,
+                                                const FieldSource* files = nullptr,
                                                 std::span<const CutText> cuts = {});
 
 /// Reads an expression that may use the functions and values of a program (its text, which must be
 /// readable) and the given parameters, in their order; another parameter is an error. Offsets of
-/// errors count from the start of the expression.
+/// errors count from the start of the expression. `files`: as for read_program, of both texts.
 std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
-                                           std::span<const std::string> parameters);
+                                           std::span<const std::string> parameters,
+                                           const FieldSource* files = nullptr);
 
-/// Reads a text of one formula, which may also be constant, even undefined (1/0).
+/// Reads a text of one formula, which may also be constant, even undefined (1/0), and names no
+/// files.
 std::expected<Expr, ParseError> parse(std::string_view text);
 
 }  // namespace zeroset

@@ -99,7 +99,7 @@ void measure_voxels(const VoxelTable& table, const std::string& scene,
 
 BenchItem item_of(const VoxelScene& scene) {
     BenchItem item{.name = std::string(scene.name),
-                   .read = read_document_text(std::string(scene.formula))};
+                   .read = read_document_text(std::string(scene.formula), volume_source({}))};
     item.read.document.clip = Box::cube(scene.half_edge);
     item.read.document.camera = suite_camera(scene.half_edge);
     return item;
@@ -166,7 +166,6 @@ int run_compare_voxels(const CompareCommand& command, const VoxelTable& table) {
     if (const auto message = first_unwritable({command.json, command.plot}))
         return report_run_time(*message);
     const bool prints = command.json != "-";
-    use_volume_folder({});
     if (prints) print(voxel_heading_text(table));
     const auto result = measure(table, *plan, prints);
     if (!result) return report(result.error());

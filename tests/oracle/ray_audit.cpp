@@ -104,7 +104,7 @@ std::string judge(const Shown& shown, const RayAnswer& answer, double length, Au
 }
 
 RayOracle oracle_of(const AuditSurface& surface) {
-    const auto program = read_formula(surface.equation);
+    const auto program = read_formula(surface.equation, surface.files);
     if (!program) {
         ADD_FAILURE() << surface.equation << ": " << program.error().reason;
         return {parse("x").value(), std::vector<double>{0.0}};
@@ -148,7 +148,7 @@ std::vector<std::size_t> chosen_pixels(const AuditSurface& surface, const AuditS
 }
 
 std::expected<Formula, InputError> interpreted(const AuditSurface& surface, bool knows_fields) {
-    auto program = read_formula(surface.equation);
+    auto program = read_formula(surface.equation, surface.files);
     if (!program) return std::unexpected(program.error());
     const Expr drawn = traceable(program->surfaces.front());
     Formula formula;
@@ -275,7 +275,8 @@ std::string AuditReport::text() const {
 Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
     Framebuffer frame(settings.size_px, settings.size_px);
     const auto formula = settings.interpreted ? interpreted(surface, settings.knows_fields)
-                                              : compile_formula(surface.equation, surface.clip);
+                                              : compile_formula(surface.equation, surface.clip,
+                                                                Precision::Float, surface.files);
     if (!formula) {
         ADD_FAILURE() << surface.equation << ": " << formula.error().reason;
         return frame;

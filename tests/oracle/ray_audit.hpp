@@ -3,9 +3,11 @@
 #include "engine/image/framebuffer.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
+#include "pipeline/volume_source.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct AuditSurface {
     double w = 0.0;
     Camera camera;
     Region region = {};  ///< sections are without caps, as no oracle knows of solids
+    std::shared_ptr<const FieldSource> files = volume_source({});  ///< that the equation may name
 };
 
 /// The items of the gallery that are one surface.

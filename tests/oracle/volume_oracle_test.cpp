@@ -106,7 +106,7 @@ struct AuditPlan {
 };
 
 AuditReport audit_of(const AuditPlan& plan, const AuditSettings& settings) {
-    set_field_source(std::make_shared<HardVolumes>(plan.kind, plan.most));
+    const auto volumes = std::make_shared<const HardVolumes>(plan.kind, plan.most);
     AuditReport total;
     for (int n = plan.first; n < plan.first + plan.volumes; ++n) {
         RandomNumbers random(static_cast<std::uint64_t>(n) + 500);
@@ -117,7 +117,8 @@ AuditReport audit_of(const AuditPlan& plan, const AuditSettings& settings) {
             .equation = "volume(\"" + name + "\")(x, y, z)" + levels[random.below(levels.size())],
             .clip = Box::cube(1.1),
             .w = 0.0,
-            .camera = suite_camera(1.3)};
+            .camera = suite_camera(1.3),
+            .files = volumes};
         surface.camera.eye = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(1, 3)};
         if (plan.cut) {
             const std::vector<AuditSurface> of(static_cast<std::size_t>(n) % 12 + 1, surface);
@@ -125,7 +126,6 @@ AuditReport audit_of(const AuditPlan& plan, const AuditSettings& settings) {
         }
         total += audit(surface, settings);
     }
-    use_volume_folder({});
     return total;
 }
 

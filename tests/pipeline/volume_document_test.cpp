@@ -11,8 +11,7 @@ namespace zeroset::volume_document_test {
 namespace {
 
 std::vector<std::string> isovalues_in(const std::string& text) {
-    use_volume_folder({});
-    const auto program = read_program(text);
+    const auto program = read_program(text, volume_source({}).get());
     if (!program) return {program.error().reason};
     std::vector<std::string> names;
     for (const auto& [name, volume] : isovalues(*program))

@@ -26,9 +26,13 @@ protected:
         const auto& data = sample_field()->data();
         bytes_ = nrrd_bytes(data.samples(), data.geometry(), "test");
         write("sample.nrrd");
-        use_volume_folder({.folder = folder_.path()});
+        use({.folder = folder_.path()});
     }
-    ~VolumeTexts() override { use_volume_folder({}); }
+
+    void use(const VolumeFolder& folder) { files_ = volume_source(folder); }
+    [[nodiscard]] std::expected<Program, ParseError> read(const std::string& text) const {
+        return read_program(text, files_.get());
+    }
 
     void write(const std::string& name) const {
         std::filesystem::create_directories((folder_ / name).parent_path());
@@ -37,8 +41,8 @@ protected:
                    static_cast<std::streamsize>(bytes_.size()));
     }
     /// "OFFSET: REASON; HINT" of the error in a text.
-    static std::string error_of(const std::string& text) {
-        const auto program = read_program(text);
+    [[nodiscard]] std::string error_of(const std::string& text) const {
+        const auto program = read(text);
         if (program) return "no error";
         const ParseError& error = program.error();
         return std::to_string(error.offset) + ": " + error.reason +
@@ -49,16 +53,17 @@ protected:
     }
 
     TestFolder folder_;
+    std::shared_ptr<const FieldSource> files_;
     std::vector<std::byte> bytes_;
 };
 
 TEST_F(VolumeTexts, AVolumeIsAFunctionOfAPoint) {
-    const auto program = read_program("scan = volume(\"sample.nrrd\"); scan(x, y + 1, 2z) = 0.4");
+    const auto program = read("scan = volume(\"sample.nrrd\"); scan(x, y + 1, 2z) = 0.4");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
     EXPECT_EQ(program->surfaces.front().canonical(),
               "volume(\"sample.nrrd\")(x, y + 1, 2*z) - 0.4");
     EXPECT_EQ(program->readings.front().text, "scan(x, y, z) = volume(\"sample.nrrd\")(x, y, z)");
-    const auto again = read_program(program->surfaces.front().canonical());
+    const auto again = read(program->surfaces.front().canonical());
     ASSERT_TRUE(again.has_value()) << again.error().reason;
     EXPECT_EQ(again->surfaces.front().key(), program->surfaces.front().key());
 }
@@ -75,9 +80,8 @@ TEST_F(VolumeTexts, AVolumeStandsInAnyFormula) {
 }
 
 TEST_F(VolumeTexts, ArgumentsSayWhatIsBeyondTheGrid) {
-    const auto options_of = [](const std::string& arguments) {
-        const auto program =
-            read_program("s = volume(\"sample.nrrd\"" + arguments + "); s(x, y, z) = 0");
+    const auto options_of = [this](const std::string& arguments) {
+        const auto program = read("s = volume(\"sample.nrrd\"" + arguments + "); s(x, y, z) = 0");
         EXPECT_TRUE(program.has_value()) << arguments;
         return volume_in(*program).options();
     };
@@ -89,9 +93,8 @@ TEST_F(VolumeTexts, ArgumentsSayWhatIsBeyondTheGrid) {
 }
 
 TEST_F(VolumeTexts, ArgumentsSayWhatIsBetweenTheSamples) {
-    const auto value_of = [](const std::string& arguments) {
-        const auto program =
-            read_program("s = volume(\"sample.nrrd\"" + arguments + "); s(x, y, z) = 0");
+    const auto value_of = [this](const std::string& arguments) {
+        const auto program = read("s = volume(\"sample.nrrd\"" + arguments + "); s(x, y, z) = 0");
         EXPECT_TRUE(program.has_value()) << arguments;
         const auto& data = volume_in(*program).data();
         const auto at = world_point(data.geometry(), {1, 2, 1});
@@ -121,7 +124,7 @@ TEST_F(VolumeTexts, ArgumentsSayWhatIsBetweenTheSamples) {
 
 TEST_F(VolumeTexts, RawSamplesHaveTheirLayoutBehindThem) {
     std::ofstream(folder_ / "a.raw") << std::string(2 * 4 * 3 * 2, 'a');
-    const auto program = read_program(
+    const auto program = read(
         "s = volume(\"a.raw\", size 4 3 2, int16, big, spacing 1 2 3, origin -1 0 0);"
         "s(x,y,z) = 1");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
@@ -159,7 +162,7 @@ TEST_F(VolumeTexts, MistakesAreShownAtTheirPlace) {
 TEST_F(VolumeTexts, ADocumentFromElsewhereReadsOnlyBesideItself) {
     write("scans/inner.nrrd");
     const auto folder = folder_ / "scans";
-    use_volume_folder({.folder = folder, .closed = true});
+    use({.folder = folder, .closed = true});
     EXPECT_EQ(error_of("volume(\"inner.nrrd\")(x, y, z) = 1"), "no error");
     EXPECT_EQ(error_of("volume(\"../scans/inner.nrrd\")(x, y, z) = 1"), "no error");
     const std::string refused =
@@ -176,11 +179,11 @@ TEST_F(VolumeTexts, ADocumentFromElsewhereReadsOnlyBesideItself) {
 
 TEST_F(VolumeTexts, EqualTextsHaveTheSameFunction) {
     const std::string text = "volume(\"sample.nrrd\")(x, y, z) = 1";
-    const auto first = read_program(text);
-    const auto second = read_program(text);
+    const auto first = read(text);
+    const auto second = read(text);
     ASSERT_TRUE(first && second);
     EXPECT_EQ(&volume_in(*first), &volume_in(*second));
-    const auto edge = read_program("volume(\"sample.nrrd\", edge)(x, y, z) = 1");
+    const auto edge = read("volume(\"sample.nrrd\", edge)(x, y, z) = 1");
     ASSERT_TRUE(edge);
     EXPECT_NE(&volume_in(*first), &volume_in(*edge));
     EXPECT_EQ(&volume_in(*first).data(), &volume_in(*edge).data());
@@ -189,7 +192,7 @@ TEST_F(VolumeTexts, EqualTextsHaveTheSameFunction) {
 TEST_F(VolumeTexts, TheProgramMakesSomeItself) {
     for (const MadeVolume& made : made_volumes()) {
         const auto program =
-            read_program("volume(\"@" + std::string(made.name) + "\", size 12)(x, y, z) = 0.5");
+            read("volume(\"@" + std::string(made.name) + "\", size 12)(x, y, z) = 0.5");
         ASSERT_TRUE(program.has_value()) << program.error().reason;
         EXPECT_EQ(volume_in(*program).data().samples().size, (GridSize{12, 12, 12}));
         EXPECT_LT(volume_in(*program).data().range().lo, volume_in(*program).data().range().hi);
@@ -225,7 +228,6 @@ TEST(MadeVolume, TrilinearErrorOfMarschnerAndLobbsTestIsThePublishedOne) {
 }
 
 TEST_F(VolumeTexts, AFileBecomesADocument) {
-    use_volume_folder({.folder = "/nowhere", .closed = true});
     const auto document = document_of_volume(folder_ / "sample.nrrd");
     ASSERT_TRUE(document.has_value()) << document.error().reason;
     ASSERT_EQ(document->statements.size(), 2);
@@ -241,7 +243,7 @@ TEST_F(VolumeTexts, AFileBecomesADocument) {
 
 TEST_F(VolumeTexts, AChangeOfAFileIsToldOnceNoOneWritesAnyMore) {
     const std::string text = "s = volume(\"sample.nrrd\"); s(x, y, z) = 0";
-    auto program = read_program(text);
+    auto program = read(text);
     ASSERT_TRUE(program.has_value()) << program.error().reason;
     look_for_changed_files();
     EXPECT_FALSE(look_for_changed_files());
@@ -258,7 +260,7 @@ TEST_F(VolumeTexts, AChangeOfAFileIsToldOnceNoOneWritesAnyMore) {
     EXPECT_FALSE(look_for_changed_files());
     EXPECT_TRUE(look_for_changed_files());
     program = std::unexpected(ParseError{});
-    use_volume_folder({.folder = folder_.path()});  // what keeps the latest volumes is new
+    use({.folder = folder_.path()});  // what keeps the latest volumes is new
     std::filesystem::remove(folder_ / "sample.nrrd");
     look_for_changed_files();
     EXPECT_FALSE(look_for_changed_files()) << "no one looks at it any more";
@@ -271,7 +273,7 @@ TEST_F(VolumeTexts, AChangeOfSeveralFilesIsToldOnceAllOfThemRest) {
     std::ofstream(folder_ / "slices" / "all.mhd")
         << "ObjectType = Image\nNDims = 3\nDimSize = " << size << " 2 2\n"
         << "ElementType = MET_UCHAR\nElementDataFile = s%d.raw 0 1 1\n";
-    const auto program = read_program("s = volume(\"slices/all.mhd\"); s(x, y, z) = 9");
+    const auto program = read("s = volume(\"slices/all.mhd\"); s(x, y, z) = 9");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
     look_for_changed_files();
     EXPECT_FALSE(look_for_changed_files());
@@ -285,7 +287,7 @@ TEST_F(VolumeTexts, AChangeOfSeveralFilesIsToldOnceAllOfThemRest) {
 
 TEST_F(VolumeTexts, AChangeOfAFileOfBallsIsToldToo) {
     std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n";
-    const auto program = read_program("blobs(\"balls.xyz\") = 1");
+    const auto program = read("blobs(\"balls.xyz\") = 1");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
     look_for_changed_files();
     std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n1 0 0 1\n";
@@ -294,7 +296,7 @@ TEST_F(VolumeTexts, AChangeOfAFileOfBallsIsToldToo) {
 }
 
 TEST_F(VolumeTexts, ASampledFormulaIsTheFormulaAtTheSamples) {
-    const auto program = read_program("x y + z^2 - a");
+    const auto program = read("x y + z^2 - a");
     ASSERT_TRUE(program);
     Uniforms uniforms;
     uniforms.set(0, 0);

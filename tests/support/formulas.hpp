@@ -5,25 +5,31 @@
 #include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/prepare.hpp"
+#include "pipeline/volume_source.hpp"
 
 #include <expected>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
-// Formulas and scenes of texts, without a document.
+// Formulas and scenes of texts, without a document. `files`: what they may name.
 
 namespace zeroset::test {
 
-inline std::expected<Program, InputError> read_formula(std::string_view text) {
-    auto rows = read_document_text(text).rows;
+using Files = std::shared_ptr<const FieldSource>;
+
+inline std::expected<Program, InputError> read_formula(std::string_view text,
+                                                       const Files& files = volume_source({})) {
+    auto rows = read_document_text(text, files).rows;
     if (!rows) return std::unexpected(rows.error());
     return *rows->program;
 }
 
-inline std::expected<Formula, InputError> prepared_formula(
-    std::string_view text, const Box& region, Preparation how = Preparation::Quickest) {
-    auto rows = read_document_text(text).rows;
+inline std::expected<Formula, InputError> prepared_formula(std::string_view text, const Box& region,
+                                                           Preparation how = Preparation::Quickest,
+                                                           const Files& files = volume_source({})) {
+    auto rows = read_document_text(text, files).rows;
     if (!rows) return std::unexpected(rows.error());
     return prepare_formula(std::move(*rows), region, how);
 }
@@ -31,8 +37,9 @@ inline std::expected<Formula, InputError> prepared_formula(
 /// Machine code in float, and in `precision`, unless the formula is too large for that.
 inline std::expected<Formula, InputError> compile_formula(std::string_view text,
                                                           const Box& region = {},
-                                                          Precision precision = Precision::Float) {
-    auto formula = prepared_formula(text, region, Preparation::Compiled);
+                                                          Precision precision = Precision::Float,
+                                                          const Files& files = volume_source({})) {
+    auto formula = prepared_formula(text, region, Preparation::Compiled, files);
     if (!formula || formula->code == CodeState::Interpreted || formula->has_code(precision))
         return formula;
     return with_machine_code(*formula, CodeUse::Pictures, precision);

@@ -84,7 +84,8 @@ void move_row(UiState& state, std::size_t index, std::ptrdiff_t by) {
 
 /// Divides a row whose text contains several statements, as after pasting, into one row for each.
 void split_row(UiState& state, std::size_t index) {
-    const std::vector<std::string> texts = rows_of(rows(state)[index].text);
+    const std::vector<std::string> texts =
+        rows_of(rows(state)[index].text, state.edited.document.files.get());
     if (texts.size() < 2) {
         focus(state, index, Caret::End);
         return;
@@ -144,7 +145,7 @@ const char* hint_for(const UiState& state) {
 }  // namespace
 
 void insert_rows(UiState& state, std::size_t index, const std::string& text) {
-    for (const std::string& row : rows_of(text)) {
+    for (const std::string& row : rows_of(text, state.edited.document.files.get())) {
         insert_row(state, ++index);
         rows(state)[index].text = row;
     }

@@ -25,21 +25,32 @@
 namespace zeroset {
 namespace {
 
+using Files = std::shared_ptr<const FieldSource>;
+
+/// Reads the rows of a document, and the files that they name.
+ReadDocument with_files(Document document, const Files& files) {
+    document.files = files;
+    return read_document(std::move(document));
+}
+
 /// The document of a text, in the clip box of its volumes.
-ReadDocument typed_document(std::string_view text) {
-    ReadDocument read = read_document_text(trimmed(text));
+ReadDocument typed_document(std::string_view text, const Files& files) {
+    ReadDocument read = read_document_text(trimmed(text), files);
     if (read.rows) fit_to_volumes(*read.rows->program, read.document);
     return read;
 }
 
 /// Reads another program's file, and says on stderr what was not taken over.
-OrInputError<InputDocument> imported_document(const std::string& path) {
+OrInputError<InputDocument> imported_document(const std::string& path, const Files& files) {
     auto imported = load_imported(import_place(path));
     if (!imported) return wrong_input(imported.error());
     for (const ImportNote& note : imported->notes)
         std::cerr << "zeroset: " << printable(note_text(path, note)) << "\n";
-    return InputDocument{
-        read_document(std::move(imported->document)), {}, notes_listed(imported->notes), {}, true};
+    return InputDocument{with_files(std::move(imported->document), files),
+                         {},
+                         notes_listed(imported->notes),
+                         {},
+                         true};
 }
 
 /// Whether a text that is no formula may well name a file: /tmp/scene.json, scan.dcm.
@@ -61,8 +72,8 @@ std::string what_is_opened(const std::string& file) {
 }
 
 /// The document of a formula; an error of its own for what may name a file.
-OrInputError<InputDocument> formula_document(const std::string& equation) {
-    ReadDocument read = typed_document(equation);
+OrInputError<InputDocument> formula_document(const std::string& equation, const Files& files) {
+    ReadDocument read = typed_document(equation, files);
     if (!read.rows && may_name_file(equation)) {
         return wrong_input("'" + equation + "': there is no such file, and it is no formula: " +
                            read.rows.error().reason);
@@ -71,13 +82,13 @@ OrInputError<InputDocument> formula_document(const std::string& equation) {
 }
 
 /// The document of a file of a session, or of a picture that holds one.
-OrInputError<InputDocument> saved_document(const std::string& path) {
+OrInputError<InputDocument> saved_document(const std::string& path, const Files& files) {
     auto loaded = load_document(path);
     if (!loaded) return wrong_input(loaded.error());
     if (loaded->shown_on && !loaded->document.light.background)
         loaded->document.light.background = loaded->shown_on;
-    return InputDocument{read_document(std::move(loaded->document)), loaded->is_source ? "" : path,
-                         loaded->note, loaded->shown_on, true};
+    return InputDocument{with_files(std::move(loaded->document), files),
+                         loaded->is_source ? "" : path, loaded->note, loaded->shown_on, true};
 }
 
 OrInputError<InputDocument> volume_document(const std::string& path) {
@@ -86,10 +97,10 @@ OrInputError<InputDocument> volume_document(const std::string& path) {
     return InputDocument{read_document(std::move(*volume))};
 }
 
-OrInputError<InputDocument> shared_document(const std::string& text) {
+OrInputError<InputDocument> shared_document(const std::string& text, const Files& files) {
     auto shared = document_from(text);
     if (!shared) return wrong_input("zeroset:...: " + shared.error());
-    return InputDocument{read_document(std::move(shared->document)), {}, {}, {}, true};
+    return InputDocument{with_files(std::move(shared->document), files), {}, {}, {}, true};
 }
 
 OrInputError<InputDocument> gallery_document(std::string_view name) {
@@ -102,24 +113,24 @@ OrInputError<InputDocument> gallery_document(std::string_view name) {
 
 OrInputError<InputDocument> stored_document(const std::string& equation) {
     const InputSource source = classify(equation);
-    use_volume_folder(source.volumes);
+    const Files files = volume_source(source.volumes);
     switch (source.kind) {
-        case InputKind::Document: return saved_document(equation);
-        case InputKind::OtherProgram: return imported_document(equation);
+        case InputKind::Document: return saved_document(equation, files);
+        case InputKind::OtherProgram: return imported_document(equation, files);
         case InputKind::Volume: return volume_document(equation);
         case InputKind::Folder:
             return wrong_input("'" + equation +
                                "' is a folder: the window shows what is in it, with zeroset " +
                                equation + "; for a picture type one of its files");
-        case InputKind::Shared: return shared_document(equation);
+        case InputKind::Shared: return shared_document(equation, files);
         case InputKind::Gallery: return gallery_document(std::string_view(equation).substr(1));
         case InputKind::OtherFile: return wrong_input(what_is_opened(equation));
         case InputKind::StandardInput:
             return InputDocument{
-                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}))};
+                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}), files)};
         case InputKind::Formula: break;
     }
-    return formula_document(equation);
+    return formula_document(equation, files);
 }
 
 }  // namespace zeroset

@@ -2,23 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 #include <utility>
 
 namespace zeroset {
 namespace {
 
 constexpr std::string_view spaces = " \t\r\n";
-
-struct CurrentSource {
-    std::mutex mutex;
-    std::shared_ptr<const FieldSource> source;
-};
-
-CurrentSource& current() {
-    static CurrentSource instance;
-    return instance;
-}
 
 std::size_t after_spaces(std::string_view text, std::size_t at) {
     const std::size_t next = text.find_first_not_of(spaces, at);
@@ -76,16 +65,6 @@ FieldCallStart read_field_call(std::string_view text) {
         rest.remove_prefix(comma);
     }
     return start;
-}
-
-void set_field_source(std::shared_ptr<const FieldSource> source) {
-    const std::scoped_lock lock(current().mutex);
-    current().source = std::move(source);
-}
-
-std::shared_ptr<const FieldSource> field_source() {
-    const std::scoped_lock lock(current().mutex);
-    return current().source;
 }
 
 }  // namespace zeroset

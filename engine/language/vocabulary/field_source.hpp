@@ -50,8 +50,4 @@ public:
         const FieldCall& call) const = 0;
 };
 
-/// The source of all texts read from now on, in the whole process; none: files cannot be named.
-void set_field_source(std::shared_ptr<const FieldSource> source);
-std::shared_ptr<const FieldSource> field_source();
-
 }  // namespace zeroset

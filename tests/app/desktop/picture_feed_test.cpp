@@ -43,13 +43,14 @@ protected:
             called_ = false;
         }
     }
-    void read(const std::string& text) {
+    void read(const std::string& text, std::shared_ptr<const FieldSource> files = nullptr) {
         document_ = with_text(text);
+        document_.files = std::move(files);
         feed_->read(document_);
     }
     /// Reads the text and waits for its last picture.
-    void show(const std::string& text) {
-        read(text);
+    void show(const std::string& text, std::shared_ptr<const FieldSource> files = nullptr) {
+        read(text, std::move(files));
         follow_until([&] { return feed_->has_read(document_) && feed_->drawn(); });
     }
     [[nodiscard]] std::optional<PictureRequest> wanted() const {
@@ -129,29 +130,29 @@ TEST_F(PictureFeedTest, DoesNothingTwice) {
 
 TEST_F(PictureFeedTest, ReadsAFileAgainOnceItHasChanged) {
     const TestFolder folder;
-    use_volume_folder({.folder = folder.path()});
+    const auto files = volume_source({.folder = folder.path()});
     const auto hits_of = [&](const std::string& balls) {
         std::ofstream(folder / "balls.xyz") << balls;
         look_for_changed_files();
         look_for_changed_files();
-        show("blobs(\"balls.xyz\") = 1");
+        show("blobs(\"balls.xyz\") = 1", files);
         return picture_->counts.certified;
     };
     const auto small = hits_of("0 0 0 0.5\n");
     const auto large = hits_of("0 0 0 1.5\n");
     EXPECT_GT(small, 0U);
     EXPECT_GT(large, 2 * small);
-    use_volume_folder({});
 }
 
 TEST_F(PictureFeedTest, ReadsFilesAgainThatOnlyColoursName) {
     const TestFolder folder;
-    use_volume_folder({.folder = folder.path()});
+    const auto files = volume_source({.folder = folder.path()});
     const auto colors_of = [&](const std::string& balls) {
         std::ofstream(folder / "balls.xyz") << balls;
         look_for_changed_files();
         look_for_changed_files();
         document_ = with_text("x = 0");
+        document_.files = files;
         document_.coloring.by = ColorBy::Expression;
         document_.coloring.expression = "blobs(\"balls.xyz\")";
         feed_->read(document_);
@@ -161,7 +162,6 @@ TEST_F(PictureFeedTest, ReadsFilesAgainThatOnlyColoursName) {
     const auto* const first = colors_of("0 0 0 0.5\n");
     ASSERT_NE(first, nullptr);
     EXPECT_NE(colors_of("0 0 0 1.5\n"), first);
-    use_volume_folder({});
 }
 
 TEST_F(PictureFeedTest, DrawsAnotherViewOfTheSameText) {

@@ -261,7 +261,9 @@ TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
 
 TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
     const std::string text = "s = volume(\"../elsewhere/v.nrrd\"); s(x,y,z) = 1";
-    const auto reason = [&text] { return read_program(text).error().reason; };
+    const auto reason = [&] {
+        return read_program(text, state_.edited.document.files.get()).error().reason;
+    };
     fs::create_directories(file("elsewhere"));
     fs::create_directories(file("document"));
     write(file("elsewhere/v.nrrd"), "no volume");
@@ -288,7 +290,6 @@ TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
     answer(0);
     EXPECT_EQ(files_version(), before + 1) << "rows are read again";
     EXPECT_FALSE(reason().contains("lies outside")) << reason();
-    use_volume_folder({});
 }
 
 TEST_F(Sessions, AFolderIsLookedThroughAndLosesNothing) {

@@ -18,7 +18,7 @@ namespace {
 using Point = std::array<double, 3>;
 
 Program program_of(const std::string& text, std::span<const CutText> cuts = {}) {
-    auto program = read_program(text, cuts);
+    auto program = read_program(text, nullptr, cuts);
     if (!program) {
         ADD_FAILURE() << text << ": " << program.error().reason;
         return {};
