@@ -175,11 +175,11 @@ void BlobTile::trace(Block& block, RaysKnown& known) {
         .tail = tail_,
         .bracket = block.bracket};
     // March the rays, and take over what is found.
-    const BallLooks looks = march(question, scratch_.block);
-    counters_.value += looks;
+    const BallEvaluations evaluations = march(question, scratch_.block);
+    counters_.value += evaluations;
     if (counters_.costs != nullptr) {
         counters_.costs->add(block.col, block.row, block.cols, block.rows,
-                             static_cast<double>(looks));
+                             static_cast<double>(evaluations));
     }
     end(block, known, first);
 }

@@ -20,7 +20,7 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// Follows the open rays, as many at once as there are lanes, in numbers of this type.
 template <class Real, BlobKind kind>
-BallLooks march_in(const BallQuestion& question, BallBlock& block) {
+BallEvaluations march_in(const BallQuestion& question, BallBlock& block) {
     thread_local std::vector<SlotOf<Real>> slots;
     std::array<std::uint8_t, ray_block_rays> open{};
     std::size_t count = 0;
@@ -29,22 +29,22 @@ BallLooks march_in(const BallQuestion& question, BallBlock& block) {
     }
     if (count == 0) return 0;
     const MarchBounds<Real> bounds(question);
-    BallLooks looks = 0;
+    BallEvaluations evaluations = 0;
     for (std::size_t first = 0; first < count; first += lanes<Real>) {
         const std::size_t some = std::min(lanes<Real>, count - first);
         const auto places = std::span<const std::uint8_t>(open).subspan(first, some);
-        looks += RayMarch<Real, kind>(question, block, bounds, places, slots).run();
+        evaluations += RayMarch<Real, kind>(question, block, bounds, places, slots).run();
     }
-    return looks;
+    return evaluations;
 }
 
 template <BlobKind kind>
-BallLooks march_kind(const BallQuestion& question, BallBlock& block) {
-    const BallLooks in_float = march_in<float, kind>(question, block);
+BallEvaluations march_kind(const BallQuestion& question, BallBlock& block) {
+    const BallEvaluations in_float = march_in<float, kind>(question, block);
     return in_float + march_in<double, kind>(question, block);
 }
 
-BallLooks march_lanes(const BallQuestion& question, BallBlock& block) {
+BallEvaluations march_lanes(const BallQuestion& question, BallBlock& block) {
     if (question.kind == BlobKind::Wyvill) return march_kind<BlobKind::Wyvill>(question, block);
     if (question.kind == BlobKind::Metaball) return march_kind<BlobKind::Metaball>(question, block);
     return march_kind<BlobKind::Blinn>(question, block);
@@ -96,7 +96,7 @@ HWY_EXPORT(list_near_lanes);
 
 }  // namespace
 
-BallLooks march(const BallQuestion& question, BallBlock& block) {
+BallEvaluations march(const BallQuestion& question, BallBlock& block) {
     return HWY_DYNAMIC_DISPATCH(march_lanes)(question, block);
 }
 

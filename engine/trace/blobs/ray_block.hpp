@@ -36,7 +36,7 @@ struct BallBlock {
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };
 
-/// The surface that march() looks for on rays, and bounds for it.
+/// The surface that march() evaluations for on rays, and bounds for it.
 struct BallQuestion {
     BlobKind kind;
     double level;
@@ -52,11 +52,11 @@ struct BallQuestion {
 };
 
 /// Evaluations of f on rays.
-using BallLooks = std::uint64_t;
+using BallEvaluations = std::uint64_t;
 
 /// Follows the open rays to their ends; those that take very many steps stay open. In upward
 /// rounding.
-BallLooks march(const BallQuestion& question, BallBlock& block);
+BallEvaluations march(const BallQuestion& question, BallBlock& block);
 
 /// The tile's balls as blocks ask for them.
 struct BallColumns {

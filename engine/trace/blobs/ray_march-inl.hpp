@@ -61,15 +61,15 @@ public:
 
     /// Rays that could not be brought to an end in so many steps are left open. Returns how often f
     /// was looked at.
-    BallLooks run() {
+    BallEvaluations run() {
         constexpr int most_steps = is_double ? 400 : 200;
-        BallLooks looks = 0;
+        BallEvaluations evaluations = 0;
         for (int i = 0; i < most_steps && !hn::AllFalse(d<Real>, open_); ++i) {
-            looks += hn::CountTrue(d<Real>, open_);
+            evaluations += hn::CountTrue(d<Real>, open_);
             advance();
         }
         store();
-        return looks;
+        return evaluations;
     }
 
 private:

@@ -1,6 +1,6 @@
 #include "engine/trace/patch/patch_search.hpp"
 
-#include "engine/trace/patch/patch_look.hpp"
+#include "engine/trace/patch/seen_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ void PatchSearch::push_parts(const PatchQuest& quest, PatchNode::Children& parts
                             .depths = {.near = quest.from, .far = std::min(best_.s, quest.to)}};
     SeenParts seen;
     const std::uint32_t known = parts.forms.known;
-    const std::uint32_t met = look_at_parts(parts.forms, window, seen) | ~known;
+    const std::uint32_t met = see_parts(parts.forms, window, seen) | ~known;
     for (std::size_t i = 0; i < parts.nodes.size(); ++i) {
         PatchNode& part = parts.nodes[i];
         if ((met >> i & 1U) == 0) continue;

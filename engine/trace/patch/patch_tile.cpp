@@ -140,7 +140,7 @@ void PatchTile::open_blocks() {
 
 void PatchTile::run() {
     if (!(depths_.near <= limit_)) return;
-    if (Part root; look_at(tree_.root(), root)) visit(root);
+    if (Part root; see(tree_.root(), root)) visit(root);
     solve();
     search_rest();
 }
@@ -221,7 +221,7 @@ SightRays PatchTile::rays_of(const Rect& rect) const {
             .v_radius = 0.5 * (rect.end_row - rect.row) * rays_.pixel()};
 }
 
-bool PatchTile::look_at(PatchNode& node, Part& part) const {
+bool PatchTile::see(PatchNode& node, Part& part) const {
     const FormWithin form(node.form, clip_);
     if (!form) return false;
     part.node = &node;
@@ -260,13 +260,13 @@ std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
                             .rays = bounds_,
                             .clip = clip_,
                             .depths = {.near = depths_.near, .far = limit_}};
-    const std::uint32_t met = look_at_parts(children.forms, window, seen);
+    const std::uint32_t met = see_parts(children.forms, window, seen);
     std::size_t count = 0;
     for (std::size_t i = 0; i < children.nodes.size(); ++i) {
         PatchNode& node = children.nodes[i];
         Part& part = parts[count];
         if ((children.forms.known >> i & 1U) == 0) {
-            if (!look_at(node, part)) continue;
+            if (!see(node, part)) continue;
         } else {
             if ((met >> i & 1U) == 0) continue;
             part.node = &node;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "engine/trace/patch/patch_leaf.hpp"
-#include "engine/trace/patch/patch_look.hpp"
 #include "engine/trace/patch/patch_outline.hpp"
 #include "engine/trace/patch/patch_search.hpp"
 #include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
+#include "engine/trace/patch/seen_parts.hpp"
 #include "engine/trace/patch/tile_quest.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/tile_rays.hpp"
@@ -92,7 +92,7 @@ private:
     void change(const Rect& rect);
     void change_all();
     /// Sets a part; false where no ray meets it.
-    bool look_at(PatchNode& node, Part& part) const;
+    bool see(PatchNode& node, Part& part) const;
     void visit(Part& part);
     void visit_parts(PatchNode::Children& children);
     [[nodiscard]] bool is_hidden(const SightDepths& depths) const;

@@ -33,15 +33,15 @@ public:
     [[nodiscard]] bool was_above(std::size_t ray) const { return (sides_.above >> ray & 1U) != 0; }
     [[nodiscard]] bool was_below(std::size_t ray) const { return (sides_.below >> ray & 1U) != 0; }
 
-    /// Calls `looks(ray)` for each look at a cell, `tell(ray, rays, lane)` for each root. Returns
-    /// the rays of which nothing is known in this layer.
-    template <class Grid, class Looks, class Tell>
+    /// Calls `on_cell(ray)` for each cell that is evaluated, `tell(ray, rays, lane)` for each root.
+    /// Returns the rays of which nothing is known in this layer.
+    template <class Grid, class OnCell, class Tell>
     std::uint64_t walk(const BundleSearch& search, const Grid& grid, const CellMask& mask,
-                       std::uint64_t some, const Looks& looks, const Tell& tell) {
+                       std::uint64_t some, const OnCell& on_cell, const Tell& tell) {
         std::uint64_t unclear = 0;
         while (some != 0) {
             some = take(some);
-            unclear |= walk_taken(search, grid, mask, looks, tell);
+            unclear |= walk_taken(search, grid, mask, on_cell, tell);
         }
         return unclear;
     }
@@ -78,15 +78,15 @@ private:
                       [&](std::size_t lane) { result |= std::uint64_t{1} << rays_.ray[lane]; });
         return result;
     }
-    template <class Grid, class Looks, class Tell>
+    template <class Grid, class OnCell, class Tell>
     std::uint64_t walk_taken(const BundleSearch& search, const Grid& grid, const CellMask& mask,
-                             const Looks& looks, const Tell& tell) {
+                             const OnCell& on_cell, const Tell& tell) {
         const std::uint32_t all = (1U << rays_.count) - 1;
         LaneSides sides = sides_of_lanes();
         std::uint32_t left = enter_layer(search, mask.layer, rays_);
         std::uint32_t unclear = all & ~left;
         while (left != 0) {
-            const std::uint32_t held = take_cells(search.axes, grid, mask, left, looks);
+            const std::uint32_t held = take_cells(search.axes, grid, mask, left, on_cell);
             if (held != 0) {
                 const std::uint32_t roots = find_roots(search, held, rays_, sides, unclear);
                 for_each_lane(roots, [&](std::size_t lane) { tell(rays_.ray[lane], rays_, lane); });
@@ -102,9 +102,9 @@ private:
         return of_bundle(unclear);
     }
     /// Takes the corners of those of the lanes' cells that may hold the level.
-    template <class Grid, class Looks>
+    template <class Grid, class OnCell>
     std::uint32_t take_cells(const WalkAxes& axes, const Grid& grid, const CellMask& mask,
-                             std::uint32_t lanes, const Looks& looks) {
+                             std::uint32_t lanes, const OnCell& on_cell) {
         std::uint32_t held = 0;
         for_each_lane(lanes, [&](std::size_t lane) {
             std::array<std::int32_t, 3> cell{};
@@ -112,7 +112,7 @@ private:
                 cell[axis] = static_cast<std::int32_t>(rays_.cell[axis][lane]);
             if (!mask.may_hold(cell[axes.i], cell[axes.j])) return;
             held |= 1U << lane;
-            looks(rays_.ray[lane]);
+            on_cell(rays_.ray[lane]);
             const auto corners = grid.numbers(cell);
             for (std::size_t corner = 0; corner < 8; ++corner)
                 rays_.corners[corner][lane] = corners[corner];

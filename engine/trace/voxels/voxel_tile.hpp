@@ -64,7 +64,7 @@ public:
     /// Traces the tile; false: bundles cannot go through the grid from here.
     bool run() {
         const bool done = run_bundles();
-        counters_.value += looks_;
+        counters_.value += evaluations_;
         return done;
     }
 
@@ -139,11 +139,11 @@ private:
         });
         return depth;
     }
-    void count(const Pixels& pixels, std::uint64_t looks) {
-        counters_.range += looks;
+    void count(const Pixels& pixels, std::uint64_t evaluations) {
+        counters_.range += evaluations;
         if (counters_.costs != nullptr) {
             counters_.costs->add(pixels.col, pixels.row, pixels.cols, pixels.rows,
-                                 static_cast<double>(looks));
+                                 static_cast<double>(evaluations));
         }
     }
 
@@ -158,13 +158,13 @@ private:
         has_columns_ = false;
         border_ = rays_in_border(pixels);
         lanes_.begin(rays_, {.col = pixels.col, .row = pixels.row});
-        std::uint64_t looks = 0;
+        std::uint64_t evaluations = 0;
         walk_block(grid_, block, [&](const CellRectangle& cells, const LayerRange& layers) {
-            ++looks;
+            ++evaluations;
             walk_slab(cells, layers, block);
             return open_ != 0;
         });
-        count(pixels, looks);
+        count(pixels, evaluations);
         for_each_bit(open_ & begun_, [&](std::size_t ray) {
             if (bundle_[ray].root.finish()) tell(bundle_[ray]);
         });
@@ -268,7 +268,8 @@ private:
                                       .look_distance = rays_.look_distance(),
                                       .sign = static_cast<double>(hits_.sign())};
             return lanes_.walk(
-                search, grid_, mask_, some, [&](std::size_t ray) { count_look(pixel_of(ray)); },
+                search, grid_, mask_, some,
+                [&](std::size_t ray) { count_evaluation(pixel_of(ray)); },
                 [&](std::size_t ray, const LaneRays& rays, std::size_t lane) {
                     open_ &= ~bit(ray);
                     hits_.tell_certified(
@@ -284,8 +285,8 @@ private:
         const int row = first_.row + static_cast<int>(ray) / block_size;
         return static_cast<std::uint32_t>(row * tile_size + col);
     }
-    void count_look(std::uint32_t pixel) {
-        ++looks_;
+    void count_evaluation(std::uint32_t pixel) {
+        ++evaluations_;
         if (counters_.costs != nullptr) counters_.costs->add(pixel);
     }
     /// Makes a ray when it first comes near the surface; false: the region is nowhere on it.
@@ -330,7 +331,7 @@ private:
                 const std::int32_t j = cell[axes.j];
                 const bool inside =
                     i >= 0 && i <= last_cell_[axes.i] && j >= 0 && j <= last_cell_[axes.j];
-                return inside && (!marks || mask_.may_hold(i, j)) && look(ray, cell, stretch);
+                return inside && (!marks || mask_.may_hold(i, j)) && search(ray, cell, stretch);
             });
     }
     /// Ends a ray that has left the region.
@@ -338,15 +339,16 @@ private:
         if (ray.root.finish()) tell(ray);
         return true;
     }
-    /// Looks at the ray in a cell; whether it has ended.
-    bool look(OpenRay& ray, const std::array<std::int32_t, 3>& cell, const LayerStretch& stretch) {
+    /// Searches the ray in a cell; whether it has ended.
+    bool search(OpenRay& ray, const std::array<std::int32_t, 3>& cell,
+                const LayerStretch& stretch) {
         const auto place = [&](double s) {
             std::array<double, 3> in_cell{};
             for (std::size_t axis = 0; axis < 3; ++axis)
                 in_cell[axis] = ray.ray.at[axis] + s * ray.ray.along[axis] - cell[axis];
             return in_cell;
         };
-        count_look(ray.pixel);
+        count_evaluation(ray.pixel);
         const auto f = ray_polynomial(grid_.numbers(cell), place(stretch.from), place(stretch.to),
                                       stretch.from, stretch.to);
         if (!ray.root.look(f)) return false;
@@ -376,10 +378,10 @@ private:
     RayLines& lines_;
     VoxelHits hits_;
     Counters& counters_;
-    std::uint64_t looks_ = 0;  ///< at cells, in double
-    double finest_ = 0;        ///< as BundleSearch has it
-    Pixels first_{};           ///< of the bundle
-    DepthRange inside_{};      ///< of the bundle
+    std::uint64_t evaluations_ = 0;  ///< at cells, in double
+    double finest_ = 0;              ///< as BundleSearch has it
+    Pixels first_{};                 ///< of the bundle
+    DepthRange inside_{};            ///< of the bundle
     LaneWalk lanes_;
     bool has_columns_ = false;
     /// The bundle's rays, a bit each: those that have not ended, that are made, and that may be at

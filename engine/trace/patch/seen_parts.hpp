@@ -50,6 +50,6 @@ struct SeenParts {
 
 /// A bit for each part that rays may meet, of those that PartForms knows; sets what is seen of all
 /// of them. In upward rounding.
-std::uint32_t look_at_parts(const PartForms& forms, const PartWindow& window, SeenParts& seen);
+std::uint32_t see_parts(const PartForms& forms, const PartWindow& window, SeenParts& seen);
 
 }  // namespace zeroset

@@ -1,9 +1,9 @@
 // FormWithin, place_of and is_beside of the parts of a node, a part in each lane.
 
-#include "engine/trace/patch/patch_look.hpp"
+#include "engine/trace/patch/seen_parts.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/trace/patch/patch_look.cpp"
+#define HWY_TARGET_INCLUDE "engine/trace/patch/seen_parts.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
 #include "engine/trace/patch/patch_zeros-inl.hpp"
@@ -18,13 +18,13 @@ struct Triple {
     Vector at[3];
 };
 
-class PartLook {
+class PartsInView {
 public:
-    PartLook(const PartForms& forms, const PartWindow& window, SeenParts& seen)
+    PartsInView(const PartForms& forms, const PartWindow& window, SeenParts& seen)
         : forms_(forms), window_(window), seen_(seen) {}
 
     /// The lanes of the parts from `first` on that may be met.
-    HWY_INLINE Mask look(std::size_t first) {
+    HWY_INLINE Mask see(std::size_t first) {
         const Triple c = load(forms_.c, first);
         const Triple ku = load(forms_.ku, first);
         const Triple kv = load(forms_.kv, first);
@@ -121,12 +121,12 @@ private:
     SeenParts& seen_;
 };
 
-std::uint32_t look(const PartForms& forms, const PartWindow& window, SeenParts& seen) {
-    PartLook parts(forms, window, seen);
+std::uint32_t see_all(const PartForms& forms, const PartWindow& window, SeenParts& seen) {
+    PartsInView parts(forms, window, seen);
     std::uint32_t bits = 0;
     // Lanes behind the last known part are not of use.
     for (std::size_t first = 0; forms.known >> first != 0; first += width)
-        bits |= bits_of(D(), parts.look(first)) << first;
+        bits |= bits_of(D(), parts.see(first)) << first;
     return bits & forms.known;
 }
 
@@ -137,10 +137,10 @@ HWY_AFTER_NAMESPACE();
 
 namespace zeroset {
 
-HWY_EXPORT(look);
+HWY_EXPORT(see_all);
 
-std::uint32_t look_at_parts(const PartForms& forms, const PartWindow& window, SeenParts& seen) {
-    return HWY_DYNAMIC_DISPATCH(look)(forms, window, seen);
+std::uint32_t see_parts(const PartForms& forms, const PartWindow& window, SeenParts& seen) {
+    return HWY_DYNAMIC_DISPATCH(see_all)(forms, window, seen);
 }
 
 }  // namespace zeroset
