@@ -35,10 +35,10 @@ struct TextDocument {
     Document document;  ///< ids from 1 on; a row for each line where the text cannot be read
     std::expected<RowProgram, ParseError> rows;  ///< offsets are in the text as it was given
 };
-TextDocument read_text(std::string_view text, std::shared_ptr<const FieldSource> files = nullptr);
+TextDocument read_text(std::string_view text, std::shared_ptr<const FieldSource> files);
 
 /// Rows for a text of one or more statements: one for each. A text that cannot be read becomes a
 /// row for each line.
-std::vector<std::string> rows_of(std::string_view text, const FieldSource* files = nullptr);
+std::vector<std::string> rows_of(std::string_view text, const FieldSource* files);
 
 }  // namespace zeroset

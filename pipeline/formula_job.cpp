@@ -17,7 +17,6 @@ public:
         const std::uint64_t version = files_version();
         files_changed_ |= std::exchange(files_, version) != version;
         SheetReading reading = reader_.read(sheet, files);
-        files_changed_ |= last_ != nullptr && last_->files != files;
         FormulaResult result{.sheet = std::move(sheet),
                              .reading = std::move(reading),
                              .formula = last_,
@@ -32,9 +31,11 @@ public:
             if (last_ == nullptr || !same_functions(*last_, rows)) colors_ = nullptr;
             last_ = std::make_shared<const Formula>(std::move(*formula));
             region_ = region;
-        } else if (last_->surface_rows != rows.surface_rows) {
+        } else if (last_->surface_rows != rows.surface_rows || last_->files != rows.files) {
+            files_changed_ |= last_->files != rows.files;
             Formula of_other_rows = *last_;
             of_other_rows.surface_rows = rows.surface_rows;
+            of_other_rows.files = rows.files;
             last_ = std::make_shared<const Formula>(std::move(of_other_rows));
         }
         result.formula = last_;

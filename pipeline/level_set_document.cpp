@@ -1,7 +1,7 @@
 #include "pipeline/level_set_document.hpp"
 
 #include "engine/base/translation.hpp"
-#include "engine/rewrite/restriction.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 #include "engine/trace/caps.hpp"
 #include "pipeline/mesh_colors.hpp"
 #include "pipeline/patch_surface.hpp"

@@ -2,8 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-#include "engine/mesh/open_surface.hpp"
-#include "engine/mesh/wall.hpp"
+#include "engine/mesh/finished_mesh.hpp"
 #include "engine/real/rounding.hpp"
 #include "pipeline/mesh_colors.hpp"
 #include "pipeline/patch_surface.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/mesh/files/mesh_file.hpp"
+#include "engine/mesh/finished_mesh.hpp"
 #include "engine/mesh/make_mesh.hpp"
 #include "engine/mesh/mesh_facts.hpp"
-#include "engine/mesh/smallest_wall.hpp"
 #include "engine/trace/time_limit.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/mesh_solid.hpp"

@@ -2,7 +2,7 @@
 
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/rewrite/outer_choices.hpp"
+#include "engine/rewrite/passes.hpp"
 #include "engine/rewrite/sample/form_sample.hpp"
 #include "engine/tape/shape_memory.hpp"
 #include "pipeline/sample_region.hpp"

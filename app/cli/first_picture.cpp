@@ -130,8 +130,9 @@ bool same_shape(const Program& a, const Program& b) {
 
 /// Returns the text with one of its numbers a little larger, such that the formula keeps its shape;
 /// nothing if no number allows that.
-std::optional<std::string> with_other_number(const std::string& text, const std::string& digits) {
-    const auto whole = read_program(text);
+std::optional<std::string> with_other_number(const std::string& text, const std::string& digits,
+                                             const FieldSource* files) {
+    const auto whole = read_program(text, files);
     if (!whole) return std::nullopt;
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     for (std::size_t end = text.size(); end > 0; --end) {
@@ -142,7 +143,7 @@ std::optional<std::string> with_other_number(const std::string& text, const std:
         const bool has_point = text.substr(begin, end - begin).contains('.');
         std::string other = text;
         other.insert(end, has_point ? digits : "." + digits);
-        const auto read = read_program(other);
+        const auto read = read_program(other, files);
         if (read && same_shape(*whole, *read)) return other;
     }
     return std::nullopt;
@@ -170,7 +171,7 @@ OrInputError<Medians> measure(Editor& editor, const BenchItem& item, int repeats
     Medians medians;
     if (!item.read.rows) return std::unexpected(item.read.rows.error());
     const std::string& typed = item.read.rows->text;
-    const auto other = with_other_number(typed, "01");
+    const auto other = with_other_number(typed, "01", item.read.document.files.get());
     for (int i = 0; i < repeats; ++i) {
         jit::forget_code();
         const auto times = editor.edit(document_with(item, typed));

@@ -7,6 +7,7 @@
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
 #include "engine/base/printable.hpp"
+#include "pipeline/input/input_source.hpp"
 #include "pipeline/prepare.hpp"
 
 #include <nlohmann/json.hpp>
@@ -82,7 +83,7 @@ private:
     }
 
     int bring(const std::string& file) {
-        auto imported = load_import(file);
+        auto imported = load_import(file, volume_source(volumes_beside(file)));
         if (!imported) {
             ++refused_;
             std::cerr << "error: " << printable(imported.error()) << "\n";

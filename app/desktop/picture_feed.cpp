@@ -62,6 +62,7 @@ void PictureFeed::adopt(const FormulaResult& result) {
     // For the same text, the formula that is drawn may have more code already.
     const bool same = formula_ != nullptr && same_functions(*formula_, *formula) &&
                       formula_->surface_rows == formula->surface_rows &&
+                      formula_->files == formula->files &&
                       (formula_->code == formula->code || formula->code != CodeState::Machine);
     if (!same) formula_ = formula;
     colors_ = result.colors;

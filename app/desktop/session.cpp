@@ -77,6 +77,12 @@ std::optional<fs::path> folder_for(const SessionOptions& options) {
     return options.keeps_files && !options.read_only ? state_folder() : std::nullopt;
 }
 
+/// A document of one's own, whose texts may name any file.
+Document with_any_files(Document document) {
+    document.files = volume_source({});
+    return document;
+}
+
 }  // namespace
 
 Session::Session(ui::UiState& state, const SessionOptions& options)
@@ -225,7 +231,7 @@ void Session::attempt(Action action) {
 
 void Session::perform(const Action& action) {
     switch (action.intent) {
-        case Intent::New: return begin(ui::new_document(state_.edited.layout), {}, {});
+        case Intent::New: return begin(with_any_files(ui::new_document(state_.edited.layout)), {});
         case Intent::ChooseFile: return choose_file_to_open(Purpose::Open);
         case Intent::ChooseFolder: return choose_file_to_open(Purpose::OpenFolder);
         case Intent::OpenPath: return load(action.path);
@@ -257,8 +263,7 @@ bool Session::browse(const std::string& path) {
     return true;
 }
 
-void Session::begin(Document document, const std::string& path, const VolumeFolder& volumes) {
-    document.files = volume_source(volumes);
+void Session::begin(Document document, const std::string& path) {
     current() = renumbered(std::move(document), unused_id(current()));
     state_.edited.playing.clear();
     history_ = History(current());
@@ -273,9 +278,9 @@ void Session::begin(Document document, const std::string& path, const VolumeFold
 
 void Session::load(const std::string& path) {
     if (classify(path).kind == InputKind::Volume) return load_volume(path);
-    auto loaded = load_document(path);
+    auto loaded = load_document(path, volume_source(volumes_beside(path)));
     if (!loaded) return say_failure(loaded.error());
-    begin(std::move(loaded->document), loaded->is_source ? "" : path, volumes_beside(path));
+    begin(std::move(loaded->document), loaded->is_source ? "" : path);
     if (!loaded->is_source) recent_.add(path);
     const bool is_list = loaded->note.contains('\n');
     if (!loaded->note.empty()) say(bare_name(path) + (is_list ? ":\n\n" : ": ") + loaded->note);
@@ -284,7 +289,7 @@ void Session::load(const std::string& path) {
 void Session::load_volume(const std::string& path) {
     auto document = document_of_volume(path);
     if (!document) return say_failure(document.error().reason);
-    begin(std::move(*document), {}, {});
+    begin(std::move(*document), {});
 }
 
 void Session::save() {

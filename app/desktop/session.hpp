@@ -7,7 +7,6 @@
 #include "document/document.hpp"
 #include "document/history.hpp"
 #include "document/json/collection.hpp"
-#include "pipeline/volume_source.hpp"
 #include "ui/model/ui_state.hpp"
 
 #include <filesystem>
@@ -77,8 +76,8 @@ private:
     void keep(double now_s);
     void attempt(Action action);
     void perform(const Action& action);
-    /// `volumes`: which files its texts may name.
-    void begin(Document document, const std::string& path, const VolumeFolder& volumes);
+    /// Takes the place of the document, without a step back; `path`: of its file, or empty.
+    void begin(Document document, const std::string& path);
     void load(const std::string& path);
     /// Shows the documents of a folder, or of a file with several, to choose from, or says why
     /// there are none; false where the path is something else.

@@ -38,7 +38,9 @@ void Session::answer_restore(std::size_t answer) {
     if (!lost_) return;
     if (answer == 0) {
         const Document untouched = current();
-        begin(std::move(lost_->document), {}, {});
+        // Where it was is not known: it may name what the document may that was opened now.
+        lost_->document.files = untouched.files;
+        begin(std::move(lost_->document), {});
         saved_ = untouched;
         state_.wishes.focus.reset();
         autosave_.keep(current());

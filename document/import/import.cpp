@@ -17,16 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A reader whose texts name no files.
+template <ReadImport (*read)(std::string_view)>
+ReadImport alone(std::string_view bytes, const FieldSource* /*files*/) {
+    return read(bytes);
+}
+
 constexpr std::array formats{
-    ImportFormat{.name = "SURFER", .endings = ".jsurf", .read = read_jsurf},
-    ImportFormat{.name = "surf", .endings = ".pic .surf", .read = read_surf_script},
-    ImportFormat{.name = "MathMod", .endings = ".js", .read = read_mathmod},
-    ImportFormat{.name = "K3DSurf", .endings = ".k3ds", .read = read_k3ds},
-    ImportFormat{.name = "Fidget, libfive", .endings = ".vm", .read = read_instructions},
-    ImportFormat{.name = "ImpVis", .endings = ".toml", .read = read_impvis},
-    ImportFormat{.name = "3MF", .endings = ".3mf", .read = read_three_mf, .largest = 64U << 20U},
+    ImportFormat{.name = "SURFER", .endings = ".jsurf", .read = alone<read_jsurf>},
+    ImportFormat{.name = "surf", .endings = ".pic .surf", .read = alone<read_surf_script>},
+    ImportFormat{.name = "MathMod", .endings = ".js", .read = alone<read_mathmod>},
+    ImportFormat{.name = "K3DSurf", .endings = ".k3ds", .read = alone<read_k3ds>},
+    ImportFormat{.name = "Fidget, libfive", .endings = ".vm", .read = alone<read_instructions>},
+    ImportFormat{.name = "ImpVis", .endings = ".toml", .read = alone<read_impvis>},
+    ImportFormat{
+        .name = "3MF", .endings = ".3mf", .read = alone<read_three_mf>, .largest = 64U << 20U},
     ImportFormat{.name = "formulas", .endings = ".txt", .read = read_formulas},
-    ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = read_pov},
+    ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = alone<read_pov>},
 };
 
 std::expected<std::string, std::string> bytes_of(const fs::path& path, std::size_t largest) {
@@ -68,26 +75,28 @@ std::string import_endings() {
     return all;
 }
 
-ReadImport read_import(std::string_view file_name, std::string_view bytes) {
+ReadImport read_import(std::string_view file_name, std::string_view bytes,
+                       const std::shared_ptr<const FieldSource>& files) {
     const ImportFormat* const format = import_format(file_name);
     if (format == nullptr) return import_error(0, tr("it is no file of a format that is read"));
     if (bytes.size() > format->largest) return import_error(0, tr("it is too large"));
-    ReadImport imported = format->read(bytes);
+    ReadImport imported = format->read(bytes, files.get());
     if (!imported) return imported;
     const std::string stem = fs::path(file_name).stem().string();
     for (ImportedDocument& document : imported->documents) {
         document.name = clean_name(document.name);
         if (document.name.empty()) document.name = stem;
+        document.document.files = files;
         check_rows(document);
     }
     return imported;
 }
 
-ReadImport load_import(const fs::path& path) {
+ReadImport load_import(const fs::path& path, const std::shared_ptr<const FieldSource>& files) {
     const ImportFormat* const format = import_format(path.filename().string());
     const auto bytes = bytes_of(path, format ? format->largest : largest_script);
     if (!bytes) return cannot_open(path, bytes.error());
-    ReadImport imported = read_import(path.filename().string(), *bytes);
+    ReadImport imported = read_import(path.filename().string(), *bytes, files);
     if (!imported) return cannot_open(path, imported.error());
     return imported;
 }

@@ -3,6 +3,7 @@
 #include "document/import/imported.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,8 @@ namespace zeroset {
 struct ImportFormat {
     std::string_view name;     ///< of the program or the format, for people
     std::string_view endings;  ///< of its files' names, each with its point, apart by blanks
-    ReadImport (*read)(std::string_view bytes);
+    /// `files`: where files that its texts name come from; nullptr: they must not name any.
+    ReadImport (*read)(std::string_view bytes, const FieldSource* files);
     std::size_t largest = largest_script;  ///< of its files, in bytes
 };
 
@@ -25,10 +27,12 @@ bool is_import_name(std::string_view file_name);
 std::string import_endings();
 
 /// Reads a file's bytes. The rows of all documents have been checked, see check_rows; documents
-/// without a name have the file's.
-ReadImport read_import(std::string_view file_name, std::string_view bytes);
+/// without a name have the file's. `files`: what they may name (Document::files).
+ReadImport read_import(std::string_view file_name, std::string_view bytes,
+                       const std::shared_ptr<const FieldSource>& files = nullptr);
 
 /// Reads a file; the error is a predicate with its name: "cannot open 'a.pov': ...".
-ReadImport load_import(const std::filesystem::path& path);
+ReadImport load_import(const std::filesystem::path& path,
+                       const std::shared_ptr<const FieldSource>& files = nullptr);
 
 }  // namespace zeroset

@@ -39,8 +39,9 @@ bool is_import_path(const std::string& path) {
     return is_import_name(import_place(path).file.string());
 }
 
-std::expected<ImportedDocument, std::string> load_imported(const ImportPlace& place) {
-    auto imported = load_import(place.file);
+std::expected<ImportedDocument, std::string> load_imported(
+    const ImportPlace& place, const std::shared_ptr<const FieldSource>& files) {
+    auto imported = load_import(place.file, files);
     if (!imported) return std::unexpected(imported.error());
     const auto index = chosen(imported->documents, place.choice);
     const std::size_t count = imported->documents.size();

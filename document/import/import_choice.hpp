@@ -4,6 +4,7 @@
 
 #include <expected>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,9 @@ bool is_import_path(const std::string& path);
 
 /// The document of the place, and in `notes` what was not taken over, that it is one of many
 /// included. The error is a predicate with the file's name.
-std::expected<ImportedDocument, std::string> load_imported(const ImportPlace& place);
+/// `files`: what it may name (Document::files).
+std::expected<ImportedDocument, std::string> load_imported(
+    const ImportPlace& place, const std::shared_ptr<const FieldSource>& files = nullptr);
 
 /// A note as "FILE:LINE: entry: reason".
 std::string note_text(std::string_view file, const ImportNote& note);

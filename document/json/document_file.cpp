@@ -62,8 +62,9 @@ std::expected<std::string, std::string> session_of_picture(const fs::path& path)
     return *session;
 }
 
-std::expected<LoadedDocument, std::string> imported_document(const fs::path& path) {
-    auto imported = load_imported(import_place(path.string()));
+std::expected<LoadedDocument, std::string> imported_document(
+    const fs::path& path, const std::shared_ptr<const FieldSource>& files) {
+    auto imported = load_imported(import_place(path.string()), files);
     if (!imported) return std::unexpected(imported.error());
     return LoadedDocument{.document = std::move(imported->document),
                           .note = notes_listed(imported->notes),
@@ -77,8 +78,9 @@ bool is_picture_name(const std::string& name) { return name.ends_with(".png"); }
 
 bool is_document_name(const std::string& name) { return name.ends_with(document_ending); }
 
-std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
-    if (is_import_path(path.string())) return imported_document(path);
+std::expected<LoadedDocument, std::string> load_document(
+    const fs::path& path, const std::shared_ptr<const FieldSource>& files) {
+    if (is_import_path(path.string())) return imported_document(path, files);
     std::error_code error;
     if (!fs::exists(path, error)) return cannot_open(path, tr("there is no such file"));
     if (!fs::is_regular_file(path, error)) return cannot_open(path, tr("it is no file"));
@@ -87,6 +89,7 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     if (!text) return cannot_open(path, text.error());
     auto read = document_from(*text);
     if (!read) return cannot_open(path, read.error());
+    read->document.files = files;
     return LoadedDocument{.document = std::move(read->document),
                           .note = note_of(read->unknown),
                           .shown_on = read->shown_on,

@@ -7,6 +7,7 @@
 
 #include <expected>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -28,8 +29,10 @@ struct LoadedDocument {
 };
 
 /// The document in a file, in a PNG of ours or in another program's file, or why there is none, as
-/// a predicate: "cannot open 'a.json': ...". The file is only read.
-std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
+/// a predicate: "cannot open 'a.json': ...". The file is only read. `files`: what the document may
+/// name (Document::files).
+std::expected<LoadedDocument, std::string> load_document(
+    const std::filesystem::path& path, const std::shared_ptr<const FieldSource>& files = nullptr);
 
 /// Whether a file is a PNG of this size that holds just this document.
 bool holds_picture_of(const std::filesystem::path& path, const Document& document,

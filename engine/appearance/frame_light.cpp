@@ -1,11 +1,9 @@
 #include "engine/appearance/frame_light.hpp"
 
 #include "engine/appearance/light_paths.hpp"
-#include "engine/light/draw_lines.hpp"
-#include "engine/light/section_values.hpp"
 #include "engine/light/shade.hpp"
 #include "engine/light/shadow.hpp"
-#include "engine/light/tile_colors.hpp"
+#include "engine/light/tile_light.hpp"
 #include "engine/trace/caps.hpp"
 
 #include <algorithm>

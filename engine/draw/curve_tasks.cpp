@@ -7,7 +7,7 @@
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "engine/rewrite/polynomial/tighten.hpp"
-#include "engine/rewrite/unrestricted.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <algorithm>
 #include <cmath>

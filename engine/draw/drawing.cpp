@@ -44,8 +44,8 @@ std::string LineDrawing::lacks(double tolerance_pt) const {
     }
     if (paths.empty() && has_linear_volume)
         return tr(
-            "nothing is drawn: between its samples the volume has corners in place of "
-            "silhouettes; type cubic behind its file's name, as in volume(\"ct.nrrd\", cubic)");
+            "nothing is drawn: if the volume is in the view, type cubic behind its file's name, as "
+            "in volume(\"ct.nrrd\", cubic); interpolated linearly it has corners, no silhouettes");
     if (paths.empty())
         return tr("nothing is drawn: none of the lines that are asked for is in the view");
     if (!all_seams) return tr("lines may be missing where f jumps: there are too many such places");

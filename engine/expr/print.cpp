@@ -151,7 +151,7 @@ private:
     }
 
     /// Prints a chain of lengths, the innermost first, whose operands stand the other way round
-    /// (engine/rewrite/polar_form.hpp).
+    /// (engine/rewrite/passes.hpp).
     int length(const Node& node, std::vector<Piece>& pieces) const {
         std::vector<NodeId> legs;
         const Node* inner = &node;

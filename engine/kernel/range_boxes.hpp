@@ -16,7 +16,7 @@ int sign_of_range(Real neg_lo, Real hi) {
     return static_cast<int>(neg_lo < 0) - static_cast<int>(hi < 0);
 }
 
-/// Some boxes and enclosures of f over them: RangeBatchOf's arrays, of a fixed room. Plain
+/// Some boxes and enclosures of f over them: RangeBatchOf's arrays, of a fixed capacity. Plain
 /// data, nothing of it set at first.
 template <class Real, std::size_t most>
 struct RangeBoxes {

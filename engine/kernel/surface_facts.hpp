@@ -13,7 +13,7 @@ struct PatchCode;
 /// All that is known of a surface's function beside its code (Kernel::facts): found once, by who
 /// knows the formula. All functions are in upward rounding. Read-only; any thread.
 struct SurfaceFacts {
-    /// Ranges of functions whose zeros are zeros of f (engine/rewrite/root_witnesses.hpp).
+    /// Ranges of functions whose zeros are zeros of f (engine/rewrite/surface_functions.hpp).
     std::vector<KernelFunction<RangeBatchOf<double>>> witnesses = {};
     bool defined_everywhere = false;  ///< f is surely defined for all values of the variables
     /// Ranges of a function that is continuous only where f is defined; none: not known.

@@ -1,6 +1,5 @@
-#include "engine/light/draw_lines.hpp"
-
 #include "engine/kernel/point_batch.hpp"
+#include "engine/light/tile_light.hpp"
 #include "engine/trace/hit_rays.hpp"
 
 #include <algorithm>

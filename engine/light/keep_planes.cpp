@@ -1,6 +1,5 @@
-#include "engine/light/keep_planes.hpp"
-
 #include "engine/image/background.hpp"
+#include "engine/light/tile_light.hpp"
 
 #include <glm/geometric.hpp>
 

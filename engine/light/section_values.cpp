@@ -1,7 +1,6 @@
-#include "engine/light/section_values.hpp"
-
 #include "engine/image/color_map.hpp"
 #include "engine/kernel/point_batch.hpp"
+#include "engine/light/tile_light.hpp"
 #include "engine/trace/hit_rays.hpp"
 
 #include <algorithm>

@@ -264,7 +264,8 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
 }
 
 bool gains_by_squares(const TraceFrame& surface) {
-    return surface.kernel.specializer != nullptr || way_of(surface.kernel).follows(surface);
+    const SurfaceWay& way = way_of(surface.kernel);
+    return surface.kernel.specializer != nullptr || (way.is_level_set() && way.follows(surface));
 }
 
 void darken(const TileBits& dark, std::span<LitLayer> layers) {

@@ -29,7 +29,8 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
                         const TileBits& left_out = {});
 
 /// Whether the hits of small squares of a tile share what is found of the surface before them even
-/// where each has a ray of its own: code of theirs, or what its kind knows.
+/// where each has a ray of its own: code of theirs, or what its kind knows;
+/// of parametric surfaces they share nothing.
 bool gains_by_squares(const TraceFrame& surface);
 
 /// Takes the key light from the hits that do not have it.

@@ -1,6 +1,5 @@
-#include "engine/light/tile_colors.hpp"
-
 #include "engine/light/hit_colors.hpp"
+#include "engine/light/tile_light.hpp"
 #include "engine/trace/hit_rays.hpp"
 
 #include <vector>

@@ -1,6 +1,5 @@
-#include "engine/mesh/deviation.hpp"
-
 #include "engine/mesh/field_at_points.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 
 #include <algorithm>
 

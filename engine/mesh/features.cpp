@@ -1,7 +1,6 @@
-#include "engine/mesh/features.hpp"
-
 #include "engine/mesh/feature_point.hpp"
 #include "engine/mesh/field_at_points.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 
 #include <algorithm>
 #include <map>

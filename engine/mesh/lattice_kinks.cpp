@@ -1,4 +1,4 @@
-#include "engine/mesh/lattice_kinks.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -2,14 +2,9 @@
 
 #include "engine/mesh/cell_growth.hpp"
 #include "engine/mesh/contour.hpp"
-#include "engine/mesh/creases.hpp"
-#include "engine/mesh/deviation.hpp"
-#include "engine/mesh/features.hpp"
 #include "engine/mesh/lattice.hpp"
-#include "engine/mesh/lattice_kinks.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 #include "engine/mesh/star_proof.hpp"
-#include "engine/mesh/thin.hpp"
-#include "engine/mesh/unproved_places.hpp"
 #include "engine/real/rounding.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "engine/mesh/open_surface.hpp"
-
 #include "engine/mesh/field_at_points.hpp"
+#include "engine/mesh/finished_mesh.hpp"
 
 #include <algorithm>
 #include <utility>

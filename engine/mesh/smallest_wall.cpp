@@ -1,6 +1,5 @@
-#include "engine/mesh/smallest_wall.hpp"
-
 #include "engine/mesh/collapsible_mesh.hpp"
+#include "engine/mesh/finished_mesh.hpp"
 #include "engine/mesh/parallel.hpp"
 #include "engine/mesh/triangle_tree.hpp"
 #include "engine/real/unbounded.hpp"

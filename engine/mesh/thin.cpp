@@ -1,7 +1,6 @@
-#include "engine/mesh/thin.hpp"
-
 #include "engine/mesh/collapsible_mesh.hpp"
 #include "engine/mesh/field_at_points.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 #include "engine/mesh/parallel.hpp"
 #include "engine/real/unbounded.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/mesh/unproved_places.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 
 #include <algorithm>
 #include <unordered_set>

@@ -1,7 +1,6 @@
-#include "engine/mesh/wall.hpp"
-
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/mesh/finished_mesh.hpp"
 #include "engine/mesh/place_index.hpp"
 
 #include <array>

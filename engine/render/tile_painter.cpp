@@ -3,12 +3,13 @@
 #include "engine/antialias/cover_limits.hpp"
 #include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/mixed_pixels.hpp"
-#include "engine/light/keep_planes.hpp"
+#include "engine/light/tile_light.hpp"
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <optional>
 #include <span>
@@ -103,7 +104,9 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit
     hits.clear();
     if (limit.over()) return hits.leave_undecided(tile);
     if (!is_level_set(surfaces_[i].kernel)) {
-        way_of(surfaces_[i].kernel).trace_tile(frame_of(i, tile, limit), tile, hits, counters);
+        [[maybe_unused]] const bool is_traced =
+            way_of(surfaces_[i].kernel).trace_tile(frame_of(i, tile, limit), tile, hits, counters);
+        assert(is_traced);
         return;
     }
     if (trace_union(i, tile, limit, workspace, counters)) return;

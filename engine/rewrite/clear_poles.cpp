@@ -4,12 +4,11 @@
 // as N / (b1^n1 b2^n2 ...) over bases b that vanish along surfaces. A base whose powers cancel
 // stays with the exponent 0: where it vanishes, the formula is undefined.
 
-#include "engine/rewrite/clear_poles.hpp"
-
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/rewrite/passes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
-#include "engine/rewrite/level_of_field.hpp"
-
 #include "engine/expr/copy.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <array>
 

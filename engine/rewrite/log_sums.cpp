@@ -1,8 +1,7 @@
-#include "engine/rewrite/log_sums.hpp"
-
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/rewrite/passes.hpp"
 
 #include <algorithm>
 #include <optional>

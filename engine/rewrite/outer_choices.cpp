@@ -1,7 +1,6 @@
-#include "engine/rewrite/outer_choices.hpp"
-
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/expr/copy.hpp"
+#include "engine/rewrite/passes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,10 @@
-#include "engine/rewrite/plain_conditions.hpp"
-
 #include "engine/algebra/node_facts.hpp"
 #include "engine/algebra/switches.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
+#include "engine/rewrite/passes.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,8 +1,7 @@
-#include "engine/rewrite/polar_form.hpp"
-
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/rewrite/passes.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,6 @@
-#include "engine/rewrite/restriction.hpp"
-
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,8 +1,7 @@
-#include "engine/rewrite/root_witnesses.hpp"
-
 #include "engine/algebra/node_facts.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,9 +1,8 @@
-#include "engine/rewrite/smooth_minima.hpp"
-
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
+#include "engine/rewrite/passes.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,15 +1,10 @@
 #include "engine/rewrite/traceable.hpp"
 
-#include "engine/rewrite/clear_poles.hpp"
 #include "engine/rewrite/differences/differences.hpp"
-#include "engine/rewrite/folds.hpp"
-#include "engine/rewrite/log_sums.hpp"
-#include "engine/rewrite/plain_conditions.hpp"
-#include "engine/rewrite/polar_form.hpp"
+#include "engine/rewrite/passes.hpp"
 #include "engine/rewrite/polynomial/collected_terms.hpp"
 #include "engine/rewrite/polynomial/tighten.hpp"
 #include "engine/rewrite/sample/form_sample.hpp"
-#include "engine/rewrite/smooth_minima.hpp"
 
 #include <cstddef>
 

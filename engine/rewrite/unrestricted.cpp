@@ -1,6 +1,5 @@
-#include "engine/rewrite/unrestricted.hpp"
-
 #include "engine/expr/copy.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,5 @@
-#include "engine/rewrite/value_side.hpp"
-
 #include "engine/expr/copy.hpp"
-#include "engine/rewrite/unrestricted.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <vector>
 

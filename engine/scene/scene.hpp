@@ -28,8 +28,8 @@ enum class SolidSide : std::uint8_t {
 
 struct Solid {
     SolidSide side = SolidSide::Automatic;
-    /// The value of f without its restriction (engine/rewrite/unrestricted.hpp), if it has one: it
-    /// tells the side where f itself is not defined.
+    /// The value of f without its restriction (engine/rewrite/surface_functions.hpp), if it has
+    /// one: it tells the side where f itself is not defined.
     KernelFunction<ValueBatchOf<float>> unrestricted = {};
 };
 
@@ -39,8 +39,8 @@ struct Surface {
     std::optional<SurfaceColors> colors = std::nullopt;  ///< none: the palette's for its place
     SurfaceLook look = {};
     Solid solid = {};
-    /// The function that it is a level of (engine/rewrite/value_side.hpp), which sections show the
-    /// values of; none: f.
+    /// The function that it is a level of (engine/rewrite/surface_functions.hpp), which sections
+    /// show the values of; none: f.
     PointFunction section_value = {};
     /// Where in the clip box it may be, for its tracer; nullptr: not known. For the scene's
     /// uniforms, and without jumps only if there are none.

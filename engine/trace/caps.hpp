@@ -19,7 +19,7 @@ bool has_caps(const Scene& scene);
 
 /// The caps of a tile: where rays enter the region through a section and f has the sign of the
 /// solid, or is defined where the section shows values, they show the section. One for each thread;
-/// what it keeps is room.
+/// what it keeps is memory.
 class CapFinder {
 public:
     CapFinder();

@@ -30,7 +30,7 @@ struct RayLine {
 /// The rays of a tile on which something may be seen.
 class RayLines {
 public:
-    /// Keeps its room from one tile to the next. `digits`: of the type in which f is enclosed.
+    /// Keeps its memory from one tile to the next. `digits`: of the type in which f is enclosed.
     void begin(const TraceFrame& frame, const Tile& tile, const TileRays& rays, int digits);
 
     /// In place of that, for rays that are taken one by one.

@@ -22,7 +22,7 @@ namespace zeroset {
 /// kernel tells. Others answer some of the questions by what they know of the surface. Where a
 /// level set's way gives no answer (false, or nothing), f is searched for it.
 ///
-/// Without state: any thread. All in upward rounding.
+/// Without state: any thread. All but is_of and is_level_set in upward rounding.
 class SurfaceWay {
 public:
     SurfaceWay() = default;
@@ -67,8 +67,9 @@ public:
 
     /// Whether follow() can be asked for this frame.
     [[nodiscard]] virtual bool follows(const TraceFrame&) const { return false; }
-    /// Follows blocks of rays, those of the frame's view, which is parallel. `bracket`: how near to
-    /// a root they may end. False: places are not known well enough to prove anything.
+    /// Follows rays of the frame's view, which is parallel: the blocks of a tile, row by row.
+    /// `bracket`: how near to a root of a level set they may end. False: places are not known well
+    /// enough to prove anything.
     virtual bool follow(const TraceFrame&, const TileRays&, double /*bracket*/,
                         std::span<FollowedRays>, Counters&) const {
         return false;

@@ -327,8 +327,7 @@ constexpr std::array tables{
                  .machine = "Pentium 4 2.4 GHz",
                  .note = "30 levels, for tracers without levels d_stop 22; tanglecube is tangle "
                          "here; which spheres, views and lights is not printed: a ball with five "
-                         "small ones, metal under two lights; mirrored rays go through the octree, "
-                         "for beams by forms",
+                         "small ones, metal under two lights; mirrored rays are searched by forms",
                  .unit = PrintedUnit::Seconds,
                  .size_px = 512,
                  .values = stolte_table_1,

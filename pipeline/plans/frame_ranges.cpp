@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <chrono>
 #include <cstddef>
 
@@ -111,6 +112,7 @@ void FrameRanges::add_to(Scene& scene, int frame) {
     choose(frame);
     if (length_ == 0) return;
     if (frame < first_ || frame > last_) search(scene, frame);
+    assert(spaces_.size() == scene.surfaces.size());
     for (std::size_t i = 0; i < spaces_.size(); ++i)
         scene.surfaces[i].open_space = spaces_[i];
 }

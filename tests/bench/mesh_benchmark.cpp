@@ -1,7 +1,7 @@
 #include "engine/base/clock.hpp"
-#include "engine/mesh/deviation.hpp"
 #include "engine/mesh/make_mesh.hpp"
 #include "engine/mesh/mesh_facts.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 #include "engine/real/rounding.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/mesh_solid.hpp"

@@ -6,7 +6,7 @@
 #include "document/import/import.hpp"
 #include "document/row_program.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/rewrite/restriction.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/prepare.hpp"
 #include "tests/support/random_numbers.hpp"

@@ -3,7 +3,7 @@
 #include "engine/expr/expr.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/kernel/surface_facts.hpp"
-#include "engine/rewrite/level_of_field.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/volume/volume.hpp"
 

@@ -11,7 +11,7 @@
 #include "pipeline/plans/export_formats.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/pages/tour.hpp"
+#include "ui/pages/pages_drawn.hpp"
 
 #include <gtest/gtest.h>
 

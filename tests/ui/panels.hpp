@@ -10,7 +10,7 @@
 #include "engine/view/camera.hpp"
 #include "tests/support/long_run.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/side_panel.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/picture/view_notice.hpp"
 #include "ui/screen.hpp"
 #include "ui/style/screen_areas.hpp"

@@ -1,7 +1,6 @@
-#include "ui/pages/dialogs.hpp"
-
 #include "engine/base/translation.hpp"
 #include "ui/pages/file_browser.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/theme.hpp"
 

@@ -1,6 +1,5 @@
-#include "ui/pages/gallery_page.hpp"
-
 #include "engine/base/translation.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/keys.hpp"

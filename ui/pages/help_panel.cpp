@@ -1,8 +1,7 @@
-#include "ui/pages/help_panel.hpp"
-
 #include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/text_match.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"

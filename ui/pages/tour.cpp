@@ -1,7 +1,6 @@
-#include "ui/pages/tour.hpp"
-
 #include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"

@@ -1,10 +1,8 @@
-#include "ui/panels/advanced_section.hpp"
-
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/image/cost_picture.hpp"
 #include "ui/panels/action_switch.hpp"
-#include "ui/panels/details_section.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/slider_row.hpp"

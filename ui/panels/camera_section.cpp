@@ -1,5 +1,3 @@
-#include "ui/panels/camera_section.hpp"
-
 #include "document/camera_text.hpp"
 #include "document/document.hpp"
 #include "document/views.hpp"
@@ -9,6 +7,7 @@
 #include "ui/actions/actions.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"

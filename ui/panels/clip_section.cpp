@@ -1,10 +1,9 @@
-#include "ui/panels/clip_section.hpp"
-
 #include "document/document.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/panels/section_values_rows.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"

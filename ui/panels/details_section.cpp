@@ -1,8 +1,7 @@
-#include "ui/panels/details_section.hpp"
-
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
 #include "ui/widgets/slider_row.hpp"

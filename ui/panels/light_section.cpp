@@ -1,8 +1,7 @@
-#include "ui/panels/light_section.hpp"
-
 #include "engine/base/translation.hpp"
 #include "engine/image/gamma.hpp"
 #include "engine/scene/lighting.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"

@@ -1,11 +1,10 @@
-#include "ui/panels/look_section.hpp"
-
 #include "document/look.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/scene/coloring.hpp"
 #include "ui/panels/map_combo.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"

@@ -1,11 +1,10 @@
-#include "ui/panels/marker_section.hpp"
-
 #include "document/look.hpp"
 #include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/actions/marker_moves.hpp"
 #include "ui/model/typed_point.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/picture/picture_marks.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"

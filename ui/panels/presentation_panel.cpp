@@ -1,8 +1,7 @@
-#include "ui/panels/presentation_panel.hpp"
-
 #include "engine/annotate/shapes.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"

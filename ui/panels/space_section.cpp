@@ -1,10 +1,9 @@
-#include "ui/panels/space_section.hpp"
-
 #include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/action_switch.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/slider_row.hpp"

@@ -1,8 +1,7 @@
-#include "ui/panels/status_panel.hpp"
-
 #include "document/look.hpp"
 #include "engine/base/translation.hpp"
-#include "ui/panels/details_section.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"

@@ -1,9 +1,8 @@
-#include "ui/panels/view_section.hpp"
-
 #include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/slider_row.hpp"

@@ -27,11 +27,7 @@ namespace {
 
 using Files = std::shared_ptr<const FieldSource>;
 
-/// Reads the rows of a document, and the files that they name.
-ReadDocument with_files(Document document, const Files& files) {
-    document.files = files;
-    return read_document(std::move(document));
-}
+using Files = std::shared_ptr<const FieldSource>;
 
 /// The document of a text, in the clip box of its volumes.
 ReadDocument typed_document(std::string_view text, const Files& files) {
@@ -42,15 +38,12 @@ ReadDocument typed_document(std::string_view text, const Files& files) {
 
 /// Reads another program's file, and says on stderr what was not taken over.
 OrInputError<InputDocument> imported_document(const std::string& path, const Files& files) {
-    auto imported = load_imported(import_place(path));
+    auto imported = load_imported(import_place(path), files);
     if (!imported) return wrong_input(imported.error());
     for (const ImportNote& note : imported->notes)
         std::cerr << "zeroset: " << printable(note_text(path, note)) << "\n";
-    return InputDocument{with_files(std::move(imported->document), files),
-                         {},
-                         notes_listed(imported->notes),
-                         {},
-                         true};
+    return InputDocument{
+        read_document(std::move(imported->document)), {}, notes_listed(imported->notes), {}, true};
 }
 
 /// Whether a text that is no formula may well name a file: /tmp/scene.json, scan.dcm.
@@ -83,12 +76,12 @@ OrInputError<InputDocument> formula_document(const std::string& equation, const 
 
 /// The document of a file of a session, or of a picture that holds one.
 OrInputError<InputDocument> saved_document(const std::string& path, const Files& files) {
-    auto loaded = load_document(path);
+    auto loaded = load_document(path, files);
     if (!loaded) return wrong_input(loaded.error());
     if (loaded->shown_on && !loaded->document.light.background)
         loaded->document.light.background = loaded->shown_on;
-    return InputDocument{with_files(std::move(loaded->document), files),
-                         loaded->is_source ? "" : path, loaded->note, loaded->shown_on, true};
+    return InputDocument{read_document(std::move(loaded->document)), loaded->is_source ? "" : path,
+                         loaded->note, loaded->shown_on, true};
 }
 
 OrInputError<InputDocument> volume_document(const std::string& path) {
@@ -100,7 +93,8 @@ OrInputError<InputDocument> volume_document(const std::string& path) {
 OrInputError<InputDocument> shared_document(const std::string& text, const Files& files) {
     auto shared = document_from(text);
     if (!shared) return wrong_input("zeroset:...: " + shared.error());
-    return InputDocument{with_files(std::move(shared->document), files), {}, {}, {}, true};
+    shared->document.files = files;
+    return InputDocument{read_document(std::move(shared->document)), {}, {}, {}, true};
 }
 
 OrInputError<InputDocument> gallery_document(std::string_view name) {

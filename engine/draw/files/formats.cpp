@@ -2,9 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-#include "engine/draw/files/pdf.hpp"
-#include "engine/draw/files/svg.hpp"
-#include "engine/draw/files/tikz.hpp"
+#include "engine/draw/files/encoders.hpp"
 
 #include <algorithm>
 #include <array>

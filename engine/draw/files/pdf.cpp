@@ -1,6 +1,5 @@
-#include "engine/draw/files/pdf.hpp"
-
 #include "engine/base/translation.hpp"
+#include "engine/draw/files/encoders.hpp"
 
 #include <hpdf.h>
 

@@ -26,7 +26,7 @@ struct TileCode {
     double sign;  ///< 1 or -1: f is this times the balls less the level
 };
 
-/// Items of a batch by their bins. Keeps its room.
+/// Items of a batch by their bins. Keeps its memory.
 class ByBin {
 public:
     void begin(std::size_t items) { next_.resize(std::max(next_.size(), items)); }

@@ -27,7 +27,7 @@ struct ViewBall {
 /// behind are not looked at before rays get there.
 class NearBalls {
 public:
-    /// Rays within the radii of (u, v), between two depths. All outlive it. Keeps its room from
+    /// Rays within the radii of (u, v), between two depths. All outlive it. Keeps its memory from
     /// tile to tile.
     struct Rays {
         double u, v, u_radius, v_radius;

@@ -36,7 +36,7 @@ struct BallBlock {
     std::array<Numbers, 3> slope;  ///< there, along the axes of the view
 };
 
-/// The surface that march() evaluations for on rays, and bounds for it.
+/// The surface that march() looks for on rays, and bounds for it.
 struct BallQuestion {
     BlobKind kind;
     double level;

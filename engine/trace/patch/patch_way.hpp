@@ -18,7 +18,6 @@ public:
     bool find_blocked(const TraceFrame& frame, std::uint8_t number, std::span<const SceneRay> rays,
                       std::span<std::uint8_t> blocked, Counters& counters) const override;
     [[nodiscard]] bool follows(const TraceFrame&) const override { return true; }
-    /// Blocks of rays that are those of a tile, row by row.
     bool follow(const TraceFrame& frame, const TileRays& rays, double bracket,
                 std::span<FollowedRays> blocks, Counters& counters) const override;
     [[nodiscard]] std::optional<std::vector<Box>> boxes(const Kernel& surface,

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-// Private to patch_tracer.cpp: what PatchTile is asked of the rays of a tile, and what it answers.
+// The question to PatchTile about the rays of a tile, and its answer.
 // Numbers of each ray are in rows of tile_size.
 
 namespace zeroset {

@@ -164,6 +164,27 @@ TEST_F(PictureFeedTest, ReadsFilesAgainThatOnlyColoursName) {
     EXPECT_NE(colors_of("0 0 0 1.5\n"), first);
 }
 
+TEST_F(PictureFeedTest, ReadsFilesOfTheDocumentThatIsOpenThoughTheTextIsTheSame) {
+    const TestFolder folder;
+    const auto colors_from = [&](const std::string& name, const std::string& balls) {
+        std::filesystem::create_directories(folder / name);
+        std::ofstream(folder / name / "balls.xyz") << balls;
+        document_ = with_text("x = 0");
+        document_.files = volume_source({.folder = folder / name, .closed = true});
+        document_.coloring.by = ColorBy::Expression;
+        document_.coloring.expression = "blobs(\"balls.xyz\")";
+        feed_->read(document_);
+        follow_until([&] {
+            return !feed_->reads() && feed_->formula() != nullptr &&
+                   feed_->formula()->files == document_.files && feed_->drawn();
+        });
+        return feed_->formula() == nullptr ? nullptr : &feed_->colors();
+    };
+    const auto* const first = colors_from("a", "0 0 0 0.5\n");
+    ASSERT_NE(first, nullptr);
+    EXPECT_NE(colors_from("b", "0 0 0 1.5\n"), first);
+}
+
 TEST_F(PictureFeedTest, DrawsAnotherViewOfTheSameText) {
     show("x = 0");
     document_.camera->eye *= 2.0;

@@ -259,6 +259,33 @@ TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
     EXPECT_TRUE(state_.pages.dialogs.file) << "the file is not overwritten by what was picked";
 }
 
+TEST_F(Sessions, TextsOfOthersMayNameFilesBesideThem) {
+    write(file("balls.xyz"), "0 0 0 1\n");
+    const std::string balls = "blobs(\"balls.xyz\") = 1";
+    write(file("mixed.txt"), "x^2 + y^2 + z^2 = 1\n" + balls + "\n");
+    start();
+    state_.wishes.open_path = file("mixed.txt").string();
+    frame();
+    ASSERT_EQ(state_.edited.document.statements.size(), 2U);
+    EXPECT_EQ(state_.edited.document.statements[1].text, balls) << "it is no remark";
+    EXPECT_TRUE(read_program(balls, state_.edited.document.files.get()));
+}
+
+TEST_F(Sessions, UndoGoesBackToWhatTheDocumentMayRead) {
+    write(file("balls.xyz"), "0 0 0 1\n");
+    write(file("a.zeroset.json"), text_of(with_text("blobs(\"balls.xyz\") = 1")));
+    start();
+    state_.wishes.open_path = file("a.zeroset.json").string();
+    frame();
+    const auto files = state_.edited.document.files;
+    ASSERT_NE(files, nullptr);
+    session_->show(with_text("x = 1"));
+    frame();
+    EXPECT_NE(state_.edited.document.files, files);
+    give(ui::Command::Undo);
+    EXPECT_EQ(state_.edited.document.files, files);
+}
+
 TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
     const std::string text = "s = volume(\"../elsewhere/v.nrrd\"); s(x,y,z) = 1";
     const auto reason = [&] {

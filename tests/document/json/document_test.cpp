@@ -19,6 +19,8 @@
 namespace zeroset::test::document_test {
 namespace {
 
+std::vector<std::string> rows_in(std::string_view text) { return rows_of(text, nullptr); }
+
 Document rich_document() {
     Document document;
     document.statements = {{1, "a = 2", true, {}},
@@ -299,32 +301,32 @@ TEST(DocumentText, IsToldFromAFormula) {
 }
 
 TEST(Rows, AreAStatementEach) {
-    EXPECT_EQ(rows_of("a = 2; x^2 + y^2 = a z, z < 1\n\nx + y =\n z ; "),
+    EXPECT_EQ(rows_in("a = 2; x^2 + y^2 = a z, z < 1\n\nx + y =\n z ; "),
               (std::vector<std::string>{"a = 2", "x^2 + y^2 = a z, z < 1", "x + y =\n z"}));
-    EXPECT_EQ(rows_of("  x = 1\r\n"), (std::vector<std::string>{"x = 1"}));
-    EXPECT_EQ(rows_of("# a ball\nx^2 + y^2 + z^2 = 1"),
+    EXPECT_EQ(rows_in("  x = 1\r\n"), (std::vector<std::string>{"x = 1"}));
+    EXPECT_EQ(rows_in("# a ball\nx^2 + y^2 + z^2 = 1"),
               (std::vector<std::string>{"# a ball", "x^2 + y^2 + z^2 = 1"}));
-    EXPECT_TRUE(rows_of(" \n;; ").empty());
+    EXPECT_TRUE(rows_in(" \n;; ").empty());
 }
 
 TEST(Rows, AreAStatementEachHoweverWritten) {
-    EXPECT_EQ(rows_of("a = 2\n-x + y\n+z\n-w x"),
+    EXPECT_EQ(rows_in("a = 2\n-x + y\n+z\n-w x"),
               (std::vector<std::string>{"a = 2", "-x + y\n+z", "-w x"}));
-    EXPECT_EQ(rows_of("const float a = 1., b = 2.;\nfloat c = 3.;\na x + b y + c z"),
+    EXPECT_EQ(rows_in("const float a = 1., b = 2.;\nfloat c = 3.;\na x + b y + c z"),
               (std::vector<std::string>{"const float a = 1.", "b = 2.", "float c = 3.",
                                         "a x + b y + c z"}));
     EXPECT_EQ(
-        rows_of("float f(float u) {\n  float v = u;\n  return v;\n}\nf(x)"),
+        rows_in("float f(float u) {\n  float v = u;\n  return v;\n}\nf(x)"),
         (std::vector<std::string>{"float f(float u) {\n  float v = u;\n  return v;\n}", "f(x)"}));
-    EXPECT_EQ(rows_of("x - 1 :\ny - 1 :"), (std::vector<std::string>{"x - 1", "y - 1"}));
-    EXPECT_EQ(rows_of("e1: x = 1\ne2: y = 1"),
+    EXPECT_EQ(rows_in("x - 1 :\ny - 1 :"), (std::vector<std::string>{"x - 1", "y - 1"}));
+    EXPECT_EQ(rows_in("e1: x = 1\ne2: y = 1"),
               (std::vector<std::string>{"e1: x = 1", "e2: y = 1"}));
-    EXPECT_EQ(rows_of("a var-x\nb neg a"), (std::vector<std::string>{"a var-x\nb neg a"}));
+    EXPECT_EQ(rows_in("a var-x\nb neg a"), (std::vector<std::string>{"a var-x\nb neg a"}));
 }
 
 TEST(Rows, AreLinesWhereTheTextCannotBeRead) {
-    EXPECT_EQ(rows_of("x + * = 2\ny = ("), (std::vector<std::string>{"x + * = 2", "y = ("}));
-    EXPECT_EQ(rows_of("x^2 +"), (std::vector<std::string>{"x^2 +"}));
+    EXPECT_EQ(rows_in("x + * = 2\ny = ("), (std::vector<std::string>{"x + * = 2", "y = ("}));
+    EXPECT_EQ(rows_in("x^2 +"), (std::vector<std::string>{"x^2 +"}));
 }
 
 TEST(Rows, FindTheRowOfAByte) {

@@ -1,7 +1,7 @@
 #include "engine/mesh/cell_growth.hpp"
 #include "engine/mesh/contour.hpp"
 #include "engine/mesh/feature_point.hpp"
-#include "engine/mesh/features.hpp"
+#include "engine/mesh/mesh_steps.hpp"
 #include "engine/mesh/star_proof.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/support/mesh_checks.hpp"

@@ -1,6 +1,5 @@
-#include "engine/rewrite/log_sums.hpp"
-
 #include "engine/language/parse.hpp"
+#include "engine/rewrite/passes.hpp"
 #include "tests/support/mpfr_number.hpp"
 
 #include <gtest/gtest.h>

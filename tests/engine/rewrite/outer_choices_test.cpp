@@ -1,7 +1,6 @@
-#include "engine/rewrite/outer_choices.hpp"
-
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
+#include "engine/rewrite/passes.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/random_expression.hpp"
 

@@ -1,8 +1,7 @@
-#include "engine/rewrite/plain_conditions.hpp"
-
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/algebra/switches.hpp"
 #include "engine/language/parse.hpp"
+#include "engine/rewrite/passes.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"

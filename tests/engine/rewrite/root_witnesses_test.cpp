@@ -1,8 +1,7 @@
-#include "engine/rewrite/root_witnesses.hpp"
-
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "engine/rewrite/value_side.hpp"
-
 #include "engine/language/parse.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
-#include "engine/rewrite/smooth_minima.hpp"
+#include "engine/rewrite/passes.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_numbers.hpp"
 

@@ -3,7 +3,7 @@
 #include "engine/light/cap_tone.hpp"
 #include "engine/num/interval.hpp"
 #include "engine/render/render.hpp"
-#include "engine/rewrite/unrestricted.hpp"
+#include "engine/rewrite/surface_functions.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,9 @@
 // Tests of questions and of the file browser.
 
-#include "ui/pages/dialogs.hpp"
-
 #include "tests/support/test_folder.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/window/offscreen_window.hpp"
 
 #include <GLFW/glfw3.h>

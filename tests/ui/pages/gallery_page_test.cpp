@@ -1,10 +1,9 @@
 // Tests of the gallery page: shown cards, search and opening.
 
-#include "ui/pages/gallery_page.hpp"
-
 #include "engine/image/rgba_image.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/widgets/card_grid.hpp"
 #include "ui/window/offscreen_window.hpp"
 #include "ui/window/texture.hpp"

@@ -1,10 +1,9 @@
 // Tests of the tour of the window: its steps, and how it ends.
 
-#include "ui/pages/tour.hpp"
-
 #include "tests/ui/panels.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/pages/pages_drawn.hpp"
 #include "ui/window/offscreen_window.hpp"
 
 #include <GLFW/glfw3.h>

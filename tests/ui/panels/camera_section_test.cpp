@@ -1,8 +1,7 @@
-#include "ui/panels/camera_section.hpp"
-
 #include "engine/view/navigation.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/actions/actions.hpp"
+#include "ui/panels/sections.hpp"
 
 #include <GLFW/glfw3.h>
 #include <glm/glm.hpp>

@@ -1,6 +1,5 @@
-#include "ui/panels/clip_section.hpp"
-
 #include "tests/ui/panels.hpp"
+#include "ui/panels/sections.hpp"
 
 #include <GLFW/glfw3.h>
 

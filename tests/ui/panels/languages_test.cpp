@@ -5,7 +5,7 @@
 #include "tests/ui/panels.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/pages/command_palette.hpp"
-#include "ui/panels/details_section.hpp"
+#include "ui/panels/sections.hpp"
 #include "ui/widgets/chord.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
-#include "ui/panels/light_section.hpp"
-
 #include "engine/scene/lighting.hpp"
 #include "tests/ui/panels.hpp"
+#include "ui/panels/sections.hpp"
 
 #include <glm/glm.hpp>
 

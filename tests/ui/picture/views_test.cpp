@@ -5,7 +5,7 @@
 #include "engine/view/navigation.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/actions/view_moves.hpp"
-#include "ui/panels/status_panel.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/picture/axis_gizmo.hpp"
 #include "ui/picture/viewport.hpp"
 #include "ui/style/screen_areas.hpp"

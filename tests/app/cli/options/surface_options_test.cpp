@@ -108,7 +108,7 @@ TEST(SurfaceOptions, AreOfAllSurfacesOrOfOne) {
 }
 
 TEST(SurfaceOptions, AreTakenByTheRowsOfTheirSurfaces) {
-    Document document = read_text("(1, 2, 3); x = 1; a = 2").document;
+    Document document = read_text("(1, 2, 3); x = 1; a = 2", nullptr).document;
     const auto rows = read_rows(document);
     ASSERT_TRUE(rows);
     const auto read = read_surface_choices({.looks = {"2:clay"},

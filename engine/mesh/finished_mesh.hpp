@@ -1,14 +1,25 @@
 #pragma once
 
 #include "engine/mesh/mesh_work.hpp"
+#include "engine/mesh/solid.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
-#include <glm/glm.hpp>
-
 #include <cstddef>
+#include <expected>
+#include <glm/glm.hpp>
 #include <optional>
+#include <string>
+
+// Changes and measures of finished triangles. Each has a source of its own.
 
 namespace zeroset {
+
+/// Takes out the triangles of cuts and of bounds, so that the surface is left as it is, open where
+/// they end it. In upward rounding.
+void keep_surface(TriangleMesh& mesh, const MeshSolid& solid);
+
+/// Takes out vertices that no triangle has.
+void drop_unused(TriangleMesh& mesh);
 
 /// The thinnest place that was found in a closed mesh.
 struct SmallestWall {
@@ -23,5 +34,11 @@ struct SmallestWall {
 /// are asked may be thinner, by what they change from one triangle to the next. Nothing: there is
 /// no such place.
 std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWork& work);
+
+/// A closed mesh of all points that are at most half of `thickness` from an open or closed surface
+/// along its normals, with a rim where it ends. An error, one line, where the surface has edges,
+/// bends more than that, or comes so near to itself; `tolerance`: how exactly that is looked at.
+std::expected<TriangleMesh, std::string> wall_of(const TriangleMesh& surface, double thickness,
+                                                 double tolerance);
 
 }  // namespace zeroset

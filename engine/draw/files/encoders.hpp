@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/draw/files/drawing_style.hpp"
+
+#include <expected>
+#include <string>
+
+// The writers behind the table of formats. Each has a source of its own.
+
+namespace zeroset {
+
+/// The drawing as a PDF of one page of its size, with true curves; or the reason why it cannot be
+/// made.
+std::expected<std::string, std::string> pdf_of(const LineDrawing& drawing,
+                                               const DrawingStyle& style);
+
+/// The drawing as a file of Scalable Vector Graphics 1.1: a group for each kind of curve, visible
+/// or hidden, with an id such as "visible-silhouette"; paths of the class "surface-1" and so on.
+std::string svg_of(const LineDrawing& drawing, const DrawingStyle& style);
+
+/// The drawing as a TikZ picture, to be read by \input in a LaTeX document that uses tikz: a scope
+/// for each kind of curve.
+std::string tikz_of(const LineDrawing& drawing, const DrawingStyle& style);
+
+}  // namespace zeroset

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/model/edited.hpp"
+#include "ui/model/shown.hpp"
+#include "ui/model/ui_state.hpp"
+
+// The panels of the screen. Each has a source of its own.
+
+namespace zeroset::ui {
+
+/// Draws over the picture of a presentation the sliders that the document chose for it, and unless
+/// the session is read-only a faint button that leaves it.
+void draw_presentation(UiState& state);
+
+/// Draws the panel at the window's left: the document's menu and buttons at the top, below them the
+/// list of statements with their sliders, then the sections of settings. Its right edge can be
+/// dragged; when it is folded, only a button over the picture is left.
+void draw_side_panel(UiState& state);
+
+/// Draws the status line along the window's bottom: at the left facts about the point under the
+/// pointer, else time, size and certificates of the picture; at the right the keys, if there is
+/// room. Edits nothing.
+void draw_status_panel(const Edited& edited, const Shown& shown);
+
+}  // namespace zeroset::ui
