@@ -75,13 +75,11 @@ enum class LeafWindow : std::uint8_t {
 /// The callbacks of trace_leaf about single rays.
 class LeafTaker {
 public:
+    virtual ~LeafTaker() = default;
     /// The state that a hit gives to its ray: Open where it does not count.
     virtual RayState judge(const LeafHit& hit) = 0;
     /// Nothing was found out about this ray, on which the part is not nearer than `near`.
     virtual void leave(std::size_t pixel, double near, LeafLeft why) = 0;
-
-protected:
-    ~LeafTaker() = default;
 };
 
 /// The rays of a tile, in rows of so many; what is behind `reach` is not wanted, and is changed by

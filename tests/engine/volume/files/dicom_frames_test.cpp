@@ -260,7 +260,7 @@ TEST_F(DicomFrames, ThatAreNoGridGetTheirLine) {
 TEST_F(DicomFrames, MayBeDamaged) {
     for (const Frames& frames : {Frames{}, Frames{.lengths = Lengths::Open, .packed = true}}) {
         const std::string whole = frames.file();
-        for (std::size_t at = 132; at < whole.size(); at += is_long_run() ? 1 : 4) {
+        for (std::size_t at = 132; at < whole.size(); at += is_long_run() ? 1U : 4U) {
             std::string damaged = whole;
             damaged[at] = static_cast<char>(at % 3 == 0 ? 0xff : damaged[at] ^ 0x41);
             for (const std::string& bytes : {damaged, whole.substr(0, at)}) {
