@@ -294,7 +294,7 @@ TEST(ThreeMf, DamagedPackagesEnd) {
             whole.substr(0, round % 2 == 0 ? random() % whole.size() : whole.size());
         for (int i = 0; i < 3 && !bytes.empty(); ++i)
             bytes[random() % bytes.size()] = static_cast<char>(random());
-        const auto imported = import_format("a.3mf")->read(bytes);
+        const auto imported = import_format("a.3mf")->read(bytes, nullptr);
         EXPECT_TRUE(imported || !imported.error().empty());
     }
 }
