@@ -4,9 +4,10 @@
 #include "engine/mesh/solid.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <expected>
-#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 
