@@ -72,8 +72,8 @@ private:
     FrontBlock<Real> fronts_;
     std::size_t filled_ = 0;  ///< how many of them hold something
     std::array<std::size_t, FrontBlock<Real>::capacity> squares_;
-    std::array<std::uint64_t, FrontBlock<Real>::capacity / 64>
-        ended_;  ///< a bit each: goes on no more
+    /// A bit each: goes on no more.
+    std::array<std::uint64_t, FrontBlock<Real>::capacity / 64> ended_;
 };
 
 template <class Real>

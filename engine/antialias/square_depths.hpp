@@ -16,8 +16,8 @@ struct SquareDepths {
 
     alignas(64) std::array<double, capacity> u, v;
     alignas(64) std::array<double, capacity> enter_lo, enter_hi, exit_lo, exit_hi;  ///< out
-    alignas(
-        64) std::array<double, capacity> hit;  ///< of their middle rays: a distance; out: its depth
+    /// The hits of their middle rays: distances; out: their depths.
+    alignas(64) std::array<double, capacity> hit;
 
     [[nodiscard]] DepthRange range(std::size_t i) const {
         return {.enter_lo = enter_lo[i],

@@ -61,14 +61,16 @@ bool SquareEdges::decide_ray(std::size_t square, const RayStretch& stretch) {
     return false;
 }
 
+bool SquareEdges::show(std::size_t square, const EdgeCover& cover) {
+    if (cover.share > 0.0)
+        drafts_.add(field_.square(square), cover.place, cover.share, cover.from, cover.to,
+                    cover.certificate);
+    field_.keep_rest(square, surface_, cover.rest);
+    return false;
+}
+
 bool SquareEdges::act(std::size_t square, const EdgeSquare& edge, const EdgeVerdict& verdict) {
-    if (const auto* const cover = std::get_if<EdgeCover>(&verdict)) {
-        if (cover->share > 0.0)
-            drafts_.add(edge.square, cover->place, cover->share, cover->from, cover->to,
-                        cover->certificate);
-        field_.keep_rest(square, surface_, cover->rest);
-        return false;
-    }
+    if (const auto* const cover = std::get_if<EdgeCover>(&verdict)) return show(square, *cover);
     switch (std::get<EdgeStep>(verdict)) {
         case EdgeStep::Pass: return pass(square);
         case EdgeStep::LeavePlain: field_.leave_plain(square); break;
@@ -148,13 +150,15 @@ bool SquareEdges::decide_line(std::size_t square, std::size_t i) {
         add_uneven(square);
         return false;
     }
-    drafts_.add(at, {.x = part.x, .y = part.y}, part.share, front.at, lines_.end[i],
-                Certificate::Certified);
     SquareRayFlags misses{};
     for (std::size_t k = 0; k < square_ray_count; ++k)
         misses[k] = (hits >> k & 1U) == 0;
-    field_.keep_rest(square, surface_, rest_beside(part, misses));
-    return false;
+    return show(square, {.place = {.x = part.x, .y = part.y},
+                         .share = part.share,
+                         .from = front.at,
+                         .to = lines_.end[i],
+                         .certificate = Certificate::Certified,
+                         .rest = rest_beside(part, misses)});
 }
 
 bool SquareEdges::is_touched_nearby(SquareStretches stretches) {

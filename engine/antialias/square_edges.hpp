@@ -58,6 +58,8 @@ private:
     bool decide_at_walls(std::size_t square, SquareStretches stretches, CornerStretches corners);
     /// Decides a square whose edge is line i of lines_; returns as decide_one.
     bool decide_line(std::size_t square, std::size_t i);
+    /// Shows a share of a square, and goes on beside it; returns as decide_one.
+    bool show(std::size_t square, const EdgeCover& cover);
     /// Does with a square what its verdict says; returns as decide_one.
     bool act(std::size_t square, const EdgeSquare& edge, const EdgeVerdict& verdict);
     /// Whether f comes to 0 on all rays in the places where it is least, as f near to these tells.

@@ -11,22 +11,12 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t blocks_across = tile_size / ray_block_side;
-
 /// One item for each pixel of a tile.
 struct ShadowScratch {
     std::vector<FollowedRays> blocks, ends;
     std::vector<LightWalls::Entry> entries;
     std::vector<LightRay> rest;
 };
-
-FollowedRay& ray_of(std::vector<FollowedRays>& blocks, std::size_t pixel) {
-    const auto col = static_cast<int>(pixel % tile_size);
-    const auto row = static_cast<int>(pixel / tile_size);
-    const auto block = static_cast<std::size_t>(row / ray_block_side) * blocks_across +
-                       static_cast<std::size_t>(col / ray_block_side);
-    return blocks[block][place_in_block(col % ray_block_side, row % ray_block_side)];
-}
 
 void for_each_hit(const TileBits& hits, const auto& take) {
     for (std::size_t pixel = 0; pixel < LightPlaces::pixels; ++pixel) {
@@ -147,7 +137,7 @@ bool find_followed_shadows(const ShadowSearch& search, ShadowBits& found, Counte
     const SurfaceWay& way = way_of(search.light.kernel);
     if (!way.follows(search.light)) return false;
     thread_local ShadowScratch scratch;
-    scratch.blocks.assign(blocks_across * blocks_across, {});
+    scratch.blocks.assign(tile_blocks, {});
     if (!way.is_level_set()) {
         find_by_way_alone(search, way, scratch, found, counters);
         return true;

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "engine/trace/tile.hpp"
+#include "engine/trace/tile_blocks.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace zeroset {
 
@@ -24,7 +28,7 @@ struct FollowedRay {
     std::int8_t side = 0;  ///< the sign of f on a free stretch; of a level set
 };
 
-inline constexpr int ray_block_side = 8;
+inline constexpr int ray_block_side = tile_block;
 inline constexpr std::size_t ray_block_rays = 64;
 
 /// The place of a ray of a block among its numbers: neighbours in the image are neighbours there,
@@ -40,5 +44,12 @@ constexpr std::size_t place_in_block(int col, int row) {
 
 /// Rays that lie together, by place_in_block.
 using FollowedRays = std::array<FollowedRay, ray_block_rays>;
+
+/// The ray of a pixel, where there is one for each in the blocks of a tile.
+inline FollowedRay& ray_of(std::span<FollowedRays> blocks, std::size_t pixel) {
+    const auto col = static_cast<int>(pixel % tile_size);
+    const auto row = static_cast<int>(pixel / tile_size);
+    return blocks[block_of(pixel)][place_in_block(col % ray_block_side, row % ray_block_side)];
+}
 
 }  // namespace zeroset

@@ -48,8 +48,8 @@ std::optional<glm::dvec3> start_before(const ViewRay& ray, bool has_eye, double 
 /// has a beginning at t = 0.
 struct RayReach {
     DepthRange inside;
-    double limit = infinity;
-    bool has_beginning = true;
+    double limit;
+    bool has_beginning;
 };
 
 /// The implicit form of a ray from where it begins, or from before the cube.

@@ -27,8 +27,6 @@ namespace {
 
 using Files = std::shared_ptr<const FieldSource>;
 
-using Files = std::shared_ptr<const FieldSource>;
-
 /// The document of a text, in the clip box of its volumes.
 ReadDocument typed_document(std::string_view text, const Files& files) {
     ReadDocument read = read_document_text(trimmed(text), files);

@@ -4,8 +4,8 @@
 
 namespace zeroset {
 
-/// Plain surfaces of soft balls: roots on rays by the balls that are near. What only beams know,
-/// and surfaces whose level is known badly, are left to these.
+/// Plain surfaces of soft balls: roots on rays by the balls that are near. Tiles that ask for what
+/// only beams know, and surfaces whose level is known badly, are left to the beams.
 class BlobWay final : public SurfaceWay {
 public:
     [[nodiscard]] bool is_of(const Kernel& surface) const override;

@@ -117,22 +117,31 @@ void trace_tile_patch(const TraceFrame& frame, const Tile& tile, TileHits& hits,
     }
 }
 
-void find_patch_blocks(const TraceFrame& frame, const TileRays& rays, std::span<const double> u,
-                       std::span<const double> v, std::span<const double> to,
-                       std::span<PatchBlock> blocks, Counters& counters) {
-    assert(u.size() == tile_pixels && v.size() == tile_pixels && to.size() == tile_pixels);
+void follow_patch(const TraceFrame& frame, const TileRays& rays, std::span<FollowedRays> blocks,
+                  Counters& counters) {
+    assert(blocks.size() == tile_blocks);
     thread_local KeptTile kept;
-    kept.quest.wish = TileQuest::Wish::AnyHits;
-    kept.quest.u.assign(u.begin(), u.end());
-    kept.quest.v.assign(v.begin(), v.end());
-    kept.quest.to.assign(to.begin(), to.end());
-    PatchTile(frame, rays, kept.quest, kept.answer, counters).run();
-    for (std::size_t i = 0; i < tile_pixels; ++i) {
-        const PatchHit hit = kept.answer.hit(i);
-        const bool is_open = !hit.is_proved && (hit.is_hit() || hit.unsettled < to[i]);
-        blocks[i] = hit.is_hit() && hit.is_proved                        ? PatchBlock::Proved
-                    : is_open || (to[i] > -unbounded && frame.stopped()) ? PatchBlock::Unknown
-                                                                         : PatchBlock::None;
+    TileQuest& quest = kept.quest;
+    quest.wish = TileQuest::Wish::AnyHits;
+    for (std::vector<double>* const numbers : {&quest.u, &quest.v, &quest.to})
+        numbers->resize(tile_pixels);
+    const double per_distance = 1.0 / rays.distance();
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
+        const FollowedRay& ray = ray_of(blocks, pixel);
+        const bool is_wanted = ray.from < ray.to;
+        quest.u[pixel] = is_wanted ? ray.u * per_distance : 0.0;
+        quest.v[pixel] = is_wanted ? ray.v * per_distance : 0.0;
+        quest.to[pixel] = is_wanted ? ray.to : -unbounded;
+    }
+    PatchTile(frame, rays, quest, kept.answer, counters).run();
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
+        const PatchHit hit = kept.answer.hit(pixel);
+        const double to = quest.to[pixel];
+        const bool is_open = !hit.is_proved && (hit.is_hit() || hit.unsettled < to);
+        ray_of(blocks, pixel).found = hit.is_hit() && hit.is_proved ? RayFinding::Root
+                                      : is_open || (to > -unbounded && frame.stopped())
+                                          ? RayFinding::Unknown
+                                          : RayFinding::Free;
     }
 }
 

@@ -6,9 +6,7 @@
 #include "engine/trace/patch/patch_tree.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
-#include <limits>
 
 namespace zeroset {
 namespace {
@@ -20,35 +18,6 @@ PatchRay wanted(const TraceFrame& frame, std::uint8_t number, const SceneRay& ra
             .direction = ray.direction,
             .from = ray.from + leaves,
             .to = std::min(ray.to, to)};
-}
-
-constexpr auto blocks_across = static_cast<std::size_t>(tile_size / ray_block_side);
-
-/// The rays of blocks, one item for each pixel of a tile.
-struct PatchScratch {
-    std::vector<double> u, v, to;
-    std::vector<PatchBlock> blocks;
-};
-
-/// Calls `take` with the number of each pixel of a tile and its ray in the blocks.
-void for_each_ray(std::span<FollowedRays> blocks, const auto& take) {
-    for (int row = 0; row < tile_size; ++row) {
-        for (int col = 0; col < tile_size; ++col) {
-            const auto block = static_cast<std::size_t>(row / ray_block_side) * blocks_across +
-                               static_cast<std::size_t>(col / ray_block_side);
-            take(pixel_index(col, row),
-                 blocks[block][place_in_block(col % ray_block_side, row % ray_block_side)]);
-        }
-    }
-}
-
-RayFinding finding_of(PatchBlock block) {
-    switch (block) {
-        case PatchBlock::None: return RayFinding::Free;
-        case PatchBlock::Proved: return RayFinding::Root;
-        case PatchBlock::Unknown: return RayFinding::Unknown;
-    }
-    return RayFinding::Unknown;
 }
 
 }  // namespace
@@ -101,23 +70,7 @@ bool PatchWay::find_blocked(const TraceFrame& frame, std::uint8_t number,
 
 bool PatchWay::follow(const TraceFrame& frame, const TileRays& rays, double /*bracket*/,
                       std::span<FollowedRays> blocks, Counters& counters) const {
-    assert(blocks.size() == blocks_across * blocks_across);
-    thread_local PatchScratch scratch;
-    scratch.u.resize(tile_pixels);
-    scratch.v.resize(tile_pixels);
-    scratch.to.resize(tile_pixels);
-    scratch.blocks.assign(tile_pixels, PatchBlock::None);
-    const double per_distance = 1.0 / rays.distance();
-    for_each_ray(blocks, [&](std::size_t pixel, const FollowedRay& ray) {
-        const bool is_wanted = ray.from < ray.to;
-        scratch.u[pixel] = is_wanted ? ray.u * per_distance : 0.0;
-        scratch.v[pixel] = is_wanted ? ray.v * per_distance : 0.0;
-        scratch.to[pixel] = is_wanted ? ray.to : -std::numeric_limits<double>::infinity();
-    });
-    find_patch_blocks(frame, rays, scratch.u, scratch.v, scratch.to, scratch.blocks, counters);
-    for_each_ray(blocks, [&](std::size_t pixel, FollowedRay& ray) {
-        ray.found = finding_of(scratch.blocks[pixel]);
-    });
+    follow_patch(frame, rays, blocks, counters);
     return true;
 }
 

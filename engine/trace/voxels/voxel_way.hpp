@@ -5,7 +5,7 @@
 namespace zeroset {
 
 /// Plain isosurfaces of volumes, trilinear or cubic splines: first roots of tiles, voxel by voxel.
-/// What only beams know is left to these.
+/// Tiles that ask for what only beams know are left to the beams.
 class VoxelWay final : public SurfaceWay {
 public:
     [[nodiscard]] bool is_of(const Kernel& surface) const override;
