@@ -2,6 +2,7 @@
 
 #include "engine/volume/histogram.hpp"
 #include "engine/volume/volume.hpp"
+#include "pipeline/asked_box.hpp"
 #include "pipeline/prepare.hpp"
 #include "pipeline/volume_source.hpp"
 
@@ -31,7 +32,7 @@ std::vector<std::shared_ptr<const Volume>> volumes_of(const Program& program) {
 
 }  // namespace
 
-void fit_to_volumes(const Program& program, Document& document) {
+void fit_to_program(const Program& program, Document& document) {
     std::optional<Box> box;
     for (const auto& volume : volumes_of(program)) {
         const std::array<double, 6> bounds = volume->data().bounds();
@@ -39,6 +40,7 @@ void fit_to_volumes(const Program& program, Document& document) {
                       .hi = {bounds[3], bounds[4], bounds[5]}};
         box = box ? Box{.lo = glm::min(box->lo, own.lo), .hi = glm::max(box->hi, own.hi)} : own;
     }
+    if (const auto asked = asked_box(program)) box = asked;
     if (!box) return;
     document.clip = *box;
     document.camera.reset();
@@ -82,7 +84,7 @@ OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
         read_document_text("scan = volume(\"" + name + "\")\nscan(x, y, z) = a", volume_source({}));
     if (!read.rows) return std::unexpected(read.rows.error());
     const Program& program = *read.rows->program;
-    fit_to_volumes(program, read.document);
+    fit_to_program(program, read.document);
     read.document.parameters["a"] = isovalue_slider(*volumes_of(program).front());
     // In scans bodies are what is above; air is at most faces of the box, but not at all.
     read.document.statements.back().solid = SolidSide::Above;

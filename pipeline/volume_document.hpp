@@ -12,9 +12,9 @@
 
 namespace zeroset {
 
-/// Makes the clip box that of the volumes in the program's surfaces, if there are any, and shows
-/// all of it.
-void fit_to_volumes(const Program& program, Document& document);
+/// Makes the clip box that of the volumes in the program's surfaces, if there are any, and that
+/// which a plotting command in its text draws, if there is one; shows all of it.
+void fit_to_program(const Program& program, Document& document);
 
 /// The volumes of which parameters choose a value, by the parameter's name: that of `scan(x, y, z)
 /// = a` is the one called a.

@@ -8,6 +8,7 @@
 #include "engine/language/help.hpp"
 #include "engine/render/render_request.hpp"
 #include "engine/render/tracers.hpp"
+#include "pipeline/asked_box.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"
@@ -256,6 +257,7 @@ void Desktop::show(const FormulaResult& result) {
     state_.shown.status.note = note_on_code(*feed_.formula());
     session_.amend([&](Document& document) {
         choose_colors(document, result.reading.surface_rows);
+        take_asked_box(*result.reading.program, document);
         for (const auto& [name, volume] : histograms_.wanted())
             document.parameters.try_emplace(name, isovalue_slider(*volume));
     });
@@ -265,6 +267,17 @@ void Desktop::show(const FormulaResult& result) {
                    ? !reading.uses_w
                    : std::ranges::find(reading.parameters, name) == reading.parameters.end();
     });
+}
+
+/// Makes the clip box that of a plotting command, unless the person has chosen another one.
+void Desktop::take_asked_box(const Program& program, Document& document) {
+    const std::optional<Box> asked = asked_box(program);
+    if (asked == asked_box_) return;
+    const bool is_free = document.clip == Box() || document.clip == asked_box_;
+    asked_box_ = asked;
+    if (!is_free) return;
+    document.clip = asked.value_or(Box());
+    document.camera.reset();
 }
 
 /// True while the picture of the last step of a playing slider is still to come.

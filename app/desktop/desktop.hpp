@@ -100,6 +100,7 @@ private:
     void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
+    void take_asked_box(const Program& program, Document& document);
     void take_frame();
     void show_points();
     [[nodiscard]] TextureLook wanted_look() const;
@@ -135,7 +136,8 @@ private:
     PointInspector inspector_;
     WaitNotice wait_notice_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    double played_s_ = 0.0;  ///< when sliders were moved on last
+    double played_s_ = 0.0;         ///< when sliders were moved on last
+    std::optional<Box> asked_box_;  ///< by a plotting command of the text that is shown
     ExtentSearch search_;
     MarkerSnap snap_;
     bool fits_box_;  ///< the next search's extent also fits the clip box

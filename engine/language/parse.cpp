@@ -1,5 +1,7 @@
 #include "engine/language/parse.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/language/elaborator.hpp"
@@ -39,6 +41,24 @@ std::expected<Expr, ParseError> renumbered(const Expr& expr,
     return builder.finish(copies.back(), {parameters.begin(), parameters.end()});
 }
 
+/// The value of an expression without variables.
+std::optional<double> constant_of(const std::string& expression, std::string_view program,
+                                  const FieldSource* files) {
+    if (const auto number = number_from<double>(expression)) return number;
+    const auto value = read_value(expression, program, {}, files);
+    if (!value) return std::nullopt;
+    const Facts facts = facts_of(*value).back();
+    return facts.constant ? std::optional(facts.middle) : std::nullopt;
+}
+
+/// The ends of a range that a command gives; nothing where they are no two numbers in order.
+std::optional<std::array<double, 2>> ends_of(const AskedRange& range, std::string_view program,
+                                             const FieldSource* files) {
+    const auto lo = constant_of(range.lo, program, files);
+    const auto hi = lo ? constant_of(range.hi, program, files) : std::nullopt;
+    return hi && *lo < *hi ? std::optional(std::array{*lo, *hi}) : std::nullopt;
+}
+
 }  // namespace
 
 std::expected<Program, ParseError> read_program(std::string_view text, const FieldSource* files,
@@ -47,33 +67,48 @@ std::expected<Program, ParseError> read_program(std::string_view text, const Fie
     if (!tree) return std::unexpected(tree.error());
     Elaborator elaborator(*tree, files);
     elaborator.cut(cuts);
-    return elaborator.program();
+    auto program = elaborator.program();
+    if (!program) return program;
+    for (std::size_t axis = 0; axis < tree->box.size(); ++axis) {
+        if (!tree->box.at(axis)) continue;
+        const auto ends = ends_of(*tree->box.at(axis), text, files);
+        if (!ends) {
+            return std::unexpected(
+                ParseError{.offset = tree->box_offset,
+                           .reason = tr("the ends of a range are two numbers, the lower one first"),
+                           .hint = tr("type them as numbers, such as -2 and 2")});
+        }
+        program->box.at(axis) = ends;
+    }
+    return program;
 }
 
 std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
                                            std::span<const std::string> parameters,
                                            const FieldSource* files) {
-    // The expression is first read alone, since it must be one statement whatever program precedes
-    // it.
-    const auto alone = read_syntax(expression);
-    if (!alone) return std::unexpected(alone.error());
-    if (alone->statements.size() > 1) {
-        return std::unexpected(ParseError{.offset = alone->statements[1].offset,
-                                          .reason = tr("there is a second expression"),
-                                          .hint = tr("type one of them")});
-    }
     std::string text(program);
     text += "\n;\n";
     const std::size_t begin = text.size();
     text += expression;
-    const auto tree = read_syntax(text, begin);
-    auto value =
-        tree ? Elaborator(*tree, files, begin).last_value() : std::unexpected(tree.error());
-    if (!value) {
-        ParseError error = value.error();
+    const auto at_expression = [&](ParseError error) {
         error.offset -= std::min(error.offset, begin);
-        return std::unexpected(error);
+        return std::unexpected(std::move(error));
+    };
+    const auto tree = read_syntax(text, begin);
+    if (!tree) return at_expression(tree.error());
+    const auto is_own = [&](const StatementSyntax& statement) { return statement.offset >= begin; };
+    const auto own = std::ranges::find_if(tree->statements, is_own);
+    if (own == tree->statements.end()) {
+        const auto nothing = read_syntax(expression);
+        if (!nothing) return std::unexpected(nothing.error());
     }
+    if (tree->statements.end() - own > 1) {
+        return at_expression({.offset = std::next(own)->offset,
+                              .reason = tr("there is a second expression"),
+                              .hint = tr("type one of them")});
+    }
+    auto value = Elaborator(*tree, files, begin).last_value();
+    if (!value) return at_expression(value.error());
     return renumbered(*value, parameters);
 }
 

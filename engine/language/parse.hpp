@@ -4,7 +4,9 @@
 #include "engine/expr/patch_graph.hpp"
 #include "engine/language/vocabulary/reading.hpp"
 
+#include <array>
 #include <expected>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +25,9 @@ struct Program {
     std::vector<std::string> names;  ///< of each surface: of the point that it is, or empty
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
-    bool calls_w_t = false;               ///< it says t for the fourth coordinate, and never w
+    /// The ends in x, y and z that a plotting command of another program gives.
+    std::array<std::optional<std::array<double, 2>>, 3> box = {};
+    bool calls_w_t = false;  ///< it says t for the fourth coordinate, and never w
 };
 
 /// A box that cuts what is drawn of the statements that begin at bytes `begin` to `end` of a text.

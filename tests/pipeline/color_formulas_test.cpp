@@ -93,6 +93,7 @@ TEST(ColorFormulas, SayWhatIsWrongWithAnExpression) {
               "an expression is needed here, no equation and no condition; type a value such as "
               "x^2 + y^2");
     EXPECT_EQ(reason("x < 1"), reason("x = 1"));
+    EXPECT_EQ(reason("").empty(), false);
     EXPECT_EQ(reason("x; y"), "there is a second expression; type one of them");
     EXPECT_EQ(reason("  "), "there is no expression to color by; type one such as x^2 + y^2");
     const Colored colored("x = 1", by("x + q(2"));

@@ -27,10 +27,10 @@ namespace {
 
 using Files = std::shared_ptr<const FieldSource>;
 
-/// The document of a text, in the clip box of its volumes.
+/// The document of a text, in the clip box of its volumes or commands.
 ReadDocument typed_document(std::string_view text, const Files& files) {
     ReadDocument read = read_document_text(trimmed(text), files);
-    if (read.rows) fit_to_volumes(*read.rows->program, read.document);
+    if (read.rows) fit_to_program(*read.rows->program, read.document);
     return read;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/language/dialects/asked_box.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/vocabulary/reading.hpp"
@@ -79,6 +80,8 @@ struct SyntaxTree {
     std::map<const Function*, LibraryFunction> library;  ///< the functions of library.def that are
                                                          ///< called
     Notes notes;
+    AskedBox box = {};           ///< ranges that plotting commands of other programs give, as typed
+    std::size_t box_offset = 0;  ///< of such a command
 
     [[nodiscard]] const Syntax& operator[](SyntaxId id) const { return nodes[id]; }
 };

@@ -56,6 +56,8 @@ bool SyntaxParser::step(std::vector<BodyStep>& steps) {
     if (next_is_word("if") && is_symbol(tokens_[at_ + 1], {"("})) return choice_step(steps);
     if (!next_is_word("return")) return local_value(steps);
     const std::size_t offset = take().offset;
+    while (next().kind == TokenKind::Break && next().text != ";")
+        take();
     const Parsed value = choice();
     if (!value) return false;
     steps.push_back({.kind = BodyStep::Kind::Return, .offset = offset, .value = *value});

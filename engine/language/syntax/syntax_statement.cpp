@@ -2,6 +2,7 @@
 
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
+#include "engine/language/dialects/dialects.hpp"
 #include "engine/language/syntax/syntax_floats.hpp"
 #include "engine/language/syntax/syntax_marks.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
@@ -266,16 +267,8 @@ std::optional<ParseError> error_for_open_bracket(std::string_view text,
                       .hint = filled(tr("add a {0}"), {quoted(closer)})};
 }
 
-}  // namespace
-
-std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::size_t counted_end) {
-    if (text.size() > ProgramLimits::text) {
-        const std::string most = std::to_string(ProgramLimits::text);
-        return std::unexpected(
-            ParseError{.offset = ProgramLimits::text,
-                       .reason = filled(tr("the text is longer than {0} bytes"), {most}),
-                       .hint = {}});
-    }
+/// Reads a text in the words of the language.
+std::expected<SyntaxTree, ParseError> read_plain(std::string_view text, std::size_t counted_end) {
     Notes notes;
     Notes unused;
     auto tokens = tokenize(text, nullptr, unused);
@@ -291,6 +284,42 @@ std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::si
     if (tree) return tree;
     auto error = error_for_open_bracket(text, parser.tokens(), tree.error());
     return error ? std::unexpected(std::move(*error)) : tree;
+}
+
+/// Reads a text of another program; offsets are those of the text as typed.
+std::expected<SyntaxTree, ParseError> read_dialect(const DialectText& dialect,
+                                                   std::size_t counted_end) {
+    const SourceText& text = dialect.text;
+    const auto typed = [&](std::size_t place) { return text.typed_offset(place); };
+    auto tree = read_plain(text.words(), text.place_of(counted_end));
+    if (!tree) {
+        tree.error().offset = typed(tree.error().offset);
+        return tree;
+    }
+    for (Syntax& node : tree->nodes)
+        node.offset = typed(node.offset);
+    for (StatementSyntax& statement : tree->statements)
+        statement.offset = dialect.statement_offset(statement.offset);
+    tree->notes.move_offsets(typed);
+    tree->notes.add(dialect.notes);
+    tree->box = dialect.box;
+    tree->box_offset = dialect.box_offset;
+    return tree;
+}
+
+}  // namespace
+
+std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::size_t counted_end) {
+    if (text.size() > ProgramLimits::text) {
+        const std::string most = std::to_string(ProgramLimits::text);
+        return std::unexpected(
+            ParseError{.offset = ProgramLimits::text,
+                       .reason = filled(tr("the text is longer than {0} bytes"), {most}),
+                       .hint = {}});
+    }
+    const auto dialect = read_dialects(text);
+    if (!dialect) return std::unexpected(dialect.error());
+    return *dialect ? read_dialect(**dialect, counted_end) : read_plain(text, counted_end);
 }
 
 }  // namespace zeroset

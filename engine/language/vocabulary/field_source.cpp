@@ -1,5 +1,7 @@
 #include "engine/language/vocabulary/field_source.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -12,12 +14,6 @@ constexpr std::string_view spaces = " \t\r\n";
 std::size_t after_spaces(std::string_view text, std::size_t at) {
     const std::size_t next = text.find_first_not_of(spaces, at);
     return next == std::string_view::npos ? text.size() : next;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = after_spaces(text, 0);
-    const std::size_t end = text.find_last_not_of(spaces);
-    return begin == text.size() ? std::string_view() : text.substr(begin, end + 1 - begin);
 }
 
 /// The pair of quotes of which the first one starts at `at`.

@@ -15,6 +15,16 @@ void Notes::add(std::size_t offset, std::string text) {
     if (notes_.size() < most_notes) notes_.push_back({.offset = offset, .text = std::move(text)});
 }
 
+void Notes::add(const Notes& others) {
+    for (const Note& note : others.notes_)
+        add(note.offset, note.text);
+}
+
+void Notes::move_offsets(const std::function<std::size_t(std::size_t)>& place) {
+    for (Note& note : notes_)
+        note.offset = place(note.offset);
+}
+
 void Notes::hand_over(std::vector<Reading>& readings) {
     if (readings.empty()) return;
     std::ranges::stable_sort(notes_, {}, &Note::offset);

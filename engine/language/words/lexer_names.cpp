@@ -91,14 +91,23 @@ bool Lexer::skip_pattern_mark() {
     return is_mark;
 }
 
-/// Skips the prefix of a library's name: np.sin, Math.PI, std::sqrt.
+/// Skips the prefix of a library's name: np.sin, std::sqrt, Math.PI; of any other name where a call
+/// follows, as in sp.sqrt(x) and scipy.special.erf(x), since parts of vectors are not called.
 bool Lexer::library_prefix(std::string_view run) {
     static constexpr std::array<std::string_view, 7> libraries{"np",    "numpy", "math", "Math",
                                                                "cmath", "std",   "glm"};
-    if (std::ranges::find(libraries, run) == libraries.end()) return false;
     const std::string_view rest = text_.substr(at_ + run.size());
     const std::size_t mark = rest.starts_with("::") ? 2 : rest.starts_with('.') ? 1 : 0;
     if (mark == 0 || mark == rest.size() || !is_letter(rest[mark])) return false;
+    const bool is_library = std::ranges::find(libraries, run) != libraries.end();
+    const std::size_t length = name_length(rest, mark);
+    const std::string_view name = rest.substr(mark, length);
+    const std::string_view behind = rest.substr(mark + length);
+    const bool is_part = name.find_first_not_of("xyzw") == std::string_view::npos;
+    const bool calls =
+        !is_part && (behind.starts_with('(') ||
+                     (behind.size() > 1 && behind[0] == '.' && is_letter(behind[1])));
+    if (!is_library && !calls) return false;
     at_ += run.size() + mark;
     return true;
 }

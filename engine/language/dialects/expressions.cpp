@@ -1,0 +1,326 @@
+#include "engine/language/dialects/expressions.hpp"
+
+#include "engine/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+constexpr int most_nested_calls = 50;              // calls within calls that are rewritten
+constexpr int most_unclosed = 100;                 // calls without an end that are looked at
+constexpr std::size_t longest_sign = 24;           // bytes of a sign such as \[CurlyPhi]
+constexpr std::size_t longest_rewritten = 20'000;  // bytes of a call that is rewritten
+
+using Words = std::string_view;
+
+/// Sums and products of other programs, and what they are called here.
+constexpr std::array sums = std::to_array<std::pair<Words, Words>>({{"Sum", "sum("},
+                                                                    {"sum", "sum("},
+                                                                    {"add", "sum("},
+                                                                    {"summation", "sum("},
+                                                                    {"symsum", "sum("},
+                                                                    {"Product", "prod("},
+                                                                    {"product", "prod("},
+                                                                    {"prod", "prod("},
+                                                                    {"mul", "prod("},
+                                                                    {"symprod", "prod("}});
+
+/// An index and its ends; `count`: it runs from 1 (or of Python's range, 0) to less than them.
+struct IndexRange {
+    Words name, lo, hi;
+    bool is_open = false;  ///< the last one is below `hi`
+};
+
+std::optional<IndexRange> index_range(Words argument) {
+    if (const auto range = named_range(argument))
+        return IndexRange{.name = range->name, .lo = range->lo, .hi = range->hi};
+    const auto inside = in_brackets(argument);
+    if (!inside) return std::nullopt;
+    const auto parts = split_outside(*inside, ',');
+    if (parts.size() != 2 || !is_word(parts[0])) return std::nullopt;
+    return IndexRange{.name = parts[0], .lo = {}, .hi = parts[1]};
+}
+
+/// The body and the range of `f for i in range(1, 4)`.
+std::optional<std::pair<Words, IndexRange>> generator(Words inside) {
+    const std::size_t at = find_outside(inside, "for");
+    if (at == Words::npos) return std::nullopt;
+    Words behind = trimmed(inside.substr(at + 3));
+    const std::size_t name = word_length(behind);
+    const Words index = behind.substr(0, name);
+    behind = trimmed(behind.substr(name));
+    if (name == 0 || !behind.starts_with("in")) return std::nullopt;
+    behind = trimmed(behind.substr(2));
+    if (!behind.starts_with("range")) return std::nullopt;
+    const auto ends = in_brackets(behind.substr(5));
+    if (!ends) return std::nullopt;
+    const auto parts = split_outside(*ends, ',');
+    if (parts.size() > 2) return std::nullopt;
+    return std::pair(trimmed(inside.substr(0, at)),
+                     IndexRange{.name = index,
+                                .lo = parts.size() == 2 ? parts[0] : Words(),
+                                .hi = parts.back(),
+                                .is_open = true});
+}
+
+bool is_true(Words condition) {
+    return condition == "True" || condition == "true" || condition == "otherwise";
+}
+
+/// The length of what is no word: of a number with its letters, as 1e5, or of one sign.
+std::size_t other_length(Words text) {
+    const std::size_t digits = text.find_first_not_of("0123456789.eE");
+    return std::clamp<std::size_t>(digits, 1, text.size());
+}
+
+/// Whether %pi or %e of Maxima is at `at`, not a remainder.
+bool is_constant_of_maxima(Words text, std::size_t at) {
+    if (text[at] != '%') return false;
+    const Words name = text.substr(at + 1, word_length(text.substr(at + 1)));
+    const Words before = trimmed(text.substr(0, at));
+    return (name == "pi" || name == "e") &&
+           (before.empty() || Words("+-*/^(,=<>").contains(before.back()));
+}
+
+/// Whether a name gets a function's head in a text behind `at`: f = @(, f = lambda, f := (x) ->,
+/// f(x) =, f[x_] :=.
+bool gets_function(Words behind) {
+    behind = trimmed(behind);
+    for (const Words sign : {":=", "=", "<-"}) {
+        if (!behind.starts_with(sign)) continue;
+        const Words body = trimmed(behind.substr(sign.size()));
+        const Words row = body.substr(0, body.find_first_of("\n;"));
+        return row.starts_with("function") || row.starts_with("proc") ||
+               unnamed_function(row).has_value();
+    }
+    if (!behind.starts_with('(') && !behind.starts_with('[')) return false;
+    const auto closer = closing_bracket(behind.substr(0, longest_rewritten));
+    if (!closer) return false;
+    const Words rest = trimmed(behind.substr(*closer + 1));
+    return rest.starts_with(":=") || (rest.starts_with('=') && !rest.starts_with("=="));
+}
+
+}  // namespace
+
+bool ExpressionWriter::is_function(std::string_view name) const {
+    const std::string_view typed = text_.typed();
+    for (std::size_t at = typed.find(name); at != Words::npos; at = typed.find(name, at + 1)) {
+        const bool is_whole = word_length(typed.substr(at)) == name.size() &&
+                              (at == 0 || word_length(typed.substr(at - 1)) <= 1);
+        if (!is_whole) continue;
+        const std::string_view before = trimmed(typed.substr(0, at));
+        const bool is_declared = before.ends_with("def") || before.ends_with("function") ||
+                                 before.ends_with("fn") || before.ends_with("float");
+        if (is_declared || gets_function(typed.substr(at + name.size()))) return true;
+    }
+    return false;
+}
+
+std::string ExpressionWriter::words_of(std::string_view expression) const {
+    SourceText words(expression);
+    ExpressionWriter(words).write(expression);
+    return words.words();
+}
+
+void ExpressionWriter::write(std::string_view expression) {
+    if (write_choice(expression)) return;
+    std::size_t kept = 0;
+    for (std::size_t at = 0; at < expression.size();) {
+        const std::string_view rest = expression.substr(at);
+        const std::size_t remark = rest.starts_with("(*") ? rest.find("*)", 2) : Words::npos;
+        if (remark != Words::npos) {
+            text_.keep(expression.substr(kept, at - kept));
+            at += remark + 2;
+            kept = at;
+            continue;
+        }
+        if (rest.starts_with("\\[") && rest.find(']') < longest_sign) {  // Mathematica's \[Pi]
+            text_.keep(expression.substr(kept, at - kept));
+            const std::size_t end = rest.find(']');
+            put(lower_case(rest.substr(2, end - 2)), rest);
+            at += end + 1;
+            kept = at;
+            continue;
+        }
+        if (is_constant_of_maxima(expression, at)) {
+            text_.keep(expression.substr(kept, at - kept));
+            kept = ++at;
+            continue;
+        }
+        const std::size_t length = word_length(rest);
+        if (length == 0) {
+            at += other_length(rest);
+            continue;
+        }
+        const std::string_view word = rest.substr(0, length);
+        const std::size_t opener = length + blank_length(rest.substr(length));
+        const bool may_call = depth_ < most_nested_calls && opener < rest.size() &&
+                              (rest[opener] == '(' || rest[opener] == '[');
+        const bool is_known = may_call && has_foreign_expression(rest.substr(0, opener + 1));
+        const auto closer =
+            is_known ? closing_bracket(rest.substr(opener, longest_rewritten)) : std::nullopt;
+        unclosed_ += is_known && !closer ? 1 : 0;
+        if (closer) {
+            text_.keep(expression.substr(kept, at - kept));
+            kept = at;
+            if (write_call(word, rest.substr(opener + 1, *closer - 1))) {
+                at += opener + *closer + 1;
+                kept = at;
+                continue;
+            }
+        }
+        at += length;
+    }
+    text_.keep(expression.substr(kept));
+}
+
+bool has_foreign_expression(std::string_view text) {
+    constexpr std::array<Words, 4> others{"Piecewise", "piecewise", "Rational", "Eq"};
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = word_length(text.substr(at));
+        if (length == 0) {
+            ++at;
+            continue;
+        }
+        const Words word = text.substr(at, length);
+        at += length;
+        const std::size_t opener = at + blank_length(text.substr(at));
+        const bool calls = opener < text.size() && (text[opener] == '(' || text[opener] == '[');
+        if (calls && (std::ranges::find(others, word) != others.end() ||
+                      std::ranges::find(sums, word, &std::pair<Words, Words>::first) != sums.end()))
+            return true;
+    }
+    return false;
+}
+
+/// Writes a call that the language writes otherwise; false: it is kept as it is.
+bool ExpressionWriter::write_call(std::string_view word, std::string_view inside) {
+    ++depth_;
+    const auto parts = split_outside(inside, ',');
+    bool is_written = write_sum(word, inside);
+    if (!is_written && (word == "Piecewise" || word == "piecewise"))
+        is_written = write_cases(word, inside);
+    if (!is_written && word == "Rational" && parts.size() == 2) {
+        write_joined("((", parts[0], ")/(", parts[1], "))");
+        is_written = true;
+    }
+    if (!is_written && word == "Eq" && parts.size() == 2) {
+        write_joined("", parts[0], " = ", parts[1], "");
+        is_written = true;
+    }
+    --depth_;
+    return is_written;
+}
+
+void ExpressionWriter::write_joined(std::string_view open, std::string_view a,
+                                    std::string_view sign, std::string_view b,
+                                    std::string_view close) {
+    put(open, a);
+    write(a);
+    put(sign, b);
+    write(b);
+    put(close, b.substr(b.size()));
+}
+
+/// Writes Sum[f, {i, 1, 3}], sum(f, i = 1..3), sum(f for i in range(3)) and their like as sum(f, i,
+/// 1, 3).
+bool ExpressionWriter::write_sum(std::string_view word, std::string_view inside) {
+    const auto* const known = std::ranges::find(sums, word, &std::pair<Words, Words>::first);
+    if (known == sums.end()) return false;
+    const auto parts = split_outside(inside, ',');
+    std::string_view body = parts[0];
+    std::vector<IndexRange> ranges;
+    if (const auto of = generator(inside)) {
+        body = of->first;
+        ranges.push_back(of->second);
+    } else if (word.starts_with("sym") && parts.size() == 4) {
+        ranges.push_back({.name = parts[1], .lo = parts[2], .hi = parts[3]});
+    } else {
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            const auto range = index_range(parts[i]);
+            if (!range) return false;
+            ranges.push_back(*range);
+        }
+    }
+    if (ranges.empty()) return false;
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        put(known->second, word);
+    write(body);
+    // The last range is the innermost one.
+    for (std::size_t i = ranges.size(); i-- > 0;) {
+        const IndexRange& range = ranges[i];
+        put(", ", range.name);
+        text_.keep(range.name);
+        put(range.lo.empty() ? (range.is_open ? ", 0, " : ", 1, ") : ", ", range.name);
+        if (!range.lo.empty()) {
+            write(range.lo);
+            put(", ", range.hi);
+        }
+        write(range.hi);
+        put(range.is_open ? " - 1)" : ")", range.hi);
+    }
+    return true;
+}
+
+/// Writes Piecewise[{{a, c}, {b, d}}, e], Piecewise((a, c), (e, True)) and piecewise(c, a, d, b, e)
+/// as {c: a, d: b, e}.
+bool ExpressionWriter::write_cases(std::string_view word, std::string_view inside) {
+    const auto parts = split_outside(inside, ',');
+    std::vector<std::pair<Words, Words>> cases;  // condition and value; a last one has no condition
+    if (word == "piecewise") {
+        for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
+            cases.emplace_back(parts[i], parts[i + 1]);
+        if (parts.size() % 2 == 1) cases.emplace_back(Words(), parts.back());
+    } else {
+        const bool is_list = inside.starts_with('{');
+        const auto list = is_list ? in_brackets(parts[0]) : std::nullopt;
+        if (is_list && (!list || parts.size() > 2)) return false;
+        const auto pairs = is_list ? split_outside(*list, ',') : parts;
+        for (const Words pair : pairs) {
+            const auto of = in_brackets(pair);
+            const auto both = of ? split_outside(*of, ',') : std::vector<Words>();
+            if (both.size() != 2) return false;
+            cases.emplace_back(is_true(both[1]) ? Words() : both[1], both[0]);
+        }
+        if (is_list && parts.size() == 2) cases.emplace_back(Words(), parts[1]);
+        if (is_list && parts.size() == 1) cases.emplace_back(Words(), Words());
+    }
+    put("{", word);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto& [condition, value] = cases[i];
+        if (i > 0) put(", ", value.empty() ? word : value);
+        if (!condition.empty()) {
+            write(condition);
+            put(": ", value);
+        }
+        if (value.empty())
+            put("0", word);
+        else
+            write(value);
+    }
+    put("}", inside.substr(inside.size()));
+    return true;
+}
+
+/// Writes Python's `a if c else b` as a choice.
+bool ExpressionWriter::write_choice(std::string_view expression) {
+    const std::size_t at = find_outside(expression, "if");
+    if (at == Words::npos || trimmed(expression.substr(0, at)).empty()) return false;
+    const std::string_view behind = expression.substr(at + 2);
+    const std::size_t other = find_outside(behind, "else");
+    if (other == Words::npos) return false;
+    put("((", expression);
+    write(trimmed(behind.substr(0, other)));
+    put(") ? (", expression);
+    write(trimmed(expression.substr(0, at)));
+    put(") : (", behind.substr(other));
+    write(trimmed(behind.substr(other + 4)));
+    put("))", expression.substr(expression.size()));
+    return true;
+}
+
+}  // namespace zeroset

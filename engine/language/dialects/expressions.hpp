@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/language/dialects/asked_box.hpp"
+#include "engine/language/dialects/parts.hpp"
+#include "engine/language/dialects/source_text.hpp"
+
+#include <string>
+#include <string_view>
+
+// Expressions of other programs in the words of the language.
+
+namespace zeroset {
+
+/// Adds expressions to a text. What the language reads itself is kept as typed; sums, cases and
+/// choices that other programs write otherwise are put into its words.
+class ExpressionWriter {
+public:
+    explicit ExpressionWriter(SourceText& text) : text_(text) {}
+
+    void write(std::string_view expression);
+    /// The words of an expression, which may also be no part of the typed text.
+    [[nodiscard]] std::string words_of(std::string_view expression) const;
+    void put(std::string_view words, std::string_view near) {
+        text_.put(words, text_.offset_of(near));
+    }
+    /// Whether the typed text gives this name to a function: f = @(x, y), f[x_] := ..., def f(x).
+    [[nodiscard]] bool is_function(std::string_view name) const;
+    [[nodiscard]] SourceText& text() { return text_; }
+
+private:
+    bool write_call(std::string_view word, std::string_view inside);
+    bool write_sum(std::string_view word, std::string_view inside);
+    bool write_cases(std::string_view word, std::string_view inside);
+    void write_joined(std::string_view open, std::string_view a, std::string_view sign,
+                      std::string_view b, std::string_view close);
+    bool write_choice(std::string_view expression);
+
+    SourceText& text_;
+    int depth_ = 0;     ///< calls within calls
+    int unclosed_ = 0;  ///< calls without an end
+};
+
+/// Whether the expressions of a text have something that only `ExpressionWriter` reads.
+bool has_foreign_expression(std::string_view text);
+
+}  // namespace zeroset

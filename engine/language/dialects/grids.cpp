@@ -1,0 +1,134 @@
+#include "engine/language/dialects/grids.hpp"
+
+#include "engine/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+using Words = std::string_view;
+
+/// The last word before the bracket of a call such as np.meshgrid(, and what is in the bracket.
+struct GridCall {
+    Words name;
+    std::vector<Words> arguments;
+};
+
+std::optional<GridCall> call_of(Words text) {
+    const std::size_t opener = text.find_first_of("([");
+    if (opener == Words::npos || opener == 0) return std::nullopt;
+    const Words path = trimmed(text.substr(0, opener));
+    const std::size_t dot = path.rfind('.');
+    const Words name = dot == Words::npos ? path : path.substr(dot + 1);
+    if (!is_word(name)) return std::nullopt;
+    const auto closer = closing_bracket(text.substr(opener));
+    if (!closer) return std::nullopt;
+    return GridCall{.name = name,
+                    .arguments = split_outside(text.substr(opener + 1, *closer - 1), ',')};
+}
+
+/// `names = call`, split at its "=".
+std::optional<std::pair<Words, Words>> assignment(Words row) {
+    const std::size_t equals = find_outside(row, "=");
+    if (equals == Words::npos || row.substr(equals).starts_with("==")) return std::nullopt;
+    return std::pair(trimmed(row.substr(0, equals)), trimmed(row.substr(equals + 1)));
+}
+
+bool is_grid(Words name) { return name == "meshgrid" || name == "mgrid" || name == "ndgrid"; }
+
+}  // namespace
+
+bool Grids::makes_grid(std::string_view row) {
+    const auto parts = assignment(row);
+    const auto call = parts ? call_of(parts->second) : std::nullopt;
+    return call && is_grid(call->name);
+}
+
+bool Grids::write(std::string_view row) {
+    if (write_surface(row)) return true;
+    const auto parts = assignment(row);
+    if (!parts) return false;
+    const auto call = call_of(parts->second);
+    if (call && is_grid(call->name)) return write_grid(parts->first, parts->second);
+    const bool is_line = is_word(parts->first) && ends_of(parts->second).has_value() &&
+                         writer_.text().typed().contains("meshgrid");
+    if (is_line) remember_points(parts->first, parts->second);
+    return is_line;
+}
+
+void Grids::remember_points(std::string_view name, std::string_view value) {
+    points_.emplace_back(name, *ends_of(value));
+}
+
+/// The ends of points on a line: -2:0.1:2, linspace(-2, 2, 50), arange(-2, 2, 0.1), or their name.
+std::optional<Grids::Ends> Grids::ends_of(std::string_view argument) const {
+    argument = in_brackets(argument).value_or(argument);
+    const auto known =
+        std::ranges::find(points_, argument, &std::pair<std::string_view, Ends>::first);
+    if (known != points_.end()) return known->second;
+    const auto call = call_of(argument);
+    if (call && (call->name == "linspace" || call->name == "arange") && call->arguments.size() > 1)
+        return Ends{.lo = std::string(call->arguments[0]), .hi = std::string(call->arguments[1])};
+    const auto parts = split_outside(argument, ':');
+    if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
+    // In NumPy the number of points is last, an imaginary one.
+    const bool has_count = parts.size() == 3 && parts[2].ends_with('j');
+    return Ends{.lo = std::string(parts[0]),
+                .hi = std::string(has_count ? parts[1] : parts.back())};
+}
+
+/// Writes X := x; Y := y; Z := z, where these names are not those of the coordinates.
+bool Grids::write_grid(std::string_view names, std::string_view call) {
+    constexpr std::array<Words, 3> axes{"x", "y", "z"};
+    const auto of = call_of(call);
+    const auto grid = split_outside(in_brackets(names).value_or(names), ',');
+    if (grid.size() < 2 || grid.size() > 3) return false;
+    for (std::size_t k = 0; k < grid.size(); ++k) {
+        if (!is_word(grid[k])) return false;
+        const bool is_same = of->arguments.size() == 1;
+        const bool has_ends = is_same || k < of->arguments.size();
+        box_.at(k) = has_ends ? ends_of(of->arguments[is_same ? 0 : k]) : std::nullopt;
+        if (grid[k] == axes.at(k)) continue;
+        writer_.text().keep(grid[k]);
+        writer_.put(" := ", grid[k]);
+        writer_.put(axes.at(k), grid[k]);
+        writer_.put(";", grid[k]);
+    }
+    has_grid_ = true;
+    return true;
+}
+
+/// Writes isosurface(X, Y, Z, V, level), isosurface(V, level), marching_cubes(V, level) and surf(X,
+/// Y, Z), perhaps as the value of a name.
+bool Grids::write_surface(std::string_view row) {
+    if (!has_grid_) return false;
+    const auto parts = assignment(row);
+    auto call = call_of(parts ? parts->second : row);
+    if (call && call->name == "patch" && !call->arguments.empty())
+        call = call_of(call->arguments[0]);
+    if (!call) return false;
+    const std::size_t count = call->arguments.size();
+    const bool is_level = call->name == "isosurface" || call->name == "marching_cubes";
+    const bool is_height = call->name == "surf" || call->name == "mesh" ||
+                           call->name == "plot_surface" || call->name == "surfc";
+    if (is_level && (count == 2 || count == 5)) {
+        const Words level = call->arguments[count - 1];
+        const std::size_t equals = level.find('=');
+        writer_.write(call->arguments[count - 2]);
+        writer_.put(" - (", level);
+        writer_.write(equals == Words::npos ? level : level.substr(equals + 1));
+        writer_.put(") = 0", level);
+    } else if (is_height && count >= 3) {
+        writer_.put("z = ", call->arguments[2]);
+        writer_.write(call->arguments[2]);
+    } else {
+        return false;
+    }
+    writer_.put(";", row.substr(row.size()));
+    return true;
+}
+
+}  // namespace zeroset

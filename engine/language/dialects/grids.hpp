@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/language/dialects/expressions.hpp"
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+
+/// Points of a grid in MATLAB and NumPy, whose names are those of x, y and z: [X, Y, Z] =
+/// meshgrid(-2:0.1:2) and X, Y, Z = np.mgrid[-2:2:50j, ...]; and the surfaces that are found on
+/// them: isosurface(X, Y, Z, V, 0), surf(X, Y, Z).
+class Grids {
+public:
+    /// Writes with `writer`, and puts the ends of grids into `box`.
+    Grids(ExpressionWriter& writer, AskedBox& box) : writer_(writer), box_(box) {}
+
+    /// Whether a statement makes a grid, so that its text is a program's.
+    static bool makes_grid(std::string_view row);
+    /// Writes what a statement says of grids; false: nothing.
+    bool write(std::string_view row);
+
+private:
+    using Ends = AskedRange;
+
+    [[nodiscard]] std::optional<Ends> ends_of(std::string_view argument) const;
+    bool write_grid(std::string_view names, std::string_view call);
+    bool write_surface(std::string_view row);
+    void remember_points(std::string_view name, std::string_view value);
+
+    ExpressionWriter& writer_;
+    AskedBox& box_;
+    std::vector<std::pair<std::string_view, Ends>> points_;  ///< names of points on a line
+    bool has_grid_ = false;
+};
+
+}  // namespace zeroset
