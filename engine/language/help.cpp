@@ -121,6 +121,16 @@ constexpr Line elsewhere[] = {
     {"f = @(x, y) x.^2  f = lambda x: x**2",
      marked("functions as MATLAB and Python write them; also (x) -> x, x => x and def f(x): return "
             "x")},
+    {"def f(x, y): ...  function f(x, y) { ... }",
+     marked("functions with steps of Python, JavaScript, R, Rust, MATLAB and Maple: values and "
+            "choices, no loops")},
+    {"ContourPlot3D[x == y z, {x, -1, 1}, ...]",
+     marked("a plotting command of Mathematica, Maple, MATLAB, Sage, SymPy, Maxima, gnuplot or "
+            "GeoGebra; its ranges are the clip box")},
+    {"[X, Y, Z] = meshgrid(-2:0.1:2)",
+     marked("a grid of MATLAB or NumPy, with isosurface, marching_cubes or surf behind it")},
+    {"\\sum_{i=1}^{3} x^i  Sum[x^i, {i, 1, 3}]",
+     marked("sums and products as LaTeX, Mathematica, Maple and Python write them")},
     {"#define R 2.5", marked("a constant or function as C's macros write it")},
     {"Math.sin(x)  np.sqrt(x)", marked("functions with the name of their library")},
     {"x - 1 : y - 1 :", marked("surfaces apart by colons, as in K3DSurf")},
