@@ -42,8 +42,12 @@ void take_heights(std::vector<double>& heights, Box& box) {
         hi = middle_hi;
     }
     const double margin = std::max(0.05 * (hi - lo), 1e-3 * std::max(1.0, std::abs(hi)));
-    box.lo.z = lo - margin;
-    box.hi.z = hi + margin;
+    // A graph many times as high as it is wide would be a line.
+    const double most = 2.0 * std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+    const double half = std::min(0.5 * (hi - lo) + margin, 0.5 * most);
+    const double middle = 0.5 * (lo + hi);
+    box.lo.z = middle - half;
+    box.hi.z = middle + half;
 }
 
 }  // namespace

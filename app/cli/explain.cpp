@@ -58,6 +58,7 @@ ValueAt value_of(const Expr& expr, const Explanation& explanation) {
 OrInputError<Explanation> explained(const ExplainCommand& command) {
     ViewText parameters;
     parameters.set = command.set;
+    parameters.quiet = true;
     const auto input = read_document(command.equation, parameters);
     if (!input) return std::unexpected(input.error());
     if (!input->rows) return std::unexpected(input->rows.error());

@@ -32,7 +32,9 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     const std::string first = "@" + gallery().front().name;
     auto collection = typed_collection(equation);
     if (!collection) return wrong_input(collection.error());
-    auto input = read_document(equation.empty() || *collection ? first : equation, view);
+    ViewText quiet = view;  // the window shows notes beside the rows
+    quiet.quiet = true;
+    auto input = read_document(equation.empty() || *collection ? first : equation, quiet);
     if (!input) return std::unexpected(input.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());

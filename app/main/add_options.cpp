@@ -100,6 +100,7 @@ void add_region_options(CLI::App& app, ViewText& view) {
         "repeated");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
+    app.add_flag("--quiet", view.quiet, "no notes on what of the formula was read unusually");
 }
 
 void add_view_options(CLI::App& app, ViewText& view) {

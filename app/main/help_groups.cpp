@@ -105,7 +105,8 @@ proved, f, normal, distance and certificate.)",
 render @klein -o klein.exr --depth klein.pfm --certificate proved.png --stats -
 render "x^2 + y^2 + z^2 = 1" --probe 512,512)",
         .options = "--bits --dpi --quality --no-session --depth --certificate "
-                   "--cost --stats --probe --json --plot --no-pictures"},
+                   "--cost --stats --probe --json --plot --no-pictures "
+                   "--quiet"},
     HelpGroup{
         .name = "Search",
         .about =

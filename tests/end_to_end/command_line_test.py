@@ -13,6 +13,7 @@ from command_line_film_cases import FilmTest, FormatTest
 from command_line_film_pixels_cases import FilmPixelsTest
 from command_line_lost_file_cases import LostFileTest
 from command_line_mesh_cases import MeshTest
+from command_line_notes_cases import NotesTest
 from command_line_octree_cases import OctreeTest
 from command_line_start_cases import StartTest
 from command_line_volume_cases import VolumeTest
@@ -21,8 +22,8 @@ from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, r
 
 # The test cases that unittest runs from here, imported ones included.
 __all__ = ["BenchTest", "BudgetTest", "CompareTest", "DepthTest", "ExplainTest", "FilmPixelsTest",
-           "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "OctreeTest", "SignalTest",
-           "StartTest", "UnwritableTest", "VolumeTest", "WrongInputTest"]
+           "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "NotesTest", "OctreeTest",
+           "SignalTest", "StartTest", "UnwritableTest", "VolumeTest", "WrongInputTest"]
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
@@ -331,7 +332,7 @@ class RenderTest(ProgramTest):
     def test_equation_from_the_gallery_and_from_standard_input(self):
         box = ("--box", "1.5", "--size", 40)  # the item's own; --box resets its view
         by_name = self.picture("@sphere", *box)
-        typed = self.picture("-", *box, stdin="x^2 + y^2\n + z^2 - 1\n")
+        typed = self.picture("-", *box, stdin="x^2 + y^2 +\n z^2 - 1\n")
         self.assertEqual(by_name.rgb, typed.rgb)
 
     def test_equation_that_starts_with_a_minus_sign(self):

@@ -5,13 +5,18 @@
 #include "app/cli/options/section_options.hpp"
 #include "app/cli/options/surface_options.hpp"
 #include "document/json/document_json.hpp"
+#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"
+#include "pipeline/input/input_source.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -195,9 +200,26 @@ OrInputError<Size> read_size(const std::string& option, const std::string& text,
     return Size{.width = *width, .height = *height};
 }
 
+namespace {
+
+/// Says on stderr what of a typed text was read in an unusual way.
+void tell_notes(const std::string& equation, const InputDocument& input) {
+    const InputKind kind = classify(equation).kind;
+    if (!input.rows || (kind != InputKind::Formula && kind != InputKind::StandardInput)) return;
+    std::set<std::string> told;
+    for (const Reading& reading : input.rows->program->readings) {
+        for (const std::string& note : reading.notes) {
+            if (told.insert(note).second) std::cerr << "zeroset: note: " << printable(note) << "\n";
+        }
+    }
+}
+
+}  // namespace
+
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view) {
     auto input = stored_document(equation);
     if (!input) return input;
+    if (!view.quiet) tell_notes(equation, *input);
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);
     if (input->path.empty()) input->document.home = input->document.camera;
     // An unreadable text is reported before options that do not fit it.

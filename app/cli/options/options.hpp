@@ -39,6 +39,7 @@ struct ViewText {
     std::optional<std::string> section_shows, section_map, section_range;
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
     bool fit = false;
+    bool quiet = false;  ///< no notes on what was read in an unusual way
     LookText look;
 };
 
