@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """Prints the results of `zeroset compare --json FILE` as Markdown tables for papers/papers.md:
-a table for each file, a row for each tracer, a column for each surface and tolerance. With --means
+a table for each file, a row for each tracer, a column for each surface and tolerance; and what boxes
+of the image save, beside what Florez printed of them, where tracers with boxes are in it. With --means
 one table of all files together, a row for each tracer: its times over those of beams on the same
 surface at the same tolerance in the same file."""
 
 import json
 import math
 import sys
+from pathlib import Path
+
+PRINTED = Path(__file__).parent.parent / "papers" / "compare" / "printed_tables.json"
 
 
 def cell(row):
@@ -78,6 +82,70 @@ def means(answers):
     return lines
 
 
+def printed_boxes(answer):
+    """Returns what is printed of the boxes on each surface of the answer's table."""
+    with open(PRINTED, encoding="utf-8") as file:
+        tables = json.load(file)["tables"]
+    return next((table.get("boxes", {}) for table in tables if table["name"] == answer["table"]), {})
+
+
+def cells_of_boxes(row, classic, pixels):
+    """Returns the cells of a row with boxes. Single rays are those of `classic`; at edges, in undefined
+    boxes, they are taken to be nine a pixel."""
+    boxes = row["boxes"]
+    kinds = [boxes[kind] for kind in ("rejected", "included", "undefined")]
+    rejected, included, undefined = kinds
+    kept_ms = included["ms"] + undefined["ms"]
+    kept = included["pixels"] + undefined["pixels"]
+    rays = included["pixels"] + 9 * undefined["pixels"]
+    rays_ms = boxes["ms"] + included["ms"] + 9 * undefined["ms"]
+    single_ms = classic["frame_ms"]["median"]
+    return ([f'{kind["boxes"]} ({100 * kind["pixels"] / pixels:.1f} %)' for kind in kinds]
+            + [f'{boxes["ms"]:.2f}',
+               f'{1000 * max(single_ms - kept_ms, 0) / max(rejected["pixels"], 1):.3f}',
+               f"{1000 * kept_ms / max(kept, 1):.3f}", f"{rays}", f"{rays_ms:.1f}",
+               f"{100 * (9 * single_ms / rays_ms - 1):.0f} %"])
+
+
+def cells_as_printed(boxes, row, classic):
+    """Returns the same cells as they are printed, as far as they are."""
+    cells = ["-"] * 9
+    if "kept" in boxes:
+        pixels = boxes["rejected_pixels"] + boxes["kept_pixels"]
+        for at, kind in ((0, "rejected"), (2, "kept")):
+            cells[at] = f'{boxes[kind]} ({100 * boxes[kind + "_pixels"] / pixels:.1f} %)'
+        cells[3] = f'{1000 * boxes["trimming_s"]:.0f}'
+        for at, kind in ((4, "rejected"), (5, "kept")):
+            cells[at] = f'{1e6 * boxes[kind + "_s"] / boxes[kind + "_pixels"]:.0f}'
+    if "rays" in boxes and row["printed_ms"] and classic["printed_ms"]:
+        cells[6:] = [f'{boxes["rays"]}', f'{row["printed_ms"]:.0f}',
+                     f'{100 * (classic["printed_ms"] / row["printed_ms"] - 1):.0f} %']
+    return cells
+
+
+def boxes_table(answer):
+    """Returns the lines of a table of boxes: their numbers, with the pixels in them; ms to find them; us a
+    pixel of single rays in rejected boxes and in others; with nine rays a pixel in undefined boxes and
+    one in included ones, rays, ms, and how much longer nine rays everywhere take."""
+    classic = {case(row): row for row in answer["rows"] if row["tracer"] == "mrfro"}
+    printed = printed_boxes(answer)
+    lines = []
+    for row in answer["rows"]:
+        if "boxes" not in row or case(row) not in classic:
+            continue
+        single = classic[case(row)]
+        cells = cells_of_boxes(row, single, answer["width"] * answer["height"])
+        lines.append(f'| {row["surface"]}, `{row["tracer"]}` | ' + " | ".join(cells) + " |")
+        if row["surface"] in printed:
+            cells = cells_as_printed(printed[row["surface"]], row, single)
+            lines.append("| as printed | " + " | ".join(cells) + " |")
+    if not lines:
+        return []
+    heads = ("rejected", "included", "undefined", "ms", "us a pixel there", "elsewhere", "rays", "ms",
+             "nine everywhere")
+    return ["| | " + " | ".join(heads) + " |", "|---|" + "--:|" * len(heads)] + lines
+
+
 def main():
     names = [name for name in sys.argv[1:] if name != "--means"]
     if not names:
@@ -90,7 +158,9 @@ def main():
         print("\n".join(means(answers)))
         return
     for answer in answers:
-        print("\n".join(table(answer)) + "\n")
+        for lines in (table(answer), boxes_table(answer)):
+            if lines:
+                print("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

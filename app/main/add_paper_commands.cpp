@@ -25,7 +25,10 @@ CLI::App* add_compare(CLI::App& app, CompareCommand& compare) {
     add_value(*compare_app, "--budget", compare.budget,
               "seconds after which a frame ends undecided (default 30)");
     add_value(*compare_app, "--json", compare.json, "also as a JSON file; - for JSON alone");
-    add_value(*compare_app, "--plot", compare.plot, "also as a plot: FILE.svg or FILE.png");
+    compare_app->footer(
+        "scripts/plot_compare.py draws the JSON file as a plot, scripts/papers_tables.py writes it "
+        "as "
+        "tables in Markdown.");
     return compare_app;
 }
 

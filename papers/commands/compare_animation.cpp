@@ -2,10 +2,10 @@
 
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
-#include "engine/export/file.hpp"
 #include "engine/render/render.hpp"
+#include "papers/commands/compare_output.hpp"
 #include "papers/commands/compare_scene.hpp"
-#include "papers/compare/animations.hpp"
+#include "papers/compare/text_columns.hpp"
 #include "papers/florez/cell_grid.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -110,69 +109,66 @@ private:
     int frames_;
 };
 
-void print_heading(const PrintedAnimation& animation, int size_px, const TraceSettings& settings) {
-    std::printf(
-        "%s; %s.\nHere %dx%d, %d thread(s), %d frames by one grid and by a grid for each; "
-        "printed: %.0f to %.0f %% less.\n\n",
-        std::string(animation.source).c_str(), std::string(animation.note).c_str(), size_px,
-        size_px, settings.threads, animation.n, animation.printed_least, animation.printed_most);
-    std::printf("%6s  %9s %10s %6s  %9s %10s %6s  %7s  %9s\n", "frame", "grid ms", "frames ms",
-                "cells", "grids ms", "frames ms", "cells", "less", "beams ms");
+const std::array<TextColumn, 9>& animation_columns() {
+    static const std::array<TextColumn, 9> all{{{"frame", "/frame", 6},
+                                                {"grid ms", "/one_grid/grid_ms", 10, 2},
+                                                {"frames ms", "/one_grid/frames_ms", 10, 2},
+                                                {"cells", "/one_grid/cells", 6},
+                                                {"grids ms", "/grid_each/grid_ms", 10, 2},
+                                                {"frames ms", "/grid_each/frames_ms", 10, 2},
+                                                {"cells", "/grid_each/cells", 6},
+                                                {"less %", "/saved_percent", 8, 1},
+                                                {"beams ms", "/beams_ms", 10, 2}}};
+    return all;
 }
 
-void print_row(const AnimationRow& row) {
-    std::printf("%6d  %9.2f %10.2f %6zu  %9.2f %10.2f %6zu  %5.1f %%  %9.2f\n", row.first,
-                row.together.grid_ms, row.together.frames_ms, row.together.crossed,
-                row.apart.grid_ms, row.apart.frames_ms, row.apart.crossed, row.saved_percent(),
-                row.beams_ms);
-    std::fflush(stdout);
+std::string heading_text(const PrintedAnimation& animation, const ComparedSettings& settings) {
+    return animation.source + "; " + animation.note +
+           formatted(
+               ".\nHere %dx%d, %d thread(s), %d frames by one grid and by a grid for each; "
+               "printed: %.0f to %.0f %% less.\n\n",
+               settings.size_px, settings.size_px, settings.settings.threads, animation.n,
+               animation.printed_percent[0], animation.printed_percent[1]) +
+           title_line(animation_columns());
 }
 
 Json json_of(const GroupTime& time) {
     return {{"grid_ms", time.grid_ms}, {"frames_ms", time.frames_ms}, {"cells", time.crossed}};
 }
 
-Json json_of(const PrintedAnimation& animation, const std::vector<AnimationRow>& rows) {
-    Json json_rows = Json::array();
-    for (const AnimationRow& row : rows)
-        json_rows.push_back({{"frame", row.first},
-                             {"one_grid", json_of(row.together)},
-                             {"grid_each", json_of(row.apart)},
-                             {"saved_percent", row.saved_percent()},
-                             {"beams_ms", row.beams_ms}});
-    return {{"table", animation.name},
-            {"source", animation.source},
-            {"note", animation.note},
-            {"n", animation.n},
-            {"printed_percent", {animation.printed_least, animation.printed_most}},
-            {"rows", json_rows}};
+Json json_of(const AnimationRow& row) {
+    return {{"frame", row.first},
+            {"one_grid", json_of(row.together)},
+            {"grid_each", json_of(row.apart)},
+            {"saved_percent", row.saved_percent()},
+            {"beams_ms", row.beams_ms}};
 }
 
 }  // namespace
 
 int run_compare_animation(const CompareCommand& command, const PrintedAnimation& animation) {
-    const auto settings = read_compared_settings(
-        command, std::string(animation.name) + " is an animation", "16", 300);
+    const auto settings =
+        read_compared_settings(command, animation.name + " is an animation", "16", 300);
     if (!settings) return report(settings.error());
     auto compared = compared_scene(animation.formula, animation.domain, *settings);
     if (!compared) return report(compared.error());
-    const bool prints = command.json != "-";
-    if (command.json && prints) {
-        if (auto writable = check_writable(*command.json); !writable)
-            return report_run_time(writable.error().message);
-    }
+    const CompareOutput output(command.json);
+    if (const auto message = output.unwritable()) return report_run_time(*message);
     constexpr int frames = 20;
     AnimatedScene animated(animation, std::move(compared->scene), compared->camera,
                            settings->settings, settings->size_px, frames);
-    if (prints) print_heading(animation, settings->size_px, settings->settings);
-    std::vector<AnimationRow> rows;
+    output.print(heading_text(animation, *settings));
+    Json rows = Json::array();
     for (int first = 0; first < frames; first += animation.n) {
-        rows.push_back(animated.measured(first));
-        if (prints) print_row(rows.back());
+        rows.push_back(json_of(animated.measured(first)));
+        output.print(row_line(animation_columns(), rows.back()));
     }
-    if (!command.json) return exit_ok;
-    const auto written = write_text(*command.json, json_of(animation, rows).dump(2) + "\n");
-    return written ? exit_ok : report_run_time(written.error().message);
+    return output.finish({{"table", animation.name},
+                          {"source", animation.source},
+                          {"note", animation.note},
+                          {"n", animation.n},
+                          {"printed_percent", animation.printed_percent},
+                          {"rows", rows}});
 }
 
 }  // namespace zeroset

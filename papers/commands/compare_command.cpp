@@ -1,24 +1,22 @@
 #include "app/cli/bench_suite.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/text.hpp"
-#include "engine/export/file.hpp"
 #include "engine/render/tracers.hpp"
 #include "papers/commands/compare_animation.hpp"
+#include "papers/commands/compare_output.hpp"
 #include "papers/commands/compare_shadows.hpp"
 #include "papers/commands/compare_subject.hpp"
 #include "papers/commands/compare_voxels.hpp"
 #include "papers/commands/paper_commands.hpp"
-#include "papers/compare/animations.hpp"
 #include "papers/compare/compared_row.hpp"
-#include "papers/compare/plot.hpp"
 #include "papers/compare/printed_tables.hpp"
-#include "papers/compare/shadow_scenes.hpp"
-#include "papers/compare/voxel_tables.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +35,6 @@ struct ComparePlan {
     std::vector<BenchItem> items;
     std::vector<Measurement> measurements;
     bool all_tracers = false;  ///< those that draw a surface
-    std::optional<PlotFormat> plot;
 };
 
 /// The texts between commas.
@@ -51,47 +48,39 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     return parts;
 }
 
-/// A member of the printed values, each value of it once, in their order.
-template <class Of>
-std::vector<std::string> printed(const PrintedTable& table, const Of& of) {
-    std::vector<std::string> all;
-    for (const PrintedValue& value : table.values) {
-        const std::string text(of(value));
-        if (std::ranges::find(all, text) == all.end()) all.push_back(text);
+/// A member of the table's columns or rows, each value of it once, in their order.
+template <class Item, class Member>
+std::vector<Member> distinct(const std::vector<Item>& items, Member Item::* member) {
+    std::vector<Member> all;
+    for (const Item& item : items) {
+        if (std::ranges::find(all, item.*member) == all.end()) all.push_back(item.*member);
     }
     return all;
 }
 
-/// The tracers of the table, behind the usual one, which all are compared with.
-std::vector<std::string> usual_tracers(const PrintedTable& table) {
-    std::vector<std::string> names{std::string(usual_tracer().name)};
-    for (std::string& name : printed(table, [](const auto& value) { return value.tracer; }))
-        names.push_back(std::move(name));
-    return names;
-}
-
 OrInputError<const PrintedTable*> table_of(const CompareCommand& command) {
-    if (!command.table) return &printed_tables().front();
-    if (const PrintedTable* const table = find_printed_table(*command.table)) return table;
+    const PrintedTables& all = printed_tables();
+    if (!command.table) return &all.tables.front();
+    if (const PrintedTable* const table = find_named(all.tables, *command.table)) return table;
     std::string names;
-    for (const PrintedTable& table : printed_tables())
-        names += " " + std::string(table.name);
-    for (const PrintedAnimation& animation : printed_animations())
-        names += " " + std::string(animation.name);
-    names += " " + std::string(shadow_table().name);
-    for (const VoxelTable& voxels : voxel_tables())
-        names += " " + std::string(voxels.name);
+    const auto add_names = [&](const auto& items) {
+        for (const auto& item : items)
+            names += " " + item.name;
+    };
+    add_names(all.tables);
+    add_names(all.animations);
+    add_names(std::span(&all.shadows, 1));
+    add_names(all.voxel_tables);
     return wrong_input(*command.table + ": there is no such table; type one of:" + names);
 }
 
 /// The gallery's surfaces from papers, and those of the table alone.
 std::vector<BenchItem> suite_of(const PrintedTable& table) {
     std::vector<BenchItem> suite = gallery_suite();
-    for (const PrintedSurface& surface : table.surfaces) {
-        BenchItem& added = suite.emplace_back(std::string(surface.name),
-                                              read_document_text(std::string(surface.formula)));
-        added.read.document.clip = Box::cube(surface.domain);
-        added.read.document.camera = suite_camera(surface.domain);
+    for (const PrintedScene& scene : table.scenes) {
+        BenchItem& added = suite.emplace_back(scene.name, read_document_text(scene.formula));
+        added.read.document.clip = Box::cube(scene.domain);
+        added.read.document.camera = suite_camera(scene.domain);
     }
     return suite;
 }
@@ -100,9 +89,9 @@ OrInputError<std::vector<BenchItem>> items_of(const CompareCommand& command,
                                               const PrintedTable& table) {
     std::vector<BenchItem> suite = suite_of(table);
     if (command.surfaces == "all") return suite;
-    const std::vector<std::string> names =
-        command.surfaces ? split_at_commas(*command.surfaces)
-                         : printed(table, [](const auto& value) { return value.surface; });
+    const std::vector<std::string> names = command.surfaces
+                                               ? split_at_commas(*command.surfaces)
+                                               : distinct(table.rows, &PrintedRow::surface);
     std::vector<BenchItem> items;
     for (const std::string& name : names) {
         const auto found = std::ranges::find(suite, name, &BenchItem::name);
@@ -118,12 +107,17 @@ OrInputError<std::vector<BenchItem>> items_of(const CompareCommand& command,
     return items;
 }
 
+/// The usual one, which all are compared with, comes before those of the table.
 std::vector<std::string> tracers_of(const CompareCommand& command, const PrintedTable& table) {
-    if (!command.tracers) return usual_tracers(table);
-    if (*command.tracers != "all") return split_at_commas(*command.tracers);
+    if (command.tracers && *command.tracers != "all") return split_at_commas(*command.tracers);
     std::vector<std::string> names;
-    for (const Tracer& tracer : tracers())
-        names.emplace_back(tracer.name);
+    if (command.tracers) {
+        for (const Tracer& tracer : tracers())
+            names.emplace_back(tracer.name);
+    } else {
+        names = distinct(table.columns, &PrintedColumn::tracer);
+        names.insert(names.begin(), std::string(usual_tracer().name));
+    }
     return names;
 }
 
@@ -146,19 +140,20 @@ OrInputError<Measurement> measurement(const std::string& tracer, const std::stri
 
 OrInputError<std::vector<Measurement>> measurements_of(const CompareCommand& command,
                                                        const PrintedTable& table) {
-    const std::vector<std::string> depths =
-        command.d_stop
-            ? split_at_commas(*command.d_stop)
-            : printed(table, [](const auto& value) { return std::to_string(value.d_stop); });
-    const std::vector<std::string> reflections =
-        printed(table, [](const auto& value) { return std::to_string(value.reflections); });
+    std::vector<std::string> depths;
+    if (command.d_stop) {
+        depths = split_at_commas(*command.d_stop);
+    } else {
+        for (const int d_stop : distinct(table.columns, &PrintedColumn::d_stop))
+            depths.push_back(std::to_string(d_stop));
+    }
     std::vector<Measurement> all;
     for (const std::string& depth : depths) {
-        for (const std::string& mirrors : reflections) {
+        for (const int reflections : distinct(table.columns, &PrintedColumn::reflections)) {
             for (const std::string& name : tracers_of(command, table)) {
                 auto made = measurement(name, depth, command);
                 if (!made) return std::unexpected(made.error());
-                made->settings.reflections = std::atoi(mirrors.c_str());
+                made->settings.reflections = reflections;
                 all.push_back(std::move(*made));
             }
         }
@@ -181,13 +176,11 @@ OrInputError<ComparePlan> plan_of(const CompareCommand& command) {
     if (!frames) return std::unexpected(frames.error());
     plan.frames = *frames;
     plan.frames.table = *table;
-    const auto plot = read_plot(command);
-    if (!plot) return std::unexpected(plot.error());
-    plan.plot = *plot;
     return plan;
 }
 
-OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan, bool prints) {
+OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan,
+                                                   const CompareOutput& output) {
     std::vector<ComparedRow> rows;
     for (const BenchItem& item : plan.items) {
         auto subject = CompareSubject::make(item, plan.frames);
@@ -202,58 +195,41 @@ OrInputError<std::vector<ComparedRow>> measure_all(const ComparePlan& plan, bool
             of_surface.push_back(subject->measured(how.wanted_d_stop, how.settings, plan.frames));
         }
         set_times(of_surface);
-        for (const ComparedRow& row : of_surface) {
-            if (prints) print(row_text(row));
-        }
+        for (const ComparedRow& row : of_surface)
+            output.print(row_text(row));
         std::ranges::move(of_surface, std::back_inserter(rows));
     }
     return rows;
 }
 
-/// The first file that cannot be written, as a message.
-std::optional<std::string> unwritable(const CompareCommand& command) {
-    for (const auto* const file : {&command.json, &command.plot}) {
-        if (!*file || **file == "-") continue;
-        if (auto writable = check_writable(**file); !writable) return writable.error().message;
-    }
-    return std::nullopt;
-}
-
-}  // namespace
-
-int run_compare(const CompareCommand& command) {
-    if (command.table) {
-        if (const PrintedAnimation* const animation = find_printed_animation(*command.table))
-            return run_compare_animation(command, *animation);
-        if (*command.table == shadow_table().name) return run_compare_shadows(command);
-    }
-    if (command.table) {
-        if (const VoxelTable* const table = find_voxel_table(*command.table))
-            return run_compare_voxels(command, *table);
-    }
+/// Compares with a table of times of frames.
+int run_compare_frames(const CompareCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
-    if (const auto message = unwritable(command)) return report_run_time(*message);
-    const bool prints = command.json != "-";
+    const CompareOutput output(command.json);
+    if (const auto message = output.unwritable()) return report_run_time(*message);
     const Comparison comparison{.table = plan->frames.table,
                                 .width = plan->frames.size.width,
                                 .height = plan->frames.size.height,
                                 .threads = plan->measurements.front().settings.threads,
                                 .repeats = plan->frames.repeats};
-    if (prints) print(heading_text(comparison));
-    const auto rows = measure_all(*plan, prints);
+    output.print(heading_text(comparison));
+    const auto rows = measure_all(*plan, output);
     if (!rows) return report(rows.error());
-    if (prints) {
-        if (plan->items.size() > 1) print(means_text(*rows));
-        print(boxes_text(comparison, *rows));
-    }
-    if (command.json) {
-        const auto written = write_text(*command.json, comparison_json(comparison, *rows));
-        if (!written) return report_run_time(written.error().message);
-    }
-    if (!command.plot) return exit_ok;
-    const auto drawn = write_plot(*command.plot, *plan->plot, comparison, *rows);
-    return drawn ? exit_ok : report_run_time(drawn.error());
+    return output.finish(json_of(comparison, *rows));
+}
+
+}  // namespace
+
+int run_compare(const CompareCommand& command) {
+    const PrintedTables& all = printed_tables();
+    const std::string table = command.table.value_or("");
+    if (const auto* const animation = find_named(all.animations, table))
+        return run_compare_animation(command, *animation);
+    if (const auto* const voxels = find_named(all.voxel_tables, table))
+        return run_compare_voxels(command, *voxels);
+    if (table == all.shadows.name) return run_compare_shadows(command);
+    return run_compare_frames(command);
 }
 
 }  // namespace zeroset

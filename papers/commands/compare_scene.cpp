@@ -12,12 +12,11 @@ namespace {
 
 /// The first option that tables alone have, as it is typed; nullptr: there is none.
 const char* unfit_option(const CompareCommand& command) {
-    const std::array<std::pair<const std::optional<std::string>*, const char*>, 5> options{
+    const std::array<std::pair<const std::optional<std::string>*, const char*>, 4> options{
         {{&command.surfaces, "--surface"},
          {&command.tracers, "--tracer"},
          {&command.repeat, "--repeat"},
-         {&command.budget, "--budget"},
-         {&command.plot, "--plot"}}};
+         {&command.budget, "--budget"}}};
     for (const auto& [value, name] : options) {
         if (*value) return name;
     }

@@ -2,15 +2,16 @@
 
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
-#include "engine/export/file.hpp"
 #include "engine/light/shade.hpp"
 #include "engine/light/shadow.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/tile_grid.hpp"
+#include "papers/commands/compare_output.hpp"
 #include "papers/commands/compare_scene.hpp"
-#include "papers/compare/shadow_scenes.hpp"
+#include "papers/compare/printed_tables.hpp"
+#include "papers/compare/text_columns.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +31,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<ShadowWay, const char*>, 3> ways{
-    {{ShadowWay::Beams, "beams"}, {ShadowWay::Boxes, "boxes"}, {ShadowWay::Rays, "rays"}}};
+/// The centres of a tile's pixels as places of its own, with which shadows are found by single
+/// rays.
+struct CentrePlaces {
+    std::array<float, tile_pixels> col{}, row{};
+
+    CentrePlaces() {
+        for (std::size_t at = 0; at < tile_pixels; ++at) {
+            col[at] = static_cast<float>(at % tile_size);
+            row[at] = static_cast<float>(at / tile_size);
+        }
+    }
+};
 
 std::uint64_t count(const TileBits& bits) {
     std::uint64_t sum = 0;
@@ -52,12 +63,10 @@ std::uint64_t differences(const ShadowBits& a, const ShadowBits& b, bool of_prov
 
 /// The figures of one way to find the shadows of a picture.
 struct ShadowRow {
-    std::string scene, way;
     double ms = 0.0;  ///< the median
-    std::uint64_t hits = 0, dark = 0, unproved = 0, single_rays = 0;
+    std::uint64_t hits = 0, dark = 0, unproved = 0;
     double cells_per_hit = 0.0;
-    std::uint64_t differing = 0, refuted = 0;  ///< pixels, against the first way
-    double times = 1.0;                        ///< the time over that of single rays
+    std::uint64_t differing = 0, refuted = 0;  ///< pixels, against beams
 };
 
 /// A surface as beams see it, tile by tile, ready for questions about its shadows.
@@ -80,39 +89,40 @@ public:
         }
     }
 
-    ShadowRow measured(const std::string& scene, ShadowWay way, const char* name) {
+    /// By beams, and then by single rays.
+    ShadowRow measured(bool singly) {
         constexpr int repeats = 3;
         ShadowRow row;
         std::array<double, repeats> times{};
         for (double& ms : times)
-            ms = find(way, row);
+            ms = find(singly, row);
         std::ranges::sort(times);
         row.ms = times[repeats / 2];
-        row.scene = scene;
-        row.way = name;
         return row;
     }
 
 private:
     /// Finds the shadows of all tiles; the time.
-    double find(ShadowWay way, ShadowRow& row) {
+    double find(bool singly, ShadowRow& row) {
         const UpwardRegisters upward;
+        const RayPlaces places{.col = centres_.col.data(), .row = centres_.row.data()};
         row = {};
         double ms = 0.0;
         Counters counters;
         for (std::size_t i = 0; i < grid_.size(); ++i) {
             LitTile lit;
             lit.begin(std::span(hits_).subspan(i, 1));
+            Tile tile = grid_.tile(i);
+            if (singly) tile.places = &places;
             const auto start = std::chrono::steady_clock::now();
-            const ShadowBits found = find_shadows(std::span(&frame_, 1), key_light(view_), {},
-                                                  grid_.tile(i), lit.layers(), counters, way);
+            const ShadowBits found = find_shadows(std::span(&frame_, 1), key_light(view_), {}, tile,
+                                                  lit.layers(), counters);
             ms += ms_since(start);
-            if (way == ways.front().first) first_[i] = found;
+            if (!singly) first_[i] = found;
             row.hits += static_cast<std::uint64_t>(
                 std::ranges::count_if(hits_[i].depth, [](float t) { return std::isfinite(t); }));
             row.dark += count(found.dark);
             row.unproved += count(found.unproved);
-            row.single_rays += found.single_rays;
             row.differing += differences(found, first_[i], false);
             row.refuted += differences(found, first_[i], true);
         }
@@ -126,97 +136,82 @@ private:
     TraceFrame frame_;
     TileGrid grid_;
     std::vector<TileHits> hits_;     ///< of each tile
-    std::vector<ShadowBits> first_;  ///< by the first way
+    std::vector<ShadowBits> first_;  ///< by beams
+    CentrePlaces centres_;
 };
 
-void print_heading(const ComparedSettings& settings) {
-    const ShadowTable& table = shadow_table();
-    std::printf(
-        "%s; %s.\nPrinted: %.0f minutes by single rays, %.0f with boxes.\nHere %dx%d, 1 thread, "
-        "medians of 3: shadows alone, of what beams show. Boxes of 8 x 8 hits are rejected by "
-        "beams, else single rays;\nx: times single rays; refuted: pixels of which two ways have "
-        "proved unlike things.\n\n",
-        std::string(table.source).c_str(), std::string(table.note).c_str(), table.printed_rays_min,
-        table.printed_boxes_min, settings.size_px, settings.size_px);
-    std::printf("%-12s %-6s %9s %7s %8s %8s %9s %12s %10s %10s %8s\n", "surface", "way", "ms", "x",
-                "hits", "dark", "unproved", "single rays", "cells/hit", "differing", "refuted");
+const std::array<TextColumn, 10>& shadow_columns() {
+    static const std::array<TextColumn, 10> all{{{"surface", "/surface", -12},
+                                                 {"way", "/way", -6},
+                                                 {"ms", "/ms", 9, 2},
+                                                 {"x", "/times", 7, 2},
+                                                 {"hits", "/hits", 8},
+                                                 {"dark", "/dark", 8},
+                                                 {"unproved", "/unproved", 9},
+                                                 {"cells/hit", "/cells_per_hit", 10, 2},
+                                                 {"differing", "/differing", 10},
+                                                 {"refuted", "/refuted", 8}}};
+    return all;
 }
 
-void print_row(const ShadowRow& row) {
-    std::printf(
-        "%-12s %-6s %9.2f %7.2f %8llu %8llu %9llu %12llu %10.2f %10llu %8llu\n", row.scene.c_str(),
-        row.way.c_str(), row.ms, row.times, static_cast<unsigned long long>(row.hits),
-        static_cast<unsigned long long>(row.dark), static_cast<unsigned long long>(row.unproved),
-        static_cast<unsigned long long>(row.single_rays), row.cells_per_hit,
-        static_cast<unsigned long long>(row.differing),
-        static_cast<unsigned long long>(row.refuted));
-    std::fflush(stdout);
+std::string heading_text(const ShadowTable& table, int size_px) {
+    return table.source + "; " + table.note +
+           formatted(
+               ".\nPrinted: %.0f minutes by single rays, %.0f with boxes.\nHere %dx%d, 1 thread, "
+               "medians of 3: shadows alone, of what beams show; x: times single rays; refuted: "
+               "pixels of which\nthe two ways have proved unlike things.\n\n",
+               table.printed_rays_min, table.printed_boxes_min, size_px, size_px) +
+           title_line(shadow_columns());
 }
 
-Json json_of(const std::vector<ShadowRow>& rows) {
-    Json json_rows = Json::array();
-    for (const ShadowRow& row : rows)
-        json_rows.push_back({{"surface", row.scene},
-                             {"way", row.way},
-                             {"ms", row.ms},
-                             {"times", row.times},
-                             {"hits", row.hits},
-                             {"dark", row.dark},
-                             {"unproved", row.unproved},
-                             {"single_rays", row.single_rays},
-                             {"cells_per_hit", row.cells_per_hit},
-                             {"differing", row.differing},
-                             {"refuted", row.refuted}});
-    const ShadowTable& table = shadow_table();
-    return {
-        {"table", table.name},
-        {"source", table.source},
-        {"note", table.note},
-        {"printed_minutes", {{"rays", table.printed_rays_min}, {"boxes", table.printed_boxes_min}}},
-        {"rows", json_rows}};
-}
-
-/// The rows of a scene, one for each way.
-std::vector<ShadowRow> rows_of(const ShadowScene& scene, const ComparedScene& compared,
-                               const ComparedSettings& settings) {
+/// The rows of a scene: by beams, by single rays.
+std::array<Json, 2> rows_of(const PrintedScene& scene, const ComparedScene& compared,
+                            const ComparedSettings& settings) {
     ShadowedPicture picture(compared, settings);
-    std::vector<ShadowRow> rows;
-    rows.reserve(ways.size());
-    for (const auto& [way, name] : ways)
-        rows.push_back(picture.measured(std::string(scene.name), way, name));
-    for (ShadowRow& row : rows)
-        row.times = row.ms / rows.back().ms;
-    return rows;
+    const std::array rows{picture.measured(false), picture.measured(true)};
+    const auto json_of = [&](const char* way, const ShadowRow& row) -> Json {
+        return {{"surface", scene.name},
+                {"way", way},
+                {"ms", row.ms},
+                {"times", row.ms / rows[1].ms},
+                {"hits", row.hits},
+                {"dark", row.dark},
+                {"unproved", row.unproved},
+                {"cells_per_hit", row.cells_per_hit},
+                {"differing", row.differing},
+                {"refuted", row.refuted}};
+    };
+    return {json_of("beams", rows[0]), json_of("rays", rows[1])};
 }
 
 }  // namespace
 
 int run_compare_shadows(const CompareCommand& command) {
-    const ShadowTable& table = shadow_table();
-    const std::string name(table.name);
+    const ShadowTable& table = printed_tables().shadows;
     if (command.threads && *command.threads != "1")
-        return report({.reason = "--threads: " + name + " runs on one; leave the option out"});
+        return report(
+            {.reason = "--threads: " + table.name + " runs on one; leave the option out"});
     const auto settings =
-        read_compared_settings(command, name + " is of shadows", "16", table.size_px);
+        read_compared_settings(command, table.name + " is of shadows", "16", table.size_px);
     if (!settings) return report(settings.error());
-    const bool prints = command.json != "-";
-    if (command.json && prints) {
-        if (auto writable = check_writable(*command.json); !writable)
-            return report_run_time(writable.error().message);
-    }
-    if (prints) print_heading(*settings);
-    std::vector<ShadowRow> rows;
-    for (const ShadowScene& scene : table.scenes) {
+    const CompareOutput output(command.json);
+    if (const auto message = output.unwritable()) return report_run_time(*message);
+    output.print(heading_text(table, settings->size_px));
+    Json rows = Json::array();
+    for (const PrintedScene& scene : table.scenes) {
         const auto compared = compared_scene(scene.formula, scene.domain, *settings);
         if (!compared) return report(compared.error());
-        for (ShadowRow& row : rows_of(scene, *compared, *settings)) {
-            if (prints) print_row(row);
+        for (Json& row : rows_of(scene, *compared, *settings)) {
+            output.print(row_line(shadow_columns(), row));
             rows.push_back(std::move(row));
         }
     }
-    if (!command.json) return exit_ok;
-    const auto written = write_text(*command.json, json_of(rows).dump(2) + "\n");
-    return written ? exit_ok : report_run_time(written.error().message);
+    return output.finish({{"table", table.name},
+                          {"source", table.source},
+                          {"note", table.note},
+                          {"printed_minutes",
+                           {{"rays", table.printed_rays_min}, {"boxes", table.printed_boxes_min}}},
+                          {"rows", rows}});
 }
 
 }  // namespace zeroset

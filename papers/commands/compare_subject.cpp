@@ -47,14 +47,6 @@ OrInputError<CompareFrames> read_frames(const CompareCommand& command,
     return frames;
 }
 
-OrInputError<std::optional<PlotFormat>> read_plot(const CompareCommand& command) {
-    if (!command.plot) return std::nullopt;
-    const auto format = plot_format(*command.plot);
-    if (!format)
-        return wrong_input("--plot " + *command.plot + ": type a name ending in .svg or .png");
-    return format;
-}
-
 CompareSubject::CompareSubject(std::string name, PictureRequest request)
     : name_(std::move(name)),
       request_(std::move(request)),
@@ -98,6 +90,7 @@ ComparedRow CompareSubject::measured(int wanted_d_stop, const TraceSettings& set
     row.prepared_ms = prepared_ms(scene, settings, frame);
     const FrameTiming timing =
         draw(scene, settings, {.count = frames.repeats, .warm_up = true}, frames.budget_s, frame);
+    row.repeats = frames.repeats;
     row.median_ms = timing.median_ms;
     row.min_ms = timing.min_ms;
     row.max_ms = timing.max_ms;

@@ -9,7 +9,6 @@
 #include "engine/view/camera.hpp"
 #include "papers/commands/paper_commands.hpp"
 #include "papers/compare/compared_row.hpp"
-#include "papers/compare/plot.hpp"
 #include "papers/compare/printed_tables.hpp"
 #include "pipeline/picture_request.hpp"
 
@@ -29,8 +28,6 @@ struct CompareFrames {
 /// The typed numbers of frames, or the usual ones.
 OrInputError<CompareFrames> read_frames(const CompareCommand& command,
                                         const std::string& usual_size);
-/// The format of the wanted plot; nothing: none is wanted.
-OrInputError<std::optional<PlotFormat>> read_plot(const CompareCommand& command);
 
 /// A surface, ready to be drawn by tracers that are compared.
 class CompareSubject {

@@ -2,17 +2,17 @@
 
 #include "app/cli/bench_suite.hpp"
 #include "app/cli/report.hpp"
-#include "engine/export/file.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/trace/trace_frame.hpp"
+#include "papers/commands/compare_output.hpp"
 #include "papers/commands/compare_subject.hpp"
-#include "papers/compare/plot.hpp"
+#include "papers/compare/text_columns.hpp"
 #include "papers/compare/voxel_rows.hpp"
 #include "papers/voxels/collect_voxels.hpp"
 #include "pipeline/volume_source.hpp"
 
-#include <cstdio>
-#include <iterator>
+#include <nlohmann/json.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +26,7 @@ constexpr std::size_t rays_at_once = 256;
 struct VoxelPlan {
     CompareFrames frames;
     TraceSettings settings;
-    std::vector<VoxelScene> scenes;
-    std::optional<PlotFormat> plot;
+    std::vector<PrintedScene> scenes;
 };
 
 /// The rows of a table: of single voxels, and of frames of the scenes.
@@ -36,14 +35,13 @@ struct VoxelResult {
     std::vector<ComparedRow> frames;
 };
 
-OrInputError<std::vector<VoxelScene>> scenes_of(const CompareCommand& command) {
-    const auto all = voxel_scenes();
-    if (!command.surfaces || command.surfaces == "all")
-        return std::vector<VoxelScene>(all.begin(), all.end());
+OrInputError<std::vector<PrintedScene>> scenes_of(const CompareCommand& command) {
+    const std::vector<PrintedScene>& all = printed_tables().voxel_scenes;
+    if (!command.surfaces || command.surfaces == "all") return all;
     std::string names;
-    for (const VoxelScene& scene : all) {
+    for (const PrintedScene& scene : all) {
         if (scene.name == *command.surfaces) return std::vector{scene};
-        names += " " + std::string(scene.name);
+        names += " " + scene.name;
     }
     return wrong_input("--surface " + *command.surfaces +
                        ": there is no such scene; type all, or one of:" + names);
@@ -51,7 +49,7 @@ OrInputError<std::vector<VoxelScene>> scenes_of(const CompareCommand& command) {
 
 /// An error for an option that the table has no use for.
 std::optional<InputError> refused(const CompareCommand& command, const VoxelTable& table) {
-    const std::string has = std::string(table.name) + ": it has ";
+    const std::string has = table.name + ": it has ";
     if (command.tracers)
         return InputError{.reason = has + "all methods of the paper and beams; leave out --tracer"};
     if (!table.synthetic) return std::nullopt;
@@ -80,28 +78,26 @@ OrInputError<VoxelPlan> plan_of(const CompareCommand& command, const VoxelTable&
     auto settings = read_trace_settings(text);
     if (!settings) return std::unexpected(settings.error());
     plan.settings = std::move(*settings);
-    const auto plot = read_plot(command);
-    if (!plot) return std::unexpected(plot.error());
-    plan.plot = *plot;
     return plan;
 }
 
 /// Adds a row for each method of the table.
 void measure_voxels(const VoxelTable& table, const std::string& scene,
-                    const std::vector<VoxelRays>& voxels, bool prints, VoxelResult& result) {
+                    const std::vector<VoxelRays>& voxels, const CompareOutput& output,
+                    VoxelResult& result) {
     const auto proved = proved_roots(voxels);
     for (const PrintedVoxels& printed : table.rows) {
         VoxelRow& row = result.rows.emplace_back(measured_voxels(table, printed, voxels, proved));
         row.scene = scene;
-        if (prints) print(voxel_row_text(table, row));
+        output.print(voxel_row_text(table, row));
     }
 }
 
-BenchItem item_of(const VoxelScene& scene) {
-    BenchItem item{.name = std::string(scene.name),
-                   .read = read_document_text(std::string(scene.formula), volume_source({}))};
-    item.read.document.clip = Box::cube(scene.half_edge);
-    item.read.document.camera = suite_camera(scene.half_edge);
+BenchItem item_of(const PrintedScene& scene) {
+    BenchItem item{.name = scene.name,
+                   .read = read_document_text(scene.formula, volume_source({}))};
+    item.read.document.clip = Box::cube(scene.domain);
+    item.read.document.camera = suite_camera(scene.domain);
     return item;
 }
 
@@ -121,41 +117,38 @@ void measure_frames(const VoxelTable& table, const CompareSubject& subject, cons
     TraceSettings settings = plan.settings;
     result.frames.push_back(subject.measured(d_stop, settings, plan.frames));
     for (const PrintedVoxels& printed : table.rows) {
-        settings.tracer = printed.name;
-        if (table.rays == RaysAtOnce::Packet) settings.tracer += "-packets";
+        settings.tracer = name_of(printed.method);
         result.frames.push_back(subject.measured(d_stop, settings, plan.frames));
     }
 }
 
-OrInputError<VoxelResult> measure(const VoxelTable& table, const VoxelPlan& plan, bool prints) {
+OrInputError<VoxelResult> measure(const VoxelTable& table, const VoxelPlan& plan,
+                                  const CompareOutput& output) {
     VoxelResult result;
     if (table.synthetic) {
         constexpr std::size_t rays = std::size_t{256} * 256;
-        measure_voxels(table, "synthetic", synthetic_voxels(rays, rays_at_once), prints, result);
+        measure_voxels(table, "synthetic", synthetic_voxels(rays, rays_at_once), output, result);
         return result;
     }
-    for (const VoxelScene& scene : plan.scenes) {
+    for (const PrintedScene& scene : plan.scenes) {
         const auto subject = CompareSubject::make(item_of(scene), plan.frames);
         if (!subject) return std::unexpected(subject.error());
-        measure_voxels(table, std::string(scene.name), voxels_of(*subject, plan), prints, result);
+        measure_voxels(table, scene.name, voxels_of(*subject, plan), output, result);
         measure_frames(table, *subject, plan, result);
     }
     return result;
 }
 
 /// Frames by beams and by the methods.
-void print_frames(const VoxelPlan& plan, const std::vector<ComparedRow>& frames) {
-    if (frames.empty()) return;
-    std::printf(
-        "\nFrames of %dx%d, %d thread(s), medians of %d; pixels unlike those proved by beams at "
-        "d_stop 22: missed, added, moved.\n\n%-15s %-17s %9s %9s %8s %8s %8s %9s\n",
-        plan.frames.size.width, plan.frames.size.height, plan.settings.threads, plan.frames.repeats,
-        "scene", "tracer", "ms", "fps", "missed", "added", "moved", "certified");
-    for (const ComparedRow& frame : frames)
-        std::printf("%-15s %-17s %9.2f %9.1f %8zu %8zu %8zu %9zu\n", frame.surface.c_str(),
-                    frame.tracer.c_str(), frame.median_ms, 1000 / frame.median_ms,
-                    frame.wrong.missed, frame.wrong.added, frame.wrong.moved,
-                    frame.counts.certified);
+std::string frames_text(const VoxelPlan& plan, const std::vector<ComparedRow>& frames) {
+    if (frames.empty()) return {};
+    return formatted(
+               "\nFrames of %dx%d, %d thread(s), medians of %d; pixels unlike those proved by "
+               "beams "
+               "at d_stop 22: missed, added, moved.\n\n",
+               plan.frames.size.width, plan.frames.size.height, plan.settings.threads,
+               plan.frames.repeats) +
+           voxel_frames_text(frames);
 }
 
 }  // namespace
@@ -163,28 +156,13 @@ void print_frames(const VoxelPlan& plan, const std::vector<ComparedRow>& frames)
 int run_compare_voxels(const CompareCommand& command, const VoxelTable& table) {
     const auto plan = plan_of(command, table);
     if (!plan) return report(plan.error());
-    if (const auto message = first_unwritable({command.json, command.plot}))
-        return report_run_time(*message);
-    const bool prints = command.json != "-";
-    if (prints) print(voxel_heading_text(table));
-    const auto result = measure(table, *plan, prints);
+    const CompareOutput output(command.json);
+    if (const auto message = output.unwritable()) return report_run_time(*message);
+    output.print(voxel_heading_text(table));
+    const auto result = measure(table, *plan, output);
     if (!result) return report(result.error());
-    if (prints) print_frames(*plan, result->frames);
-    if (command.json) {
-        const auto written =
-            write_text(*command.json, voxels_json(table, result->rows, result->frames));
-        if (!written) return report_run_time(written.error().message);
-    }
-    if (!command.plot) return exit_ok;
-    const PrintedTable printed = plotted_table(table);
-    const Comparison comparison{.table = &printed,
-                                .width = table.synthetic ? 256 : plan->frames.size.width,
-                                .height = table.synthetic ? 256 : plan->frames.size.height,
-                                .threads = 1,
-                                .repeats = 1};
-    const auto drawn =
-        write_plot(*command.plot, *plan->plot, comparison, plotted_rows(table, result->rows));
-    return drawn ? exit_ok : report_run_time(drawn.error());
+    output.print(frames_text(*plan, result->frames));
+    return output.finish(json_of(table, result->rows, result->frames));
 }
 
 }  // namespace zeroset

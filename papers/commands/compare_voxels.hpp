@@ -1,7 +1,7 @@
 #pragma once
 
 #include "papers/commands/paper_commands.hpp"
-#include "papers/compare/voxel_tables.hpp"
+#include "papers/compare/printed_tables.hpp"
 
 namespace zeroset {
 

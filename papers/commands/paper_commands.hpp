@@ -12,7 +12,7 @@ namespace zeroset {
 /// Times tracers on a paper's surfaces, beside what it printed.
 struct CompareCommand {
     std::optional<std::string> table, surfaces, tracers, d_stop, threads, size, repeat, budget,
-        json, plot;
+        json;
 };
 int run_compare(const CompareCommand& command);
 

@@ -6,6 +6,8 @@
 #include "papers/compare/printed_tables.hpp"
 #include "papers/florez/box_tally.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,6 +27,7 @@ struct ComparedRow {
     int wanted_d_stop = 0;  ///< of the table
     int d_stop = 0;         ///< of the tracer: no more than it has
     int reflections = 0;
+    int repeats = 0;  ///< frames that were timed
     double median_ms = 0.0, min_ms = 0.0, max_ms = 0.0;
     Counters counters;            ///< of one frame
     ImageBoxCounters boxes;       ///< of one frame, where the tracer makes boxes of the image
@@ -53,33 +56,13 @@ struct ComparedRow {
 /// Fills in the times over those of the first tracer with a printed value.
 void set_times(std::vector<ComparedRow>& rows);
 
-/// The geometric mean of the times of a tracer's frames over all surfaces.
-struct ComparedMean {
-    int wanted_d_stop, reflections;
-    std::string tracer;
-    double ms;
-};
-std::vector<ComparedMean> means_of(const std::vector<ComparedRow>& rows);
-
-/// The boxes of an image with single rays, and what they save [Florez08, tables 5.1 to 5.4].
-struct BoxSaving {
-    const ComparedRow* boxes;     ///< the tracer with boxes
-    const ComparedRow* classic;   ///< single rays, in the same case
-    double rejected_ms, kept_ms;  ///< of single rays in the boxes that are rejected, and in others
-    double rays;                  ///< nine a pixel in undefined boxes, one in included ones
-    double rays_ms;               ///< those, with the boxes
-};
-/// One for each row with boxes whose single rays are among the rows, too.
-std::vector<BoxSaving> box_savings(const std::vector<ComparedRow>& rows);
-
-/// The text of a comparison: heading, a line for each row, what boxes save.
+/// The text of a comparison: heading, a line for each row.
 std::string heading_text(const Comparison& comparison);
 std::string row_text(const ComparedRow& row);
-std::string means_text(const std::vector<ComparedRow>& rows);
-/// Empty where no tracer has boxes.
-std::string boxes_text(const Comparison& comparison, const std::vector<ComparedRow>& rows);
 
+/// A row as JSON.
+nlohmann::ordered_json json_of(const ComparedRow& row);
 /// All of it as JSON.
-std::string comparison_json(const Comparison& comparison, const std::vector<ComparedRow>& rows);
+nlohmann::ordered_json json_of(const Comparison& comparison, const std::vector<ComparedRow>& rows);
 
 }  // namespace zeroset

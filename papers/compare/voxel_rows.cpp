@@ -1,6 +1,6 @@
 #include "papers/compare/voxel_rows.hpp"
 
-#include "papers/compare/formatted.hpp"
+#include "papers/compare/text_columns.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,10 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <limits>
-#include <numeric>
 #include <random>
 
 namespace zeroset {
@@ -46,13 +43,44 @@ VoxelRay random_ray(unsigned corners, std::mt19937& random) {
     return ray;
 }
 
-double mean_of(const std::array<double, 3>& figures) {
-    return std::accumulate(figures.begin(), figures.end(), 0.0) / 3;
+std::vector<TextColumn> columns_of(const VoxelTable& table) {
+    std::vector<TextColumn> columns{{"scene", "/scene", -15},
+                                    {"method", "/method", -10},
+                                    {"min", "/millions_per_s/min", 8, 2},
+                                    {"max", "/millions_per_s/max", 8, 2},
+                                    {"avg", "/millions_per_s/avg", 8, 2}};
+    for (const std::string& printed : table.columns)
+        columns.emplace_back(printed, "/printed/" + printed, 9, 2);
+    columns.insert(columns.end(), {{"voxels", "/voxels", 9},
+                                   {"roots", "/roots", 9},
+                                   {"missed", "/of_1000/missed", 8, 2},
+                                   {"added", "/of_1000/added", 8, 2},
+                                   {"moved", "/of_1000/moved", 8, 2}});
+    return columns;
 }
 
-/// The figure that a plot shows: of tables of speeds the mean, of those of scenes that of all.
-double plotted_figure(const VoxelTable& table, const PrintedVoxels& printed) {
-    return table.synthetic ? printed.millions[2] : mean_of(printed.millions);
+Json json_of(const VoxelTable& table, const VoxelRow& row) {
+    const VoxelCounts& counts = row.counts;
+    const auto of_1000 = [&](std::size_t part) {
+        return 1000.0 * static_cast<double>(part) / static_cast<double>(counts.voxels);
+    };
+    Json printed;
+    for (std::size_t i = 0; i < 3; ++i)
+        printed[table.columns[i]] = row.printed->millions[i];
+    return {{"scene", row.scene},
+            {"method", name_of(row.printed->method)},
+            {"millions_per_s", {{"min", row.least}, {"max", row.most}, {"avg", row.mean}}},
+            {"printed", printed},
+            {"voxels", counts.voxels},
+            {"roots", counts.roots},
+            {"unknown", counts.unknown},
+            {"missed", counts.missed},
+            {"added", counts.added},
+            {"moved", counts.moved},
+            {"of_1000",
+             {{"missed", of_1000(counts.missed)},
+              {"added", of_1000(counts.added)},
+              {"moved", of_1000(counts.moved)}}}};
 }
 
 }  // namespace
@@ -126,49 +154,36 @@ VoxelRow measured_voxels(const VoxelTable& table, const PrintedVoxels& printed,
 }
 
 std::string voxel_heading_text(const VoxelTable& table) {
-    return std::string(table.source) + " (" + std::string(table.machine) +
-           "): " + std::string(table.note) +
+    return table.source + " (" + table.machine + "): " + table.note +
            ".\nMillions of intersections a second, here and as printed; voxels with a proved first "
            "root, and of those missed\nand moved (farther from it than a hundredth of a voxel's "
            "edge); added: a root where none is, in 1000 voxels each.\n\n" +
-           formatted("%-15s %-10s %8s %8s %8s  %8s %8s %8s %9s %9s %8s %8s %8s\n", "scene",
-                     "method", "min", "max", "avg", std::string(table.columns[0]).c_str(),
-                     std::string(table.columns[1]).c_str(), std::string(table.columns[2]).c_str(),
-                     "voxels", "roots", "missed", "added", "moved");
+           title_line(columns_of(table));
 }
 
-std::string voxel_row_text(const VoxelTable& /*table*/, const VoxelRow& row) {
-    const VoxelCounts& counts = row.counts;
-    const auto& printed = row.printed->millions;
-    const auto share_of = [&](std::size_t part) {
-        return 1000.0 * static_cast<double>(part) / static_cast<double>(counts.voxels);
-    };
-    return formatted(
-        "%-15s %-10s %8.2f %8.2f %8.2f  %8.2f %8.2f %8.2f %9zu %9zu %8.2f %8.2f %8.2f\n",
-        row.scene.c_str(), std::string(row.printed->name).c_str(), row.least, row.most, row.mean,
-        printed[0], printed[1], printed[2], counts.voxels, counts.roots, share_of(counts.missed),
-        share_of(counts.added), share_of(counts.moved));
+std::string voxel_row_text(const VoxelTable& table, const VoxelRow& row) {
+    return row_line(columns_of(table), json_of(table, row));
 }
 
-std::string voxels_json(const VoxelTable& table, const std::vector<VoxelRow>& rows,
-                        const std::vector<ComparedRow>& frames) {
+std::string voxel_frames_text(const std::vector<ComparedRow>& frames) {
+    const std::array<TextColumn, 7> columns{{{"scene", "/surface", -15},
+                                             {"tracer", "/tracer", -17},
+                                             {"ms", "/frame_ms/median", 9, 2},
+                                             {"missed", "/missed", 8},
+                                             {"added", "/added", 8},
+                                             {"moved", "/moved", 8},
+                                             {"certified", "/certified", 9}}};
+    std::string text = title_line(columns);
+    for (const ComparedRow& frame : frames)
+        text += row_line(columns, json_of(frame));
+    return text;
+}
+
+Json json_of(const VoxelTable& table, const std::vector<VoxelRow>& rows,
+             const std::vector<ComparedRow>& frames) {
     Json json_rows = Json::array();
-    for (const VoxelRow& row : rows) {
-        Json printed;
-        for (std::size_t i = 0; i < 3; ++i)
-            printed[std::string(table.columns[i])] = row.printed->millions[i];
-        json_rows.push_back(
-            {{"scene", row.scene},
-             {"method", row.printed->name},
-             {"millions_per_s", {{"min", row.least}, {"max", row.most}, {"avg", row.mean}}},
-             {"printed", printed},
-             {"voxels", row.counts.voxels},
-             {"roots", row.counts.roots},
-             {"unknown", row.counts.unknown},
-             {"missed", row.counts.missed},
-             {"added", row.counts.added},
-             {"moved", row.counts.moved}});
-    }
+    for (const VoxelRow& row : rows)
+        json_rows.push_back(json_of(table, row));
     Json json_frames = Json::array();
     for (const ComparedRow& frame : frames)
         json_frames.push_back({{"scene", frame.surface},
@@ -177,36 +192,8 @@ std::string voxels_json(const VoxelTable& table, const std::vector<VoxelRow>& ro
                                {"missed", frame.wrong.missed},
                                {"added", frame.wrong.added},
                                {"moved", frame.wrong.moved}});
-    return Json{{"table", table.name}, {"source", table.source}, {"machine", table.machine},
-                {"note", table.note},  {"rows", json_rows},      {"frames", json_frames}}
-               .dump(2) +
-           "\n";
-}
-
-PrintedTable plotted_table(const VoxelTable& table) {
-    return {.name = table.name,
-            .source = table.source,
-            .machine = table.machine,
-            .note = table.note,
-            .unit = PrintedUnit::MillionsPerSecond,
-            .size_px = 256,
-            .values = {}};
-}
-
-std::vector<ComparedRow> plotted_rows(const VoxelTable& table, const std::vector<VoxelRow>& rows) {
-    std::vector<ComparedRow> plotted;
-    for (const VoxelRow& row : rows) {
-        ComparedRow& made = plotted.emplace_back();
-        made.surface = row.scene;
-        made.tracer = std::string(row.printed->name);
-        made.median_ms = made.min_ms = made.max_ms = 1000 / row.mean;
-        made.printed_ms = 1000 / plotted_figure(table, *row.printed);
-        made.of_table = true;
-        made.wrong.missed = row.counts.missed;
-        made.wrong.added = row.counts.added;
-    }
-    set_times(plotted);
-    return plotted;
+    return {{"table", table.name}, {"source", table.source}, {"machine", table.machine},
+            {"note", table.note},  {"rows", json_rows},      {"frames", json_frames}};
 }
 
 }  // namespace zeroset

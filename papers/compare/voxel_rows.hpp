@@ -1,12 +1,13 @@
 #pragma once
 
 #include "papers/compare/compared_row.hpp"
-#include "papers/compare/voxel_tables.hpp"
+#include "papers/compare/printed_tables.hpp"
 #include "papers/voxels/proved_root.hpp"
 #include "papers/voxels/voxel_ray.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,13 +50,9 @@ std::vector<ProvedRoot> proved_roots(std::span<const VoxelRays> voxels);
 
 std::string voxel_heading_text(const VoxelTable& table);
 std::string voxel_row_text(const VoxelTable& table, const VoxelRow& row);
-/// `frames`: of the table's scenes, by its methods and by beams; or empty.
-std::string voxels_json(const VoxelTable& table, const std::vector<VoxelRow>& rows,
-                        const std::vector<ComparedRow>& frames);
-
-/// The table and its rows as those of frames, for a plot: times are those of a million
-/// intersections, missed and added voxels take the place of pixels.
-PrintedTable plotted_table(const VoxelTable& table);
-std::vector<ComparedRow> plotted_rows(const VoxelTable& table, const std::vector<VoxelRow>& rows);
+/// Frames of the table's scenes by its methods and by beams, as lines with their titles.
+std::string voxel_frames_text(const std::vector<ComparedRow>& frames);
+nlohmann::ordered_json json_of(const VoxelTable& table, const std::vector<VoxelRow>& rows,
+                               const std::vector<ComparedRow>& frames);
 
 }  // namespace zeroset

@@ -16,7 +16,7 @@
 namespace zeroset {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 glm::dvec3 turned(const glm::dvec3& vector, unsigned sign_dir) {
     glm::dvec3 result = vector;
@@ -76,8 +76,8 @@ std::optional<OctreeRay> implicit_form(const ViewRay& seen, const RayReach& reac
     };
     ray.from = std::max(0.0, parameter(inside.enter_lo, -spare));
     ray.to = parameter(inside.exit_hi, spare);
-    ray.sure_from = std::isfinite(inside.enter_hi) ? parameter(inside.enter_hi, spare) : infinity;
-    ray.sure_to = std::isfinite(inside.exit_lo) ? parameter(inside.exit_lo, -spare) : -infinity;
+    ray.sure_from = std::isfinite(inside.enter_hi) ? parameter(inside.enter_hi, spare) : unbounded;
+    ray.sure_to = std::isfinite(inside.exit_lo) ? parameter(inside.exit_lo, -spare) : -unbounded;
     ray.limit = std::isfinite(reach.limit) ? parameter(reach.limit, spare) : reach.limit;
     if (!(ray.from < ray.to)) return std::nullopt;
     return ray;

@@ -1,9 +1,11 @@
 """Tests of `zeroset bench` and `zeroset compare`: suites, tables and figures."""
 
 import json
+import subprocess
+import sys
 from xml.etree import ElementTree
 
-from zeroset_program import ProgramTest, run
+from zeroset_program import SOURCE_DIR, ProgramTest, run
 
 
 class BenchTest(ProgramTest):
@@ -124,6 +126,14 @@ class CompareTest(ProgramTest):
         return json.loads(self.run_ok("compare", "--size", 40, "--repeat", 1, "--json", "-",
                                       *options).out)
 
+    def write(self, name, answer):
+        (self.folder / name).write_text(json.dumps(answer), encoding="utf-8")
+
+    def run_script(self, name, *arguments):
+        """Runs a script of the project in the test's folder; returns what it prints."""
+        return subprocess.run([sys.executable, SOURCE_DIR / "scripts" / name, *arguments], check=True,
+                              cwd=self.folder, stdout=subprocess.PIPE, text=True).stdout
+
     def test_a_papers_table_beside_its_printed_figures(self):
         answer = self.compare()
         self.assertEqual(answer["table"], "knoll-table-1")
@@ -186,8 +196,23 @@ class CompareTest(ProgramTest):
             self.assertGreater(boxes["rejected"]["boxes"], 0)
             self.assertEqual(boxes["included"]["boxes"] > 0, tracer == "florez-boxes")
             self.assertEqual((rows[tracer]["missed"], rows[tracer]["refuted"]), (0, 0))
-        self.assertEqual({saving["tracer"] for saving in answer["boxes"]},
-                         {"florez-boxes", "florez-trimming"})
+        self.write("boxes.json", answer)
+        _, saved = self.run_script("papers_tables.py", "boxes.json").split("\n\n", 1)
+        rows = [line for line in saved.splitlines() if line.startswith("| sphere")]
+        self.assertEqual([row.split("`")[1] for row in rows], ["florez-boxes", "florez-trimming"])
+        self.assertEqual(saved.count("| as printed | 92 (36.5 %) | - | 648 (63.5 %) | 790 |"), 2)
+
+    def test_printed_boxes_are_of_one_picture(self):
+        printed = json.loads((SOURCE_DIR / "papers/compare/printed_tables.json").read_text("utf-8"))
+        table = next(table for table in printed["tables"] if table["name"] == "florez-table-5.1")
+        times = {row["surface"]: row["values"] for row in table["rows"]}
+        self.assertEqual(set(table["boxes"]), set(times))
+        for surface, boxes in table["boxes"].items():
+            classic_s, trimmed_s = times[surface]
+            self.assertEqual(boxes["rejected_pixels"] + boxes["kept_pixels"], 301 * 301)
+            # Classic rays are those in both kinds of boxes together.
+            self.assertAlmostEqual(boxes["rejected_s"] + boxes["kept_s"], classic_s, delta=0.02)
+            self.assertAlmostEqual(boxes["trimming_s"] + boxes["kept_s"], trimmed_s, delta=0.02)
 
     def test_mirrors_of_stoltes_table(self):
         answer = self.compare("stolte-table-1", "--surface", "spheres")
@@ -201,19 +226,50 @@ class CompareTest(ProgramTest):
         for row in rows.values():
             self.assertEqual((row["missed"], row["refuted"]), (0, 0), row)
 
-    def test_plots(self):
-        self.run_ok("compare", "--surface", "mitchell", "--size", 24, "--repeat", 1, "--plot",
-                    "plot.svg")
+    def plot(self, answer):
+        """Returns the words and circles of a plot."""
+        self.write("compare.json", answer)
+        self.run_script("plot_compare.py", "compare.json", "plot.svg")
         root = ElementTree.parse(self.folder / "plot.svg").getroot()
         space = "{http://www.w3.org/2000/svg}"
-        words = [text.text for text in root.iter(space + "text")]
+        return (["".join(text.itertext()) for text in root.iter(space + "text")],
+                list(root.iter(space + "circle")))
+
+    def test_plots(self):
+        words, circles = self.plot(self.compare("--surface", "mitchell"))
         self.assertIn("mitchell, d_stop 10", words)
         self.assertEqual(words.count("t-bisection"), 2)
-        rings = [circle for circle in root.iter(space + "circle") if circle.get("fill") == "none"]
+        rings = [circle for circle in circles if circle.get("fill") == "none"]
         self.assertEqual(len(rings), 2 * 3 + 1)  # and one of the legend
-        self.run_ok("compare", "knoll-figure-9", "--surface", "sphere", "--size", 24, "--repeat", 1,
-                    "--plot", "plot.png")
-        self.assertTrue((self.folder / "plot.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_a_plots_axis_is_logarithmic(self):
+        row = {"surface": "a", "wanted_d_stop": 22, "reflections": 0, "missed": 0, "added": 0,
+               "printed_times": None}
+        figures = [("mrf", 10, 1000, 1, 0), ("mrfro", 100, 10000, 10, 7), ("newton", 1000, 10, 100, 0)]
+        rows = [row | {"tracer": tracer, "frame_ms": {"median": ms}, "printed_ms": printed,
+                       "times": times, "missed": missed}
+                for tracer, ms, printed, times, missed in figures]
+        words, circles = self.plot({"source": "A paper", "machine_printed": "a machine", "width": 8,
+                                    "height": 8, "threads": 1, "rows": rows})
+        places = [float(circle.get("cx")) for circle in circles if float(circle.get("cy")) > 60]
+        rings, dots = places[0::2], places[1::2]
+        self.assertAlmostEqual(dots[2] - dots[1], dots[1] - dots[0], 1)
+        self.assertGreater(dots[1] - dots[0], 50)
+        self.assertEqual(rings[::2], dots[::-2])
+        for text in ("10 ms ×1", "10 s", "100 ms ×107 pixels wrong"):
+            self.assertIn(text, words)
+
+    def test_rays_in_voxels(self):
+        answer = json.loads(self.run_ok("compare", "marmitt-table-2", "--json", "-").out)
+        rows = {row["method"]: row for row in answer["rows"]}
+        self.assertEqual(list(rows), ["midpoint", "linear", "neubauer", "schwarze", "marmitt"])
+        self.assertEqual(rows["marmitt"]["printed"], {"min": 0.85, "max": 4.8, "avg": 4.35})
+        for row in rows.values():
+            self.assertEqual(row["voxels"], 7 * 256 * 256)
+            self.assertGreater(row["millions_per_s"]["avg"], 0)
+        words, _ = self.plot(answer)
+        self.assertIn("Marmitt et al. 2004, table 2, SIMD: time of a million intersections", words)
+        self.assertIn("230 ms ×20", words)
 
     def test_solids_both_ways(self):
         answer = self.compare("florez-figure-6.2", "--dstop", 16)
@@ -224,17 +280,16 @@ class CompareTest(ProgramTest):
         self.assertEqual({row["tracer"] for row in answer["rows"]},
                          {"beams", "mrfro", "csg-by-roots"})
 
-    def test_shadows_by_three_ways(self):
+    def test_shadows_by_beams_and_by_rays(self):
         answer = json.loads(self.run_ok("compare", "florez-figure-5.13", "--size", 240, "--json",
                                         "-").out)
-        for beams, boxes, rays in zip(*[iter(answer["rows"])] * 3):
-            self.assertEqual([row["way"] for row in (beams, boxes, rays)],
-                             ["beams", "boxes", "rays"])
-            self.assertEqual(len({row["hits"] for row in (beams, boxes, rays)}), 1)
+        self.assertEqual(len(answer["rows"]), 2 * 4)
+        for beams, rays in zip(*[iter(answer["rows"])] * 2):
+            self.assertEqual([row["way"] for row in (beams, rays)], ["beams", "rays"])
+            self.assertEqual(beams["hits"], rays["hits"])
             self.assertGreater(rays["hits"], 500)
-            self.assertLessEqual(boxes["single_rays"], rays["single_rays"])
-            self.assertLess(beams["single_rays"], boxes["single_rays"])
-            self.assertEqual((boxes["refuted"], rays["refuted"]), (0, 0))
+            self.assertLess(beams["cells_per_hit"], rays["cells_per_hit"])
+            self.assertEqual(rays["refuted"], 0)
 
     def test_animations_by_one_grid(self):
         for figure in ("florez-figure-6.8", "florez-figure-6.10", "florez-figure-6.12"):

@@ -150,9 +150,8 @@ WRONG_COMMANDS = [
     (["bench", "--reflections", "6"], ["--reflections 6", "5"]),
     (["bench", "--first-picture", "--antialias"], ["--first-picture", "--antialias"]),
     (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
-    (["compare", "--plot", "plot.gif"], ["--plot plot.gif", ".svg or .png"]),
     (["compare", "florez-figure-6.8", "--tracer", "beams"], ["--tracer", "animation"]),
-    (["compare", "florez-figure-5.13", "--plot", "a.svg"], ["--plot", "shadows"]),
+    (["compare", "florez-figure-5.13", "--budget", "1"], ["--budget", "shadows"]),
     (["compare", "florez-figure-5.13", "--threads", "2"], ["--threads", "leave"]),
     (["compare", "florez-figure-6.8", "--size", "20x10"], ["--size 20x10", "type N"]),
     (["compare", "knoll"], ["knoll: there is no such table", "knoll-table-1", "florez-table-4.1"]),
@@ -312,10 +311,11 @@ class UnwritableTest(ProgramTest):
                 self.assertEqual(self.files(), [])
 
     def test_no_such_folder_for_figures(self):
-        for option, name in (("--json", "no/out.json"), ("--plot", "no/out.svg")):
-            with self.subTest(option):
-                result = run("compare", "--size", "8", option, name, cwd=self.folder)
-                self.check_failed(result, [name])
+        for table in ("knoll-table-1", "florez-figure-5.13", "florez-figure-6.8", "marmitt-table-3"):
+            with self.subTest(table):
+                result = run("compare", table, "--size", "8", "--json", "no/out.json",
+                             cwd=self.folder)
+                self.check_failed(result, ["no/out.json"])
 
     def test_one_unwritable_file_leaves_the_others_unwritten(self):
         result = run("render", "x", "--size", "8", "-o", "out.png", "--depth", "no/out.pfm",

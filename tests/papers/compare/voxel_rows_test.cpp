@@ -1,12 +1,13 @@
 #include "papers/compare/voxel_rows.hpp"
 
 #include "engine/render/tracers.hpp"
-#include "papers/compare/plot.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,19 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::infinity();
 
 TEST(VoxelTables, AreOfTracersThatThereAre) {
-    for (const VoxelTable& table : voxel_tables()) {
-        ASSERT_EQ(table.rows.size(), 5U);
+    const std::vector<VoxelTable>& tables = printed_tables().voxel_tables;
+    ASSERT_EQ(tables.size(), 4U);
+    for (const VoxelTable& table : tables) {
+        std::set<VoxelMethod> methods;
         for (const PrintedVoxels& row : table.rows) {
-            EXPECT_NE(find_tracer(row.name), nullptr) << row.name;
-            EXPECT_NE(find_tracer(std::string(row.name) + "-packets"), nullptr) << row.name;
+            methods.insert(row.method);
+            EXPECT_NE(find_tracer(name_of(row.method)), nullptr);
         }
-        EXPECT_EQ(find_voxel_table(table.name), &table);
+        EXPECT_EQ(methods.size(), 5U);
     }
-    EXPECT_EQ(find_voxel_table("marmitt-table-5"), nullptr);
+    EXPECT_EQ(tables[1].rays, RaysAtOnce::Packet);
+    EXPECT_EQ(tables[1].rows[4].method, VoxelMethod::Marmitt);
+    EXPECT_EQ(tables[1].rows[4].millions, (std::array{0.85, 4.80, 4.35}));
 }
 
 TEST(VoxelCounts, TellWhatIsMissedAddedAndMoved) {
@@ -68,10 +73,10 @@ TEST(SyntheticVoxels, HoldTheLevelAndRaysThatCrossThem) {
     }
 }
 
-TEST(MeasuredVoxels, CountAllAndMakeAPlot) {
+TEST(MeasuredVoxels, CountAll) {
     const auto lists = synthetic_voxels(512, 256);
     const auto proved = proved_roots(lists);
-    const VoxelTable& table = *find_voxel_table("marmitt-table-2");
+    const VoxelTable& table = *find_named(printed_tables().voxel_tables, "marmitt-table-2");
     std::vector<VoxelRow> rows;
     for (const PrintedVoxels& printed : table.rows) {
         rows.push_back(measured_voxels(table, printed, lists, proved));
@@ -86,18 +91,10 @@ TEST(MeasuredVoxels, CountAllAndMakeAPlot) {
     EXPECT_GT(rows[1].counts.missed, 10U);
     EXPECT_EQ(rows[1].counts.missed, rows[2].counts.missed);
     EXPECT_LT(rows[4].counts.missed + rows[4].counts.added, 4U);
-    const auto plotted = plotted_rows(table, rows);
-    EXPECT_DOUBLE_EQ(plotted[4].printed_ms.value(), 1000 / 4.35);
-    EXPECT_DOUBLE_EQ(plotted[4].printed_times.value(), 85.48 / 4.35);
-    const PrintedTable printed = plotted_table(table);
-    const Comparison comparison{
-        .table = &printed, .width = 256, .height = 256, .threads = 1, .repeats = 1};
-    const auto width = [](std::string_view words, double em) {
-        return 0.6 * em * static_cast<double>(words.size());
-    };
-    EXPECT_GT(comparison_plot(comparison, plotted, width).shapes.size(), 30U);
-    const std::string json = voxels_json(table, rows, {});
-    EXPECT_NE(json.find("\"neubauer\""), std::string::npos);
+    const std::string heading = voxel_heading_text(table);
+    EXPECT_EQ(voxel_row_text(table, rows[2]).size(),
+              heading.size() - heading.rfind('\n', heading.size() - 2) - 1);
+    EXPECT_TRUE(voxel_row_text(table, rows[2]).contains("neubauer"));
 }
 
 }  // namespace
