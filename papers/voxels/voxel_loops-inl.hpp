@@ -1,6 +1,6 @@
-// Loops over the rays of a tile and over given voxels, by any method and in packets as wide as the
-// tag: a packet's lanes walk each for itself, and are intersected together when each of them has
-// come to a voxel that holds the level.
+// Loops over the rays of a tile and over given voxels, by any method in packets: a packet's lanes
+// walk each for itself, and are intersected together when each of them has come to a voxel that
+// holds the level.
 // Differs from the paper: its packets are 2 x 2 rays in one voxel, those that miss it masked; here
 // each lane has a voxel of its own, and a lane whose ray has ended takes another ray.
 
@@ -30,8 +30,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-template <class D, class Method>
+template <class Method>
 class VoxelTracer {
+    using D = Tag<float>;
+
 public:
     explicit VoxelTracer(const VoxelTask& tile) : tile_(tile), open_(tile.lines.pixels()) {
         for (auto& column : columns_)
@@ -139,7 +141,7 @@ private:
     std::array<std::array<float, lanes>, voxel_columns> columns_{};
 };
 
-/// The first hits in the voxels, `t` as long as their columns.
+/// The first hits in the voxels, as many at once as D has lanes; `t` is as long as their columns.
 template <class D, class Method>
 void find_hits_of(const VoxelRays& voxels, float* t) {
     const D tag;

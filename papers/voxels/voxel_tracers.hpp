@@ -18,10 +18,15 @@ enum class VoxelMethod : std::uint8_t { Midpoint, Linear, Neubauer, Schwarze, Ma
 /// One ray after another, or as many at once as the machine's vectors have lanes.
 enum class RaysAtOnce : std::uint8_t { One, Packet };
 
+/// The first hits in a tile by a method, in packets.
+void trace_tile_by(VoxelMethod method, const TraceFrame& frame, const Tile& tile, TileHits& hits,
+                   Counters& counters);
 /// Tracer::trace_tile of a method.
-template <VoxelMethod method, RaysAtOnce rays>
+template <VoxelMethod method>
 void trace_tile_voxels(const TraceFrame& frame, const Tile& tile, TileHits& hits,
-                       Counters& counters);
+                       Counters& counters) {
+    trace_tile_by(method, frame, tile, hits, counters);
+}
 
 /// The first hits in voxels that are padded; +inf: none. `t`: as long as their columns.
 void find_first_hits(VoxelMethod method, RaysAtOnce rays, const VoxelRays& voxels,

@@ -177,7 +177,7 @@ TEST_P(VoxelTracer, PassesHoles) {
 INSTANTIATE_TEST_SUITE_P(All, VoxelTracer, testing::ValuesIn(voxel_tracers()),
                          [](const auto& tracer) { return test_name(tracer.param); });
 
-TEST(VoxelTracers, AreTheFiveMethodsSinglyAndInPackets) { EXPECT_EQ(voxel_tracers().size(), 10U); }
+TEST(VoxelTracers, AreTheFiveMethods) { EXPECT_EQ(voxel_tracers().size(), 5U); }
 
 TEST(Isosurface, RefusesWhatIsNoPlainOne) {
     const auto volume = slanted_volume();
