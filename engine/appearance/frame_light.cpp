@@ -58,8 +58,8 @@ void FrameLight::light_hits(std::span<const TraceFrame> surfaces, const TimeLimi
     if (by_rays_) return light_paths(*this, surfaces, limit, tile, out.layers(), counters);
     if (settings_.shadows && !out.layers().empty()) {
         const UnitVector to_light = key_light(surfaces.front().view);
-        const ShadowBits found = find_shadows(surfaces, to_light, limit, tile, out.layers(),
-                                              counters, ShadowWay::Beams, known.known);
+        const ShadowBits found =
+            find_shadows(surfaces, to_light, limit, tile, out.layers(), counters, known.known);
         TileBits dark = found.dark;
         for (std::size_t row = 0; row < tile_size; ++row)
             dark[row] |= known.dark[row];

@@ -126,7 +126,6 @@ bool find_by_way_and_f(const ShadowSearch& search, const SurfaceWay& way, Shadow
         const LightRay rest = rest_of(search, pixel, ray, free_to);
         if (rest.from < rest.to) scratch.rest.push_back(rest);
     });
-    found.single_rays += scratch.rest.size();
     search_rays(search, scratch.rest, found, counters);
     return true;
 }
@@ -142,8 +141,7 @@ bool find_followed_shadows(const ShadowSearch& search, ShadowBits& found, Counte
         find_by_way_alone(search, way, scratch, found, counters);
         return true;
     }
-    const bool takes = search.way == ShadowWay::Beams || search.way == ShadowWay::Apart;
-    return takes && find_by_way_and_f(search, way, scratch, found, counters);
+    return find_by_way_and_f(search, way, scratch, found, counters);
 }
 
 }  // namespace zeroset

@@ -25,7 +25,6 @@ struct ShadowBits {
     TileBits dark{};
     /// Hits of which it is not proved whether the light reaches them: at a shadow's edge, mostly.
     TileBits unproved{};
-    std::uint64_t single_rays = 0;  ///< that were searched one by one
 
     /// Takes in hits of a row that are proved to lie in the shadow.
     void prove_dark(std::size_t row, std::uint64_t hits) {

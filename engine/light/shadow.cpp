@@ -126,7 +126,6 @@ void search_square(const ShadowSearch& search, const Square& square, ShadowBits&
     const ShadowSearch part = search.with(light, search.open);
     std::vector<LightRay> rest;
     search_beams(part, found, rest, counters);
-    found.single_rays += rest.size();
     search_rays(part, rest, found, counters);
 }
 
@@ -202,7 +201,7 @@ void search_members(const ShadowSearch& search, const std::vector<LitMember>& me
 
 /// Adds to `found` the hits among `open` that lie in the shadow of a surface.
 void search_surface(const TraceFrame& frame, const TraceFrame& light, const LightPlaces& places,
-                    const TileBits& open, const TileBits& roots, ShadowWay way, ShadowBits& found,
+                    const TileBits& open, const TileBits& roots, bool singly, ShadowBits& found,
                     Counters& counters) {
     const TileRays rays(light, light_tile);
     const LightWalls walls(rays);
@@ -217,7 +216,7 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                         .is_member = false,
                         .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
                         .bias = std::max(0x1p-12 * extent, 6 * cell),
-                        .way = way};
+                        .singly = singly};
     if (find_followed_shadows(search, found, counters)) return;
     const std::vector<LitMember> members = members_of(light);
     if (!members.empty()) {
@@ -232,10 +231,9 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
 
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
-                        Counters& counters, ShadowWay way, const TileBits& left_out) {
+                        Counters& counters, const TileBits& left_out) {
     ShadowBits found;
     if (layers.empty()) return found;
-    if (way == ShadowWay::Beams && tile.places != nullptr) way = ShadowWay::Apart;
     thread_local const auto kept = std::make_unique<LightPlaces>();
     LightPlaces& places = *kept;
     thread_local std::vector<TileBits> turned;  // to the light, of each layer
@@ -256,7 +254,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
             if (layers[k].surface == i) roots = without_caps(layers[k], turned[k]);
         }
         search_surface(surfaces[i], light_frame(surfaces[i], light, limit), places, open, roots,
-                       way, found, counters);
+                       tile.places != nullptr, found, counters);
         open = without(open, proved_dark(found));
     }
     if (tile.places == nullptr) counters.unproved_shadows += count(found.unproved);

@@ -250,15 +250,8 @@ void BeamSearch<Real>::add_each_ray(const Square& square, const Beam* whole) {
 
 template <class Real>
 void BeamSearch<Real>::divide(const Beam& beam) {
-    const Square& square = beam.square;
-    if (search_.way == ShadowWay::Beams) {
-        for (const Square& quarter : square.quarters())
-            add(quarter, &beam);
-        return;
-    }
-    for (int row = square.row; row < square.row + square.side; ++row)
-        for (int col = square.col; col < square.col + square.side; ++col)
-            add(square_at(col, row, 1), nullptr);
+    for (const Square& quarter : beam.square.quarters())
+        add(quarter, &beam);
 }
 
 template <class Real>
@@ -325,7 +318,6 @@ void BeamSearch<Real>::take(Beam& beam, const CellLine<Real>& line, std::vector<
                                            .left_rising = at_roots,
                                            .above = beam.sign == RaySign::Positive,
                                            .below = beam.sign == RaySign::Negative});
-    if (verdict.dark && search_.way == ShadowWay::Boxes) return divide(beam);
     if (verdict.dark && beam.next() >= beam.entry.last) {
         darken(beam.square);
         return;
@@ -367,8 +359,7 @@ void BeamSearch<Real>::search_group(std::vector<Beam>& beams) {
 
 template <class Real>
 void BeamSearch<Real>::search() {
-    if (search_.way == ShadowWay::Rays || search_.way == ShadowWay::Apart)
-        return add_each_ray(square_at(0, 0, tile_size), nullptr);
+    if (search_.singly) return add_each_ray(square_at(0, 0, tile_size), nullptr);
     for (int row = 0; row < tile_size; row += first_side) {
         for (int col = 0; col < tile_size; col += first_side)
             add(square_at(col, row, first_side), nullptr);

@@ -26,7 +26,7 @@ struct ShadowSearch {
     double finest;          ///< a cell of a ray that is no longer is not divided
     /// From a hit that its surface only touches the search begins so far in front of it.
     double bias;
-    ShadowWay way = ShadowWay::Beams;
+    bool singly;  ///< by single rays alone
 
     /// This question about some of the hits, by another kernel in the light's view.
     [[nodiscard]] ShadowSearch with(const TraceFrame& other, const TileBits& hits) const {
@@ -39,7 +39,7 @@ struct ShadowSearch {
                 .is_member = is_member,
                 .finest = finest,
                 .bias = bias,
-                .way = way};
+                .singly = singly};
     }
 };
 
@@ -58,8 +58,7 @@ struct LightRay {
 };
 
 /// Searches by beams: the rays from squares of pixels to the light at once, divided until each
-/// square is lit, in the shadow, or single rays, which are added to `rest`: as far as
-/// ShadowSearch::way lets them. In upward rounding.
+/// square is lit, in the shadow, or single rays, which are added to `rest`. In upward rounding.
 void search_beams(const ShadowSearch& search, ShadowBits& found, std::vector<LightRay>& rest,
                   Counters& counters);
 

@@ -49,7 +49,7 @@ public:
     explicit ShadowAudit(const AuditSurface& surface)
         : surface_(surface), program_(read_formula(surface.equation).value()) {}
 
-    void check(int rays, ShadowWay way, RandomNumbers& random, Counts& counts);
+    void check(int rays, bool singly, RandomNumbers& random, Counts& counts);
 
 private:
     void check_hit(const glm::dvec3& hit, const glm::dvec3& to_light, bool is_dark,
@@ -78,7 +78,7 @@ void ShadowAudit::check_hit(const glm::dvec3& hit, const glm::dvec3& to_light, b
     }
 }
 
-void ShadowAudit::check(int rays, ShadowWay way, RandomNumbers& random, Counts& counts) {
+void ShadowAudit::check(int rays, bool singly, RandomNumbers& random, Counts& counts) {
     const Expr& f = program_.surfaces.front();
     Scene scene{{{.kernel = interpret(traceable(f))}}, surface_.clip, {}};
     scene.uniforms.set(0, surface_.w);
@@ -86,7 +86,7 @@ void ShadowAudit::check(int rays, ShadowWay way, RandomNumbers& random, Counts& 
     const ImageSize image{.width = tile_size, .height = tile_size};
     const ShadowTile found =
         shadow_tile({trace_frame(scene, scene.surfaces.front(), view, image, {})},
-                    {.col = 0, .row = 0, .cols = tile_size, .rows = tile_size}, way);
+                    {.col = 0, .row = 0, .cols = tile_size, .rows = tile_size}, singly);
     const TileHits& hits = found.hits.front();
     const std::vector<double> uniforms{surface_.w};
     RayOracle oracle(f, uniforms);
@@ -117,7 +117,7 @@ TEST(ShadowsAgainstOracles, ProofsHoldOnRandomSurfaces) {
     Counts counts;
     RandomNumbers random(7);
     for (const AuditSurface& surface : random_surfaces(120, 11))
-        ShadowAudit(surface).check(150, ShadowWay::Beams, random, counts);
+        ShadowAudit(surface).check(150, false, random, counts);
     std::printf("%d lit, %d dark, %d unproved, %d unknown\n", counts.lit, counts.dark,
                 counts.unproved, counts.unknown);
     EXPECT_GT(counts.lit, 1000);
@@ -130,7 +130,7 @@ TEST(ShadowsAgainstOracles, ProofsHoldOfSingleRays) {
     Counts counts;
     RandomNumbers random(8);
     for (const AuditSurface& surface : random_surfaces(60, 12))
-        ShadowAudit(surface).check(150, ShadowWay::Rays, random, counts);
+        ShadowAudit(surface).check(150, true, random, counts);
     EXPECT_GT(counts.lit, 500);
     EXPECT_GT(counts.dark, 100);
     EXPECT_LT(counts.unproved, (counts.lit + counts.dark) / 20);
