@@ -165,10 +165,10 @@ Scene scene_as_written(const PictureRequest& request) {
 void let_read_formulas(const PictureRequest& request) {
     const Formula& formula = *request.formula;
     for (const Tracer& tracer : tracers()) {
-        if (tracer.read_formula == nullptr) continue;
+        if (tracer.needs.read_formula == nullptr) continue;
         for (const std::size_t surface : shown_indices(request))
-            tracer.read_formula(formula.kernels[surface], formula.drawn[surface],
-                                formula.code == CodeState::Machine);
+            tracer.needs.read_formula(formula.kernels[surface], formula.drawn[surface],
+                                      formula.code == CodeState::Machine);
     }
 }
 

@@ -17,8 +17,9 @@ std::optional<std::string> tracer_refusal(std::string_view tracer, std::string_v
                    tr("draws equations alone; for parametric surfaces, curves and points choose "
                       "beams");
         }
-        const char* const reason = found->refuses == nullptr ? nullptr : found->refuses(kernel);
-        if (reason != nullptr) return std::string(name) + ": " + tr(reason);
+        if (found->needs.refuses == nullptr) continue;
+        if (const char* const reason = found->needs.refuses(kernel))
+            return std::string(name) + ": " + tr(reason);
     }
     return std::nullopt;
 }

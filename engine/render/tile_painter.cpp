@@ -77,9 +77,10 @@ std::shared_ptr<const PreparedSurface> TilePainter::prepare(const TraceFrame& su
                                                             const TraceSettings& settings,
                                                             const TimeLimit& limit) const {
     const Kernel& kernel = surface.kernel;
-    const bool by_tracer = is_level_set(kernel) && tracer_.prepare != nullptr;
-    return by_tracer ? tracer_.prepare(surface.with(kernel, limit), settings.threads)
-                     : way_of(kernel).prepare(kernel, surface.scene.uniforms);
+    const auto prepare_by_tracer = is_level_set(kernel) ? tracer_.needs.prepare : nullptr;
+    return prepare_by_tracer != nullptr
+               ? prepare_by_tracer(surface.with(kernel, limit), settings.threads)
+               : way_of(kernel).prepare(kernel, surface.scene.uniforms);
 }
 
 bool TilePainter::trace_union(std::size_t i, const Tile& tile, const TimeLimit& limit,

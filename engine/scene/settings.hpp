@@ -24,9 +24,6 @@ struct StopCriterion {
 
 /// The finest d_stop: the cells are then 2^-22 of the domain, about an ulp of float there.
 inline constexpr int max_d_stop = 22;
-/// The levels of octrees that may be asked for: d_stop in their tracers, up to the bits of a double
-/// [Stolte05, sec. 2.2].
-inline constexpr int min_levels = 10, max_levels = 53;
 
 struct TraceSettings {
     std::string tracer = "beams";

@@ -12,7 +12,7 @@ namespace zeroset {
 
 class OpenView;
 
-/// Data that a tracer prepares of a surface before it is asked for tiles (Tracer::prepare).
+/// Data that a tracer prepares of a surface before it is asked for tiles (TracerNeeds::prepare).
 /// Read-only.
 struct PreparedSurface {
     virtual ~PreparedSurface() = default;

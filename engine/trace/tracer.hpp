@@ -11,6 +11,24 @@ namespace zeroset {
 
 class Expr;
 
+/// The things that an algorithm asks for beside the functions of a kernel. Some of papers do, none
+/// of the product's own.
+struct TracerNeeds {
+    /// Finds in a surface's formula what is needed, and keeps it in Kernel::memory. Called before
+    /// each frame; machine code is wanted where there is such of the kernel. Any thread.
+    void (*read_formula)(const Kernel& kernel, const Expr& surface, bool by_machine_code) = nullptr;
+    /// Makes what belongs to a surface rather than to a view of it, on so many threads (0: all
+    /// cores), or finds it where a frame before has left it (Kernel::memory); nullptr where `limit`
+    /// is over. Called once for a frame; the kernel is the whole one.
+    std::shared_ptr<const PreparedSurface> (*prepare)(const TraceFrame& surface,
+                                                      int threads) = nullptr;
+    /// Why it cannot draw a surface: one line, to be translated; nullptr: it can. What it refuses
+    /// it leaves undecided. No function: it draws all formulas.
+    const char* (*refuses)(const Kernel& surface) = nullptr;
+    /// The finest d_stop, where that is beyond max_d_stop and called levels; 0: it is not.
+    int levels = 0;
+};
+
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`
 /// (engine/render/tracers.hpp): camera, kernels, shading and framebuffer are shared.
 struct Tracer {
@@ -28,23 +46,10 @@ struct Tracer {
     /// that are no level sets.
     bool takes_ways = false;
     bool finds_jumps = false;  ///< knows of Scene::jumps
-    /// Finds in a surface's formula what it needs beside the kernel's functions, and keeps it in
-    /// Kernel::memory. Called before each frame; machine code is wanted where there is such of the
-    /// kernel. Any thread. No function: it needs nothing else.
-    void (*read_formula)(const Kernel& kernel, const Expr& surface, bool by_machine_code) = nullptr;
-    /// Makes what belongs to a surface rather than to a view of it, on so many threads (0: all
-    /// cores), or finds it where a frame before has left it (Kernel::memory); nullptr where `limit`
-    /// is over. Called once for a frame; the kernel is the whole one. No function: there is
-    /// nothing.
-    std::shared_ptr<const PreparedSurface> (*prepare)(const TraceFrame& surface,
-                                                      int threads) = nullptr;
-    bool takes_levels = false;  ///< searches depths beyond max_d_stop, up to max_levels
     /// Whether it certifies roots and rays without any; else all it says is undecided, and where it
     /// shows nothing there may be a root.
     bool proves = true;
-    /// Why it cannot draw a surface: one line, to be translated; nullptr: it can. What it refuses
-    /// it leaves undecided. No function: it draws all formulas.
-    const char* (*refuses)(const Kernel& surface) = nullptr;
+    TracerNeeds needs = {};
 };
 
 }  // namespace zeroset

@@ -130,7 +130,7 @@ OrInputError<Measurement> measurement(const std::string& tracer, const std::stri
     const int wanted = std::atoi(d_stop.c_str());
     if (command.d_stop || wanted <= max_d_stop) {
         text.d_stop = d_stop;
-    } else if (const Tracer* const found = find_tracer(tracer); found && found->takes_levels) {
+    } else if (const Tracer* const found = find_tracer(tracer); found && found->needs.levels > 0) {
         text.levels = d_stop;
     }
     auto settings = read_trace_settings(text);

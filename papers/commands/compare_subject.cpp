@@ -117,12 +117,13 @@ ComparedRow CompareSubject::measured(int wanted_d_stop, const TraceSettings& set
 double CompareSubject::prepared_ms(const Scene& scene, const TraceSettings& settings,
                                    const Framebuffer& frame) const {
     const Tracer& tracer = *find_tracer(settings.tracer);
-    if (tracer.prepare == nullptr) return 0.0;
+    if (tracer.needs.prepare == nullptr) return 0.0;
     const auto start = std::chrono::steady_clock::now();
     const ViewFrame view(camera());
     for (const Surface& surface : scene.surfaces) {
         const ImageSize image{.width = frame.width, .height = frame.height};
-        tracer.prepare(trace_frame(scene, surface, view, image, settings.stop), settings.threads);
+        tracer.needs.prepare(trace_frame(scene, surface, view, image, settings.stop),
+                             settings.threads);
     }
     return ms_since(start);
 }

@@ -32,7 +32,7 @@ private:
     std::vector<Kept> kept_;  ///< the latest one last
 };
 
-/// Tracer::prepare of the tracers in this room.
+/// TracerNeeds::prepare of the tracers in this room.
 std::shared_ptr<const PreparedSurface> prepare_octree(const TraceFrame& surface, int threads);
 
 }  // namespace zeroset

@@ -9,6 +9,8 @@ namespace zeroset {
 
 /// The level to which space is voxelised before a frame [Stolte05, sec. 3].
 inline constexpr int voxel_level = 9;
+/// The most levels that may be asked for: the bits of a double [Stolte05, sec. 2.2].
+inline constexpr int max_levels = 53;
 
 /// The cube that an octree divides: around the clip box, with a power of two for an edge and its
 /// corner on the grid of the voxels, so that the faces of all octants down to `finest` are numbers

@@ -17,7 +17,7 @@ void trace_tile_octree_unrounded(const TraceFrame& frame, const Tile& tile, Tile
 void trace_tile_gargantini(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                            Counters& counters);
 
-/// Tracer::prepare of the three: the surface's octree. nullptr where the frame is stopped.
+/// TracerNeeds::prepare of the three: the surface's octree. nullptr where the frame is stopped.
 std::shared_ptr<const PreparedSurface> prepare_octree_tracer(const TraceFrame& surface,
                                                              int threads);
 

@@ -3,6 +3,7 @@
 #include "engine/trace/tile_hits.hpp"
 #include "papers/octree/octree.hpp"
 #include "papers/octree/octree_ray.hpp"
+#include "papers/octree/octree_space.hpp"
 #include "papers/octree/ray_voxelisation.hpp"
 
 #include <array>

@@ -1,9 +1,11 @@
 #include "papers/tracers/paper_tracers.hpp"
 
 #include "engine/render/tracers.hpp"
+#include "engine/trace/voxels/isosurface.hpp"
 #include "papers/along_rays/tracers_along_rays.hpp"
 #include "papers/florez/cell_grid.hpp"
 #include "papers/florez/florez_tracers.hpp"
+#include "papers/octree/octree_space.hpp"
 #include "papers/octree/octree_tracer.hpp"
 #include "papers/tracers/csg_code.hpp"
 #include "papers/voxels/voxel_tracers.hpp"
@@ -13,6 +15,9 @@
 namespace zeroset {
 
 namespace {
+
+constexpr TracerNeeds octree_needs{.prepare = prepare_octree_tracer, .levels = max_levels};
+constexpr TracerNeeds isosurface_needs{.refuses = no_isosurface};
 
 constexpr std::array table{
     Tracer{.name = "t-bisection",
@@ -57,13 +62,12 @@ constexpr std::array table{
     Tracer{.name = "regular-grid",
            .about = "a grid of cells walked by beams, then single rays (Florez 2008, section 6.2)",
            .trace_tile = trace_tile_regular_grid,
-           .prepare = prepare_cell_grid},
+           .needs = {.prepare = prepare_cell_grid}},
     Tracer{.name = "csg-by-roots",
            .about = "min and max by the roots of their parts, one after another "
                     "(Florez 2008, section 6.3)",
            .trace_tile = trace_tile_csg_by_roots,
-           .read_formula = read_csg_parts,
-           .prepare = prepare_csg_parts},
+           .needs = {.read_formula = read_csg_parts, .prepare = prepare_csg_parts}},
     Tracer{.name = "point-sampling",
            .about = "marching with sign changes; proves nothing and misses roots",
            .trace_tile = trace_tile_point_sampling,
@@ -71,45 +75,42 @@ constexpr std::array table{
     Tracer{.name = "octree",
            .about = "an octree, in which surface and ray are voxelised together (Stolte 2005)",
            .trace_tile = trace_tile_octree,
-           .prepare = prepare_octree_tracer,
-           .takes_levels = true},
+           .needs = octree_needs},
     Tracer{.name = "octree-unrounded",
            .about = "the same without outward rounding of the ray",
            .trace_tile = trace_tile_octree_unrounded,
-           .prepare = prepare_octree_tracer,
-           .takes_levels = true,
-           .proves = false},
+           .proves = false,
+           .needs = octree_needs},
     Tracer{.name = "gargantini",
            .about = "the same with the ray's intersections with mid-planes (Gargantini 1993)",
            .trace_tile = trace_tile_gargantini,
-           .prepare = prepare_octree_tracer,
-           .takes_levels = true,
-           .proves = false},
+           .proves = false,
+           .needs = octree_needs},
     Tracer{.name = "midpoint",
            .about = "the middle of each voxel that holds the level (Marmitt 2004)",
            .trace_tile = trace_tile_voxels<VoxelMethod::Midpoint>,
            .proves = false,
-           .refuses = no_isosurface},
+           .needs = isosurface_needs},
     Tracer{.name = "linear",
            .about = "linear between where a ray enters and leaves a voxel (Marmitt 2004)",
            .trace_tile = trace_tile_voxels<VoxelMethod::Linear>,
            .proves = false,
-           .refuses = no_isosurface},
+           .needs = isosurface_needs},
     Tracer{.name = "neubauer",
            .about = "repeated linear interpolation in a voxel (Neubauer 2002)",
            .trace_tile = trace_tile_voxels<VoxelMethod::Neubauer>,
            .proves = false,
-           .refuses = no_isosurface},
+           .needs = isosurface_needs},
     Tracer{.name = "schwarze",
            .about = "all roots of a voxel's cubic by Cardano's formula (Schwarze 1990)",
            .trace_tile = trace_tile_voxels<VoxelMethod::Schwarze>,
            .proves = false,
-           .refuses = no_isosurface},
+           .needs = isosurface_needs},
     Tracer{.name = "marmitt",
            .about = "roots of a voxel's cubic apart by its extrema (Marmitt 2004)",
            .trace_tile = trace_tile_voxels<VoxelMethod::Marmitt>,
            .proves = false,
-           .refuses = no_isosurface},
+           .needs = isosurface_needs},
 };
 
 }  // namespace

@@ -30,8 +30,8 @@ inline Scene scene_of(const std::string& text, const Box& clip) {
     }
     Scene scene{{{.kernel = interpret(*expr)}}, clip, {}};
     for (const Tracer& tracer : tracers()) {
-        if (tracer.read_formula != nullptr)
-            tracer.read_formula(scene.surfaces[0].kernel, *expr, false);
+        if (tracer.needs.read_formula != nullptr)
+            tracer.needs.read_formula(scene.surfaces[0].kernel, *expr, false);
     }
     scene.uniforms.set(0, 0.0);
     return scene;
@@ -109,7 +109,7 @@ inline std::size_t& first_tested_tracer() {
 inline std::vector<Tracer> tracers_of_all_formulas() {
     std::vector<Tracer> all;
     std::ranges::copy_if(tracers().subspan(first_tested_tracer()), std::back_inserter(all),
-                         [](const Tracer& tracer) { return tracer.refuses == nullptr; });
+                         [](const Tracer& tracer) { return tracer.needs.refuses == nullptr; });
     return all;
 }
 

@@ -306,12 +306,14 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
         settings.stop = {.rule = rule, .value = *value};
     }
     if (text.levels) {
-        const auto levels = read_integer("--levels", *text.levels, min_levels, max_levels);
-        if (!levels) return std::unexpected(levels.error());
-        if (!find_tracer(settings.tracer)->takes_levels) {
+        constexpr int min_levels = 10;
+        const int max_levels = find_tracer(settings.tracer)->needs.levels;
+        if (max_levels == 0) {
             return wrong_input("--levels " + *text.levels + ": the tracer " + settings.tracer +
                                " has none; type --dstop, or add --tracer octree");
         }
+        const auto levels = read_integer("--levels", *text.levels, min_levels, max_levels);
+        if (!levels) return std::unexpected(levels.error());
         settings.stop = {.rule = StopRule::DStop, .value = static_cast<double>(*levels)};
     }
     if (text.threads) {

@@ -43,7 +43,7 @@ std::shared_ptr<const Volume> slanted_volume() {
 std::vector<std::string> voxel_tracers() {
     std::vector<std::string> names;
     for (const Tracer& tracer : tracers()) {
-        if (tracer.refuses == no_isosurface) names.emplace_back(tracer.name);
+        if (tracer.needs.refuses == no_isosurface) names.emplace_back(tracer.name);
     }
     return names;
 }
