@@ -44,13 +44,13 @@ struct AnimationRow {
 /// An animation, ready to be drawn.
 class AnimatedScene {
 public:
-    AnimatedScene(const PrintedAnimation& animation, Scene scene, const Camera& camera,
-                  TraceSettings settings, int size_px, int frames)
+    AnimatedScene(const PrintedAnimation& animation, const PictureRequest& request,
+                  const ComparedSettings& settings, int frames)
         : animation_(animation),
-          scene_(std::move(scene)),
-          camera_(camera),
-          settings_(std::move(settings)),
-          frame_(size_px, size_px),
+          scene_(scene_of(request)),
+          camera_(request.camera),
+          settings_(settings.settings),
+          frame_(settings.size_px, settings.size_px),
           frames_(frames) {}
 
     AnimationRow measured(int first) {
@@ -150,13 +150,14 @@ int run_compare_animation(const CompareCommand& command, const PrintedAnimation&
     const auto settings =
         read_compared_settings(command, animation.name + " is an animation", "16", 300);
     if (!settings) return report(settings.error());
-    auto compared = compared_scene(animation.formula, animation.domain, *settings);
-    if (!compared) return report(compared.error());
+    const auto request = compiled(
+        item_of({.name = animation.name, .formula = animation.formula, .domain = animation.domain}),
+        settings->settings, settings->size());
+    if (!request) return report(request.error());
     const CompareOutput output(command.json);
     if (const auto message = output.unwritable()) return report_run_time(*message);
     constexpr int frames = 20;
-    AnimatedScene animated(animation, std::move(compared->scene), compared->camera,
-                           settings->settings, settings->size_px, frames);
+    AnimatedScene animated(animation, *request, *settings, frames);
     output.print(heading_text(animation, *settings));
     Json rows = Json::array();
     for (int first = 0; first < frames; first += animation.n) {

@@ -4,6 +4,7 @@
 #include "engine/render/tracers.hpp"
 #include "papers/commands/compare_animation.hpp"
 #include "papers/commands/compare_output.hpp"
+#include "papers/commands/compare_scene.hpp"
 #include "papers/commands/compare_shadows.hpp"
 #include "papers/commands/compare_subject.hpp"
 #include "papers/commands/compare_voxels.hpp"
@@ -77,11 +78,8 @@ OrInputError<const PrintedTable*> table_of(const CompareCommand& command) {
 /// The gallery's surfaces from papers, and those of the table alone.
 std::vector<BenchItem> suite_of(const PrintedTable& table) {
     std::vector<BenchItem> suite = gallery_suite();
-    for (const PrintedScene& scene : table.scenes) {
-        BenchItem& added = suite.emplace_back(scene.name, read_document_text(scene.formula));
-        added.read.document.clip = Box::cube(scene.domain);
-        added.read.document.camera = suite_camera(scene.domain);
-    }
+    for (const PrintedScene& scene : table.scenes)
+        suite.push_back(item_of(scene));
     return suite;
 }
 

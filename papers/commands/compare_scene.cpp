@@ -1,7 +1,7 @@
 #include "papers/commands/compare_scene.hpp"
 
-#include "pipeline/picture_request.hpp"
 #include "pipeline/prepare.hpp"
+#include "pipeline/volume_source.hpp"
 
 #include <array>
 #include <string>
@@ -44,20 +44,25 @@ OrInputError<ComparedSettings> read_compared_settings(const CompareCommand& comm
     return ComparedSettings{.settings = std::move(*settings), .size_px = size->width};
 }
 
-OrInputError<ComparedScene> compared_scene(std::string_view formula, double domain,
-                                           const ComparedSettings& settings) {
-    ReadDocument read = read_document_text(formula);
-    if (!read.rows) return std::unexpected(read.rows.error());
-    read.document.clip = Box::cube(domain);
-    read.document.camera = suite_camera(domain);
-    read.document.light = {};
-    const auto prepared = prepare(read.document, *read.rows, Preparation::Compiled);
+BenchItem item_of(const PrintedScene& scene) {
+    BenchItem item{.name = scene.name,
+                   .read = read_document_text(scene.formula, volume_source({}))};
+    item.read.document.clip = Box::cube(scene.domain);
+    item.read.document.camera = suite_camera(scene.domain);
+    return item;
+}
+
+OrInputError<PictureRequest> compiled(const BenchItem& item, const TraceSettings& settings,
+                                      const Size& size) {
+    if (!item.read.rows) return std::unexpected(item.read.rows.error());
+    Document document = item.read.document;
+    document.light = {};
+    const auto prepared = prepare(document, *item.read.rows, Preparation::Compiled);
     if (!prepared) return std::unexpected(prepared.error());
-    PictureRequest request =
-        picture_request(prepared->formula, prepared->colors, read.document, settings.settings,
-                        {settings.size_px, settings.size_px});
+    PictureRequest request = picture_request(prepared->formula, prepared->colors, document,
+                                             settings, {size.width, size.height});
     add_needed_code(request);
-    return ComparedScene{.scene = scene_of(request), .camera = request.camera};
+    return request;
 }
 
 }  // namespace zeroset

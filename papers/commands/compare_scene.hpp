@@ -1,27 +1,30 @@
 #pragma once
 
-#include "engine/scene/scene.hpp"
+#include "app/cli/bench_suite.hpp"
+#include "app/cli/options/options.hpp"
 #include "engine/scene/settings.hpp"
-#include "engine/view/camera.hpp"
 #include "papers/commands/paper_commands.hpp"
+#include "papers/compare/printed_tables.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/picture_request.hpp"
 
 #include <optional>
 #include <string_view>
 
 namespace zeroset {
 
-/// A scene of a paper that is no row of a table: a text in [-domain, domain]^3, seen from the
-/// suite's direction, as a square.
-struct ComparedScene {
-    Scene scene;
-    Camera camera;
-};
+/// A paper's scene, seen from the suite's direction.
+BenchItem item_of(const PrintedScene& scene);
+/// Compiles a surface for pictures of a size, in plain light.
+OrInputError<PictureRequest> compiled(const BenchItem& item, const TraceSettings& settings,
+                                      const Size& size);
 
 /// The options that comparisons of one scene have, read.
 struct ComparedSettings {
     TraceSettings settings;
     int size_px = 0;
+
+    [[nodiscard]] Size size() const { return {.width = size_px, .height = size_px}; }
 };
 
 /// Refuses the options that tables alone have; `what`: what it is that is no table. The usual
@@ -29,9 +32,5 @@ struct ComparedSettings {
 OrInputError<ComparedSettings> read_compared_settings(const CompareCommand& command,
                                                       std::string_view what, const char* d_stop,
                                                       int size_px);
-
-/// Compiles the scene.
-OrInputError<ComparedScene> compared_scene(std::string_view formula, double domain,
-                                           const ComparedSettings& settings);
 
 }  // namespace zeroset

@@ -72,13 +72,13 @@ struct ShadowRow {
 /// A surface as beams see it, tile by tile, ready for questions about its shadows.
 class ShadowedPicture {
 public:
-    ShadowedPicture(const ComparedScene& compared, const ComparedSettings& settings)
-        : scene_(compared.scene),
-          view_(compared.camera),
+    explicit ShadowedPicture(const PictureRequest& request)
+        : scene_(scene_of(request)),
+          view_(request.camera),
           frame_(trace_frame(scene_, scene_.surfaces.front(), view_,
-                             {.width = settings.size_px, .height = settings.size_px},
-                             settings.settings.stop)),
-          grid_(settings.size_px, settings.size_px),
+                             {.width = request.size_px.x, .height = request.size_px.y},
+                             request.settings.stop)),
+          grid_(request.size_px.x, request.size_px.y),
           hits_(grid_.size()),
           first_(grid_.size()) {
         const UpwardRegisters upward;
@@ -165,9 +165,8 @@ std::string heading_text(const ShadowTable& table, int size_px) {
 }
 
 /// The rows of a scene: by beams, by single rays.
-std::array<Json, 2> rows_of(const PrintedScene& scene, const ComparedScene& compared,
-                            const ComparedSettings& settings) {
-    ShadowedPicture picture(compared, settings);
+std::array<Json, 2> rows_of(const PrintedScene& scene, const PictureRequest& request) {
+    ShadowedPicture picture(request);
     const std::array rows{picture.measured(false), picture.measured(true)};
     const auto json_of = [&](const char* way, const ShadowRow& row) -> Json {
         return {{"surface", scene.name},
@@ -199,9 +198,9 @@ int run_compare_shadows(const CompareCommand& command) {
     output.print(heading_text(table, settings->size_px));
     Json rows = Json::array();
     for (const PrintedScene& scene : table.scenes) {
-        const auto compared = compared_scene(scene.formula, scene.domain, *settings);
-        if (!compared) return report(compared.error());
-        for (Json& row : rows_of(scene, *compared, *settings)) {
+        const auto request = compiled(item_of(scene), settings->settings, settings->size());
+        if (!request) return report(request.error());
+        for (Json& row : rows_of(scene, *request)) {
             output.print(row_line(shadow_columns(), row));
             rows.push_back(std::move(row));
         }

@@ -5,8 +5,8 @@
 #include "engine/render/tracers.hpp"
 #include "engine/scene/tolerance.hpp"
 #include "engine/trace/trace_frame.hpp"
+#include "papers/commands/compare_scene.hpp"
 #include "papers/florez/box_tally.hpp"
-#include "pipeline/prepare.hpp"
 #include "pipeline/tracer_refusal.hpp"
 
 #include <chrono>
@@ -55,15 +55,9 @@ CompareSubject::CompareSubject(std::string name, PictureRequest request)
 
 OrInputError<CompareSubject> CompareSubject::make(const BenchItem& item,
                                                   const CompareFrames& frames) {
-    if (!item.read.rows) return std::unexpected(item.read.rows.error());
-    Document document = item.read.document;
-    document.light = {};
-    const auto prepared = prepare(document, *item.read.rows, Preparation::Compiled);
-    if (!prepared) return std::unexpected(prepared.error());
-    PictureRequest request = picture_request(prepared->formula, prepared->colors, document, {},
-                                             {frames.size.width, frames.size.height});
-    add_needed_code(request);
-    CompareSubject subject(item.name, std::move(request));
+    auto request = compiled(item, {}, frames.size);
+    if (!request) return std::unexpected(request.error());
+    CompareSubject subject(item.name, std::move(*request));
     const FrameTiming timing = subject.draw(subject.scene_, finest(), {}, 100.0, subject.proved_);
     if (timing.counters.is_cut())
         return wrong_input("--surface " + item.name +

@@ -1,15 +1,14 @@
 #include "papers/commands/compare_voxels.hpp"
 
-#include "app/cli/bench_suite.hpp"
 #include "app/cli/report.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/trace/trace_frame.hpp"
 #include "papers/commands/compare_output.hpp"
+#include "papers/commands/compare_scene.hpp"
 #include "papers/commands/compare_subject.hpp"
 #include "papers/compare/text_columns.hpp"
 #include "papers/compare/voxel_rows.hpp"
 #include "papers/voxels/collect_voxels.hpp"
-#include "pipeline/volume_source.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -91,14 +90,6 @@ void measure_voxels(const VoxelTable& table, const std::string& scene,
         row.scene = scene;
         output.print(voxel_row_text(table, row));
     }
-}
-
-BenchItem item_of(const PrintedScene& scene) {
-    BenchItem item{.name = scene.name,
-                   .read = read_document_text(scene.formula, volume_source({}))};
-    item.read.document.clip = Box::cube(scene.domain);
-    item.read.document.camera = suite_camera(scene.domain);
-    return item;
 }
 
 /// The voxels that the rays of the scene's frame go through.
