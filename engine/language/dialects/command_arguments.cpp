@@ -32,9 +32,13 @@ bool take(const Option& option, CommandArguments& arguments) {
     const std::string name = lower_case(option.name);
     if (name == "contours" || name == "contour") {
         const auto list = in_brackets(option.value);
-        arguments.levels = list ? split_outside(*list, ',') : std::vector{option.value};
-        // A number alone is how many levels there are, not which.
-        return list.has_value() || name == "contour";
+        // A number alone is how many levels there are in Mathematica, not which.
+        const bool is_count = !list && name == "contours";
+        if (is_count)
+            arguments.left_out.push_back(option.name);
+        else
+            arguments.levels = list ? split_outside(*list, ',') : std::vector{option.value};
+        return true;
     }
     if (name == "regionfunction" || name == "region") {
         arguments.condition = unnamed_function(option.value);
@@ -55,6 +59,14 @@ std::optional<CommandArguments> ranges_and_options(std::span<const std::string_v
     for (const Words argument : arguments) {
         if (const auto range = named_range(argument)) {
             result.ranges.push_back(*range);
+            continue;
+        }
+        const std::size_t dots = find_outside(argument, "..");
+        if (dots != Words::npos && !argument.contains('=') &&
+            result.ranges.size() < axis_names.size()) {
+            result.ranges.push_back({.name = axis_names.at(result.ranges.size()),
+                                     .lo = trimmed(argument.substr(0, dots)),
+                                     .hi = trimmed(argument.substr(dots + 2))});
             continue;
         }
         const auto option = option_of(argument);

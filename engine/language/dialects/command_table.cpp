@@ -20,6 +20,7 @@ constexpr std::array known_commands = std::to_array<KnownCommand>({
     {"spacecurve", "Maple", Draws::Points},
     {"display", "Maple", Draws::Commands},
     {"show", "Sage", Draws::Commands},
+    {"Implicit3d", "MuPAD", Draws::Equations},
     {"implicit_plot3d", "Sage", Draws::Equations},
     {"parametric_plot3d", "Sage", Draws::Points},
     {"spherical_plot3d", "Sage", Draws::AroundFirst},

@@ -211,6 +211,12 @@ private:
             return !behind_.ranges.empty() && behind_.ranges.size() <= 2;
         }
         const auto parts = split_outside(*inside, ',');
+        if (parts.size() > 3 && behind_.ranges.empty()) {  // Maple's [x, y, z, t = 0..1]
+            auto behind = ranges_and_options(Parts(parts).subspan(3));
+            if (!behind) return false;
+            behind_ = std::move(*behind);
+            return point(Parts(parts).first(3));
+        }
         if (!in_brackets(parts[0])) return point(parts);
         return std::ranges::all_of(parts, [&](Words part) {
             const auto of = in_brackets(part);

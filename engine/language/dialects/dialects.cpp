@@ -48,7 +48,8 @@ bool loads_library(Words line) {
     const bool names = behind.starts_with(' ') && !trimmed(behind).starts_with('=');
     if (word == "import" || word == "syms" || word == "using") return names;
     if (word == "from") return names && line.contains(" import ");
-    if (word == "with") return behind.starts_with('(');
+    if (word == "with") return trimmed(behind).starts_with('(') && line.ends_with(':');
+    if (line.starts_with("<<") || word == "Needs") return true;
     return names_variables(line);
 }
 
@@ -106,7 +107,7 @@ private:
     }
     /// The offset behind the prompt of a program, if there is one.
     [[nodiscard]] std::size_t behind_prompt(std::size_t at) const {
-        for (const Words prompt : {"sage:", ">>>", ">>"}) {
+        for (const Words prompt : {"sage:", ">>>", ">>", "> "}) {
             if (typed_.substr(at).starts_with(prompt)) {
                 at += prompt.size();
                 return at + blank_length(typed_.substr(at));
@@ -141,7 +142,8 @@ private:
             at = end;
             return command(*call, row, writer);
         }
-        if (!is_idle(row)) writer.write(typed_.substr(at, end - at));
+        const bool shows_plot = std::ranges::find(plots_, row) != plots_.end();
+        if (!is_idle(row) && !shows_plot) writer.write(typed_.substr(at, end - at));
         at = end;
         return true;
     }
@@ -173,8 +175,10 @@ private:
             length = word_length(row);
             break;
         }
-        while (row.substr(length).starts_with('.') && length > 0) {  // a library: plots.plot3d
-            row = row.substr(length + 1);
+        // The name of a library: plots.plot3d, plots:-plot3d, plots[plot3d], plot::Implicit3d.
+        for (const Words sign : {"::", ":-", ":", "."}) {
+            if (length == 0 || !row.substr(length).starts_with(sign)) continue;
+            row = row.substr(length + sign.size());
             length = word_length(row);
         }
         const Words name = row.substr(0, length);
@@ -210,6 +214,8 @@ private:
         if (!write_command(call, trial)) return refuse();
         const auto outcome = write_command(call, writer);
         writer.put(";", row.substr(row.size()));
+        if (const std::size_t name = word_length(row); row.data() != call.name.data())
+            plots_.push_back(row.substr(0, name));
         note(call, *outcome);
         take(outcome->box, result_.text.offset_of(call.name));
         return true;
@@ -275,6 +281,7 @@ private:
     Words typed_;
     DialectText result_;
     std::optional<ParseError> error_;
+    std::vector<Words> plots_;  ///< names that commands are given
     int commands_ = 0;
     int failed_functions_ = 0;  ///< statements that might have been one
 };

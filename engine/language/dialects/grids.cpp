@@ -53,10 +53,15 @@ bool Grids::write(std::string_view row) {
     if (!parts) return false;
     const auto call = call_of(parts->second);
     if (call && is_grid(call->name)) return write_grid(parts->first, parts->second);
-    const bool is_line = is_word(parts->first) && ends_of(parts->second).has_value() &&
-                         writer_.text().typed().contains("meshgrid");
-    if (is_line) remember_points(parts->first, parts->second);
-    return is_line;
+    if (!is_word(parts->first) || !writer_.text().typed().contains("meshgrid")) return false;
+    if (const auto inner = assignment(parts->second)) {  // tx = ty = linspace(-8, 8, 41)
+        if (!write(parts->second)) return false;
+        remember_points(parts->first, inner->first);
+        return true;
+    }
+    if (!ends_of(parts->second)) return false;
+    remember_points(parts->first, parts->second);
+    return true;
 }
 
 void Grids::remember_points(std::string_view name, std::string_view value) {
@@ -65,6 +70,7 @@ void Grids::remember_points(std::string_view name, std::string_view value) {
 
 /// The ends of points on a line: -2:0.1:2, linspace(-2, 2, 50), arange(-2, 2, 0.1), or their name.
 std::optional<Grids::Ends> Grids::ends_of(std::string_view argument) const {
+    if (argument.ends_with('\'')) argument.remove_suffix(1);  // as a column
     argument = in_brackets(argument).value_or(argument);
     const auto known =
         std::ranges::find(points_, argument, &std::pair<std::string_view, Ends>::first);
@@ -97,6 +103,9 @@ bool Grids::write_grid(std::string_view names, std::string_view call) {
         writer_.put(axes.at(k), grid[k]);
         writer_.put(";", grid[k]);
     }
+    const Words typed = writer_.text().typed();
+    if (find_outside(typed, "eps") != Words::npos && !writer_.is_function("eps"))
+        writer_.put("eps := 2^-52;", names);  // MATLAB's distance of 1 from the next number
     has_grid_ = true;
     return true;
 }
