@@ -20,8 +20,9 @@ constexpr const char* no_surface = marked("a condition alone is no surface");
 }  // namespace
 
 std::expected<Program, ParseError> Elaborator::program() {
-    if (!error_) error_ = error_for_parametric();
-    if (error_ || !build_statements() || !build_graphs()) return std::unexpected(*error_);
+    if (values_.failed()) return values_.failure();
+    if (auto error = error_for_parametric()) return std::unexpected(std::move(*error));
+    if (!build_statements() || !build_graphs()) return values_.failure();
     if (surfaces_.empty() && !without_surface_.empty())
         return std::unexpected(no_place_error(without_surface_.front()));
     if (surfaces_.empty()) {
@@ -49,28 +50,28 @@ std::string Elaborator::hint_without_surface() {
 }
 
 std::expected<Expr, ParseError> Elaborator::formula() {
-    if (error_) return std::unexpected(*error_);
+    if (values_.failed()) return values_.failure();
     if (tree_.statements.size() > 1) {
         fail(tree_.statements[1].offset, tr("there is a second statement"), tr("type one formula"));
-        return std::unexpected(*error_);
+        return values_.failure();
     }
-    refuses_undefined_ = false;
+    values_.keep_undefined();
     const Number root = equation(tree_.statements.front());
-    if (!root) return std::unexpected(*error_);
+    if (!root) return values_.failure();
     return builder_.finish(*root, parameters_);
 }
 
 std::expected<Expr, ParseError> Elaborator::last_value() {
-    if (error_) return std::unexpected(*error_);
+    if (values_.failed()) return values_.failure();
     statement_ = tree_.statements.size() - 1;
     const StatementSyntax& statement = tree_.statements.back();
     if (is_condition(tree_[statement.relation].kind) || !statement.restrictions.empty()) {
         fail(statement.offset, tr("an expression is needed here, no equation and no condition"),
              tr("type a value such as x^2 + y^2"));
-        return std::unexpected(*error_);
+        return values_.failure();
     }
     const Number root = number(statement.relation, nullptr);
-    if (!root) return std::unexpected(*error_);
+    if (!root) return values_.failure();
     return builder_.finish(*root, parameters_);
 }
 
@@ -122,18 +123,18 @@ bool Elaborator::build_statements() {
 /// Notes instead of failing, if the text has a surface, that a definition cannot be read: no
 /// surface needs it, or it is a function that has a value only for the arguments it is called with.
 bool Elaborator::note_unreadable(const Definition& definition) {
-    if (surfaces_.empty() || !error_) return false;
+    if (surfaces_.empty() || !values_.failed()) return false;
+    const ParseError error = values_.failure().error();
     const std::size_t offset = tree_.statements[definition.statement].offset;
     if (!definition.is_called) {
-        const std::string hint = error_->hint.empty() ? "" : "; " + error_->hint;
+        const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
         notes_.add(offset, filled(tr("no surface needs this, and it is not read: {0}"),
-                                  {error_->reason + hint}));
+                                  {error.reason + hint}));
     }
     readings_[definition.statement] = {
         .kind = definition.is_function ? StatementKind::Function : StatementKind::Value,
         .offset = offset,
         .text = definition.name + (definition.is_function ? "(...) = ..." : " = ...")};
-    error_.reset();
     return true;
 }
 
@@ -164,7 +165,7 @@ bool Elaborator::defines_nothing_else(std::size_t statement, NodeId root) const 
     if (!syntax.restrictions.empty()) return false;
     const Syntax& left = tree_[relation.operands[0]];
     if (left.kind != SyntaxKind::Name) return false;
-    if (!uses_space(root)) return true;
+    if (!values_.uses_space(root)) return true;
     const Node& node = builder_.node(root);
     const bool is_axis = left.text == "x" || left.text == "y" || left.text == "z";
     return is_built_in_value(left.text) && !is_axis && node.op == Op::Subtract &&
@@ -208,20 +209,14 @@ Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
     return restricted(*f, statement);
 }
 
-/// The three numbers of a vector of 3; nothing of another value.
-std::optional<std::array<NodeId, 3>> Elaborator::point_of(const Value& value) {
-    if (!value.is_vector() || value.size() != 3) return std::nullopt;
-    return std::array{value.part(0).id, value.part(1).id, value.part(2).id};
-}
-
 /// The error for a row that is a vector or a list.
 std::nullopt_t Elaborator::refuse_row(const Value& value, std::size_t offset) {
-    if (point_of(value)) {
+    if (value.point()) {
         return fail(offset,
                     tr("a list in brackets is a point or a parametric surface, no equation"),
                     tr("type an equation in x, y and z"));
     }
-    return fail(offset, filled(tr("this is {0}, and no surface"), {described(value)}),
+    return fail(offset, filled(tr("this is {0}, and no surface"), {value.described()}),
                 tr("type an equation in x, y and z"));
 }
 
@@ -241,7 +236,7 @@ Elaborator::Number Elaborator::restriction_of(const StatementSyntax& statement) 
         all = all ? make_call(builder_, Op::And, *all, *one) : *one;
         if (!done(*all, syntax.offset)) return std::nullopt;
     }
-    if (all && refuses_undefined_ && never_holds(*all)) {
+    if (all && values_.refuses_undefined() && values_.never_holds(*all)) {
         return fail(tree_[statement.restrictions.front()].offset, tr("this never holds"));
     }
     return all;
@@ -249,16 +244,9 @@ Elaborator::Number Elaborator::restriction_of(const StatementSyntax& statement) 
 
 Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
     const Number all = restriction_of(statement);
-    if (error_) return std::nullopt;
+    if (values_.failed()) return std::nullopt;
     return all ? make_call(builder_, Op::Where, f, *all) : f;
 }
-
-bool Elaborator::never_holds(NodeId condition) const {
-    const auto& constant = facts_[condition].constant;
-    return constant && constant->hi <= 0;
-}
-
-bool Elaborator::uses_space(NodeId root) const { return !facts_[root].uniform; }
 
 ParseError Elaborator::no_place_error(std::size_t statement) const {
     const bool capital = parameter_index_.contains("X") || parameter_index_.contains("Y") ||
@@ -278,11 +266,11 @@ ParseError Elaborator::no_place_error(std::size_t statement) const {
 
 bool Elaborator::add_surface(std::size_t statement, NodeId root) {
     const Node& top = builder_.node(root);
-    if (!uses_space(top.op == Op::Where ? top.a : root)) {
-        if (!error_) error_ = no_place_error(statement);
+    if (!values_.uses_space(top.op == Op::Where ? top.a : root)) {
+        values_.fail(no_place_error(statement));
         return false;
     }
-    if (top.op == Op::Where && never_holds(top.b)) {
+    if (top.op == Op::Where && values_.never_holds(top.b)) {
         fail(tree_.statements[statement].offset, tr("its condition never holds"));
         return false;
     }
@@ -343,7 +331,7 @@ bool Elaborator::build_definition(Definition& definition) {
 
 std::expected<Program, ParseError> Elaborator::result() {
     for (Surface& surface : surfaces_) {
-        if (!cut_surface(surface)) return std::unexpected(*error_);
+        if (!cut_surface(surface)) return values_.failure();
     }
     std::ranges::sort(surfaces_, {}, &Surface::statement);
     Program program;
@@ -357,7 +345,7 @@ std::expected<Program, ParseError> Elaborator::result() {
             fail(tree_.statements[surface.statement].offset,
                  filled(tr("the surfaces up to here have more than {0} operations"),
                         {std::to_string(ProgramLimits::nodes)}));
-            return std::unexpected(*error_);
+            return values_.failure();
         }
         readings_[surface.statement] = {
             .kind = StatementKind::Surface,

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/algebra/facts.hpp"
 #include "engine/language/elaborator_definitions.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/language/syntax/syntax.hpp"
+#include "engine/language/values/graph_values.hpp"
 
 #include <array>
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
     Elaborator(const SyntaxTree& tree, const FieldSource* files,
                std::size_t counted_end = std::string_view::npos)
         : tree_(tree), files_(files), notes_(tree.notes), table_(tree, counted_end, notes_) {
-        error_ = table_.error();
+        if (table_.error()) values_.fail(*table_.error());
     }
 
     /// Cuts what `program` draws by these boxes, which outlive it.
@@ -43,8 +43,8 @@ public:
 
 private:
     using Value = BuiltValue;
-    using Built = std::optional<Value>;  ///< nullopt is an error, which is in `error_`
-    using Number = std::optional<NodeId>;
+    using Built = GraphValues::Built;
+    using Number = GraphValues::Number;
 
     /// A local name: a function's argument, a sum's index, or a value in a function's body.
     struct Binding {
@@ -54,7 +54,7 @@ private:
     };
     /// A function and its arguments, those of several parts as their number and their parts.
     using Call = std::pair<const Definition*, std::vector<NodeId>>;
-    using Values = std::vector<Value>;
+    using Values = BuiltValues;
     struct CallHash {
         std::size_t operator()(const Call& call) const;
     };
@@ -81,7 +81,6 @@ private:
     [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
     bool keep_without_surface(std::size_t statement);
     Number equation(const StatementSyntax& statement);
-    [[nodiscard]] static std::optional<std::array<NodeId, 3>> point_of(const Value& value);
     std::nullopt_t refuse_row(const Value& value, std::size_t offset);
     Number restriction_of(const StatementSyntax& statement);
     Number restricted(NodeId f, const StatementSyntax& statement);
@@ -92,8 +91,6 @@ private:
     [[nodiscard]] std::optional<RowBox> box_of(std::size_t statement) const;
     NodeId cut_condition(const RowBox& box);
     bool cut_surface(Surface& surface);
-    [[nodiscard]] bool uses_space(NodeId root) const;
-    [[nodiscard]] bool never_holds(NodeId condition) const;
     [[nodiscard]] ParseError no_place_error(std::size_t statement) const;
     std::optional<std::string> value_text(Definition& definition);
     std::optional<std::string> text_by_row(Definition& definition);
@@ -164,7 +161,6 @@ private:
     NodeId dot(const Point& a, const Point& b);
     bool is_zero(const Point& way, std::size_t offset);
     bool check_plane(const std::vector<Point>& corners, const Point& normal, const Syntax& call);
-    [[nodiscard]] std::optional<double> middle_of(NodeId id) const;
     [[nodiscard]] bool is_convex(const std::vector<Point>& corners, const Point& normal);
     NodeId inside_polygon(const std::vector<Point>& corners, const Point& normal, bool convex);
 
@@ -194,43 +190,21 @@ private:
     Built last_of_list(const Syntax& syntax);
 
     // elaborator_vector.cpp: vectors and lists
-    static Value bundle(Value::Kind kind, Values parts) {
-        return {.kind = kind,
-                .parts = std::make_shared<const std::vector<Value>>(std::move(parts))};
-    }
-    using Make = std::function<NodeId(std::span<const NodeId>)>;
     /// A value of any kind; a condition as 1 or 0.
     Built operand(SyntaxId id, const Binding* scope);
     Built vector(const Syntax& syntax, const Binding* scope);
     Built list(const Syntax& syntax, const Binding* scope);
     Built part(const Syntax& syntax, const Binding* scope);
-    Built part_of(const Value& of, std::string_view letters, const Syntax& syntax);
+    [[nodiscard]] std::string hint_for_vector(const Syntax& part) const;
     Built replaced(const Syntax& syntax, const Binding* scope);
-    /// A function of numbers over values: lists element by element, vectors part by part; a single
-    /// value stands for each part of the others.
-    Built mapped(std::span<const Value> values, std::size_t offset, const Make& make);
-    using Binary = NodeId (*)(ExprBuilder&, NodeId, NodeId);
-    Built combined(const Value& a, const Value& b, std::size_t offset, Binary make);
-    std::nullopt_t refuse_index(const Value& of, std::size_t offset);
-    Built sizes_differ(const Value& a, const Value& b, std::size_t offset);
-    Built joined_parts(const Syntax& syntax, const Value& of);
-    Built length(const Function& function, const Values& values, std::size_t offset);
-    Built made_vector(const Syntax& syntax, const Values& values);
     std::optional<Values> operands(std::span<const SyntaxId> ids, const Binding* scope);
-    bool numbers_of(const Value& value, std::size_t offset, std::vector<NodeId>& numbers);
     void note(std::size_t offset, std::string text);
-    [[nodiscard]] static std::string described(const Value& value);
 
     // elaborator_condition.cpp: truth values
     /// How a number is treated where a condition is expected.
     enum class Numbers : std::uint8_t { Refused, TrueUnlessZero };
     Number condition(SyntaxId id, const Binding* scope, Numbers numbers);
-    Number number_of(const Value& value, std::size_t offset);
-    Number condition_of(const Value& value, std::size_t offset);
     Built compare(const Syntax& syntax, const Binding* scope);
-    Number compared(char mark, const Value& left, const Value& right, std::size_t offset);
-    Number equality(const Value& left, const Value& right, std::size_t offset);
-    Number same_truth(const Value& condition, const Value& other);
     Built connected(const Syntax& syntax, Op op, const Binding* scope);
     Built cases(const Syntax& syntax, const Binding* scope);
 
@@ -292,23 +266,36 @@ private:
     };
     std::optional<double> whole_number(SyntaxId id, const Binding* scope,
                                        const Complaint& otherwise);
-    [[nodiscard]] std::optional<bool> known_truth(NodeId condition) const;
     std::optional<std::vector<NodeId>> numbers(std::span<const SyntaxId> ids, const Binding* scope);
 
-    /// Counts a step; an error if there are too many.
-    bool counts(std::size_t offset);
-    /// The node as a value; an error if the graph is too large or a constant in it is undefined.
-    Built done(NodeId id, std::size_t offset, bool condition = false);
-    [[nodiscard]] bool divides_by_zero(const Node& node) const;
-    std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
+    // Offsets within the body of a library function are shown at its call.
+    [[nodiscard]] std::size_t at(std::size_t offset) const {
+        return library_offset_.value_or(offset);
+    }
+    bool counts(std::size_t offset) { return values_.counts(at(offset)); }
+    Built done(NodeId id, std::size_t offset, bool condition = false) {
+        return values_.done(id, at(offset), condition);
+    }
+    Number number_of(const Value& value, std::size_t offset) {
+        return values_.number_of(value, at(offset));
+    }
+    Built mapped(std::span<const Value> values, std::size_t offset, const GraphValues::Make& make) {
+        return values_.mapped(values, at(offset), make);
+    }
+    Built combined(const Value& a, const Value& b, std::size_t offset, GraphValues::Binary make) {
+        return values_.combined(a, b, at(offset), make);
+    }
+    std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {}) {
+        return values_.fail(at(offset), std::move(reason), std::move(hint));
+    }
 
     const SyntaxTree& tree_;
     const FieldSource* files_;
     std::span<const CutText> cuts_;
     Notes notes_;
     DefinitionTable table_;
-    ExprBuilder builder_;
-    std::vector<Facts> facts_;  ///< facts of the builder's nodes, by index
+    GraphValues values_{notes_};
+    ExprBuilder& builder_ = values_.builder();
     std::unordered_map<std::string, std::size_t> parameter_index_;
     std::vector<std::string> parameters_;
     std::unordered_map<Call, Value, CallHash> calls_;
@@ -332,17 +319,13 @@ private:
     std::unordered_map<Call, Value, CallHash> row_calls_;
     std::map<const Definition*, std::vector<std::string>> rows_;  ///< the variables that
                                                                   ///< definitions have from rows
-    std::optional<ParseError> error_;
     std::size_t statement_ = 0;                      ///< the statement in which names are looked up
     bool is_solid_ = false;                          ///< of the surface that is being built
     std::unordered_map<NodeId, Number> boundaries_;  ///< of conditions
     bool says_w_ = false;                            ///< the text has w for the fourth coordinate
     bool says_t_ = false;                            ///< and t
-    bool refuses_undefined_ = true;
     bool reads_function_ = false;  ///< its arguments are parameters that stand for any number
-    bool wants_vector_ = false;    ///< the error is a number in place of a vector
     int depth_ = 0;
-    std::size_t steps_ = 0;
 };
 
 }  // namespace zeroset

@@ -97,7 +97,7 @@ bool Elaborator::add_blob(const Syntax& syntax, const Value& from, const Values&
     if (!fits) {
         fail(syntax.offset,
              filled(tr("{0} is of a list of balls (x, y, z, r), not of {1}"),
-                    {std::string(syntax.function->name), described(from)}),
+                    {std::string(syntax.function->name), from.described()}),
              filled(tr("type {0}"), {"[(0, 0, 0, 1), (1, 0, 0, 1)]"}));
         return false;
     }
@@ -139,8 +139,8 @@ Elaborator::Built Elaborator::blobs(const Syntax& syntax, const Binding* scope) 
         if (!add_blob(syntax, ball, radius, balls)) return std::nullopt;
     }
     const bool constant = std::ranges::all_of(balls, [&](const auto& ball) {
-        return std::ranges::all_of(ball,
-                                   [&](NodeId id) { return facts_[id].constant.has_value(); });
+        return std::ranges::all_of(
+            ball, [&](NodeId id) { return values_.facts(id).constant.has_value(); });
     });
     return constant ? blobs_field_of(syntax, *point, balls) : blobs_formula(syntax, *point, balls);
 }
@@ -151,7 +151,7 @@ Elaborator::Built Elaborator::blobs_field_of(const Syntax& syntax,
     // Decimal numbers as the nearest doubles, as which they are printed.
     const auto number = [&](NodeId id) {
         const auto fraction = exact_fraction(builder_, id);
-        if (!fraction) return facts_[id].middle;
+        if (!fraction) return values_.facts(id).middle;
         return static_cast<double>(static_cast<long double>(fraction->p) /
                                    static_cast<long double>(fraction->q));
     };
@@ -200,7 +200,7 @@ Elaborator::Built Elaborator::blobs_formula(const Syntax& syntax,
                              ? squares
                              : make_divide(builder_, squares, make_int_power(builder_, ball[3], 2));
         NodeId height = height_of(builder_, kind, q);
-        if (const auto& radius = facts_[ball[3]].constant; !radius || radius->neg_lo > 0)
+        if (const auto& radius = values_.facts(ball[3]).constant; !radius || radius->neg_lo > 0)
             height = make_multiply(builder_, make_call(builder_, Op::Sign, ball[3]), height);
         sum = make_add(builder_, sum, height);
         if (!done(sum, syntax.offset)) return std::nullopt;

@@ -48,7 +48,7 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     for (const SyntaxId id : syntax.operands) {
         const std::size_t place = arguments.size();
         if (library_offset_ && op == Op::If && place == 1) {
-            if (const auto truth = known_truth(arguments[0].id))
+            if (const auto truth = values_.known_truth(arguments[0].id))
                 return build(syntax.operands[*truth ? 1 : 2], scope);
         }
         Built argument = argument_of(*syntax.function, place, id, scope);
@@ -74,12 +74,12 @@ Elaborator::Built Elaborator::applied(const Syntax& syntax, const Values& argume
     const bool is_alone = arguments.size() == 1;
     const bool is_bundle = is_alone && !arguments[0].is_single();
     if (function.composed == Composed::Length || function.composed == Composed::Hypot)
-        return length(function, arguments, syntax.offset);
+        return values_.length(function, arguments, at(syntax.offset));
     if (is_bundle && arguments[0].is_vector() && syntax.marks == "|")
-        return length(*find_function("length"), arguments, syntax.offset);
-    if (function.makes_vector()) return made_vector(syntax, arguments);
+        return values_.length(*find_function("length"), arguments, at(syntax.offset));
+    if (function.makes_vector()) return values_.made_vector(function, arguments, at(syntax.offset));
     if (is_bundle && (function.joins() || function.repeats()))
-        return joined_parts(syntax, arguments[0]);
+        return values_.joined_parts(function, arguments[0], at(syntax.offset));
     if (is_alone && !function.takes_a_number()) {
         if (library_offset_ && function.repeats()) return arguments[0];
         return fail(
@@ -91,13 +91,6 @@ Elaborator::Built Elaborator::applied(const Syntax& syntax, const Values& argume
     return mapped(arguments, syntax.offset, [&](std::span<const NodeId> of) {
         return make_function(builder_, function, of);
     });
-}
-
-/// The truth value of a condition that is constant; nullopt: it is not.
-std::optional<bool> Elaborator::known_truth(NodeId condition) const {
-    const auto& constant = facts_[condition].constant;
-    if (!constant || constant->neg_lo != -constant->hi) return std::nullopt;
-    return constant->hi != 0;
 }
 
 std::optional<std::vector<NodeId>> Elaborator::numbers(std::span<const SyntaxId> ids,
@@ -204,7 +197,8 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
     }
     const Number last = number(syntax.operands[3], scope);
     if (!last) return std::nullopt;
-    const bool is_of_sliders = !reads_function_ && facts_[*last].uniform && !facts_[*last].constant;
+    const bool is_of_sliders =
+        !reads_function_ && !values_.uses_space(*last) && !values_.facts(*last).constant;
     std::optional<double> bounds[2];
     for (std::size_t i = 0; i < (is_of_sliders ? 1U : 2U); ++i) {
         const std::string rule = library_offset_
@@ -338,7 +332,7 @@ void Elaborator::add_key(const Value& value, std::vector<NodeId>& key) {
     key.push_back(value.is_list() ? lists : vectors);
     key.push_back(static_cast<NodeId>(value.size()));
     for (const Value& part : *value.parts) {
-        ++steps_;
+        values_.count_step();
         add_key(part, key);
     }
 }

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "engine/language/syntax/syntax.hpp"
+#include "engine/language/values/built_value.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -19,30 +19,6 @@
 // Private to Elaborator: the definitions of a text, and which of them a name refers to.
 
 namespace zeroset {
-
-/// A value: a node of the graph, which is a number or a truth value, or several values.
-struct BuiltValue {
-    enum class Kind : std::uint8_t {
-        Single,
-        Vector,  ///< 2 to 4 numbers: (x, y, z)
-        List,    ///< any number of numbers or vectors: [1, 2, 3]
-    };
-
-    NodeId id = 0;
-    bool condition = false;  ///< true: a truth value
-    Kind kind = Kind::Single;
-    std::shared_ptr<const std::vector<BuiltValue>> parts{};  ///< nullptr: a single one
-
-    [[nodiscard]] bool is_single() const { return kind == Kind::Single; }
-    [[nodiscard]] bool is_vector() const { return kind == Kind::Vector; }
-    [[nodiscard]] bool is_list() const { return kind == Kind::List; }
-    /// Number of parts; 1 for a single value.
-    [[nodiscard]] std::size_t size() const { return parts ? parts->size() : 1; }
-    /// The part at `index`; a single value has itself at each.
-    [[nodiscard]] const BuiltValue& part(std::size_t index) const {
-        return parts ? (*parts)[index] : *this;
-    }
-};
 
 /// A statement `name = body` or `name(arguments) = body`.
 struct Definition {

@@ -36,7 +36,7 @@ std::optional<std::array<NodeId, 3>> Elaborator::leading_point(const Syntax& syn
     if (!first.is_single() && !is_point) {
         const std::string name(syntax.function->name);
         return fail(tree_[syntax.operands[0]].offset,
-                    filled(tr("{0} is of a point, not of {1}"), {name, described(first)}),
+                    filled(tr("{0} is of a point, not of {1}"), {name, first.described()}),
                     filled(tr("type {0} or {1}"), {name + "(x, y, z)", name + "(p)"}));
     }
     const NodeId zero = builder_.constant(0.0);

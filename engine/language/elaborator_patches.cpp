@@ -123,7 +123,7 @@ std::optional<std::vector<Elaborator::Binding>> Elaborator::bind_ranges(
         const NodeId share = builder_.variable(static_cast<int>(bindings.size()));
         const NodeId value = make_add(builder_, *lo, make_multiply(builder_, width, share));
         if (!done(value, range.offset)) return std::nullopt;
-        const auto& constant = facts_[width].constant;
+        const auto& constant = values_.facts(width).constant;
         if (constant && constant->hi <= 0.0) {
             fail(range.offset, filled(tr("the range of {0} is empty"), {range.name}),
                  filled(tr("type the lower end first: {0}"), {"0 < " + range.name + " < 1"}));
@@ -155,7 +155,7 @@ std::optional<std::array<NodeId, 3>> Elaborator::point_over(const StatementSynta
     const Binding* const scope = bindings.empty() ? nullptr : &bindings.back();
     bind_row(scope);
     const Built value = build(point_in(statement), scope);
-    return value ? point_of(*value) : std::nullopt;
+    return value ? value->point() : std::nullopt;
 }
 
 /// The first of the usual names of variables that a row uses without saying what it is; empty:
@@ -253,12 +253,12 @@ bool Elaborator::build_patch(std::size_t index) {
     const auto names = bind_names(ranges);
     if (!names) return false;
     const auto typed = point_over(statement, *names);
-    if (!typed && !error_) {
+    if (!typed && !values_.failed()) {
         fail(statement.offset, tr("a row with ranges of variables is a point of three numbers"),
              filled(tr("type {0}"), {example}));
     }
     if (!typed) return false;
-    if (std::ranges::any_of(*typed, [&](NodeId id) { return uses_space(id); })) {
+    if (std::ranges::any_of(*typed, [&](NodeId id) { return values_.uses_space(id); })) {
         fail(statement.offset,
              tr("a point is given by numbers and variables with a range, not by "
                 "x, y and z"),
@@ -284,14 +284,13 @@ bool Elaborator::build_patch(std::size_t index) {
 /// that other vectors, which rows are made of, are not seen.
 bool Elaborator::draws_nothing(const Definition& definition) {
     const bool is_capital = definition.name.front() >= 'A' && definition.name.front() <= 'Z';
-    return definition.is_function || !is_capital || !definition.value ||
-           !point_of(*definition.value);
+    return definition.is_function || !is_capital || !definition.value || !definition.value->point();
 }
 
 /// Draws a definition such as P = (1, 2, a), unless its point is one of x, y and z.
 bool Elaborator::add_named_point(const Definition& definition, const std::string& text) {
-    const auto point = point_of(*definition.value);
-    if (std::ranges::any_of(*point, [&](NodeId id) { return uses_space(id); })) return true;
+    const auto point = definition.value->point();
+    if (std::ranges::any_of(*point, [&](NodeId id) { return values_.uses_space(id); })) return true;
     if (!add_patch(definition.statement, PatchKind::Point, *point, text)) return false;
     surfaces_.back().name = definition.name;
     return true;
@@ -317,15 +316,15 @@ bool Elaborator::build_meeting(std::size_t index) {
         if (!right) return false;
         functions.at(i) = make_subtract(builder_, *left, *right);
         if (!done(functions.at(i), equation.offset)) return false;
-        if (!uses_space(functions.at(i))) {
-            error_ = no_place_error(index);
+        if (!values_.uses_space(functions.at(i))) {
+            values_.fail(no_place_error(index));
             return false;
         }
         text += (i > 0 ? " and " : "") +
                 builder_.text(functions.at(i), parameters_, longest_definition()) + " = 0";
     }
     const Number condition = restriction_of(statement);
-    if (error_) return false;
+    if (values_.failed()) return false;
     NodeId where = condition.value_or(builder_.constant(1.0));
     if (condition) text += ", " + builder_.text(where, parameters_, longest_definition());
     if (const auto box = box_of(index)) {

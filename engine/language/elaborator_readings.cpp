@@ -148,20 +148,18 @@ std::optional<std::string> Elaborator::function_text(Definition& definition) {
     const bool is_known = definition.called_with.size() == count;
     std::vector<std::size_t> sizes =
         is_known ? definition.called_with : std::vector<std::size_t>(count, 1);
-    wants_vector_ = false;
     auto text = function_text_of(definition, sizes);
     constexpr std::size_t most_tried = 4;
-    if (text || is_known || !wants_vector_ || count > most_tried) return text;
-    const std::optional<ParseError> error = std::exchange(error_, std::nullopt);
+    if (text || is_known || !values_.wanted_vector() || count > most_tried) return text;
+    const ParseError error = values_.failure().error();
     for (std::size_t vectors = 1; vectors < std::size_t{1} << count; ++vectors) {
         for (std::size_t i = 0; i < count; ++i)
             sizes[i] = (vectors >> i & 1U) != 0 ? 3 : 1;
         text = function_text_of(definition, sizes);
         if (text) return text;
-        error_.reset();
+        (void)values_.failure();
     }
-    error_ = error;
-    return std::nullopt;
+    return values_.fail(error);
 }
 
 /// The reading of a function for arguments of these numbers of parts, which are built as parameters
@@ -196,7 +194,7 @@ std::optional<std::string> Elaborator::function_text_of(Definition& definition,
         Values vector;
         for (std::size_t k = 0; k < sizes[i]; ++k)
             vector.push_back(add_variable(name + "." + parts[k]));
-        arguments.push_back(bundle(Value::Kind::Vector, std::move(vector)));
+        arguments.push_back(Value::vector(std::move(vector)));
     }
     const std::size_t offset = tree_.statements[definition.statement].offset;
     if (!arguments.empty() && !done(arguments.back().part(0).id, offset)) return std::nullopt;

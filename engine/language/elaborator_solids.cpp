@@ -24,7 +24,7 @@ Elaborator::Number Elaborator::solid(const Value& condition, const StatementSynt
         all = one ? Number(make_call(builder_, Op::Max, *all, *one)) : std::nullopt;
         if (all && !done(*all, syntax.offset)) return std::nullopt;
     }
-    if (error_) return std::nullopt;
+    if (values_.failed()) return std::nullopt;
     if (!all) {
         return fail(offset, tr("this condition has no boundary that is a surface"),
                     tr("type inequalities such as z > x^2 + y^2, or a surface and a comma before "

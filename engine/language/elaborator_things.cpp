@@ -81,29 +81,26 @@ NodeId Elaborator::dot(const Point& a, const Point& b) {
     return sum;
 }
 
-/// The middle of a number that is known, as far as it is.
-std::optional<double> Elaborator::middle_of(NodeId id) const {
-    return facts_[id].constant ? std::optional(facts_[id].middle) : std::nullopt;
-}
-
 /// Whether all parts of a vector are known to be 0.
 bool Elaborator::is_zero(const Point& way, std::size_t offset) {
-    return std::ranges::all_of(
-        way, [&](NodeId id) { return done(id, offset).has_value() && middle_of(id) == 0.0; });
+    return std::ranges::all_of(way, [&](NodeId id) {
+        return done(id, offset).has_value() && values_.middle_of(id) == 0.0;
+    });
 }
 
 /// Makes sure that an argument of a thing is a point of numbers.
 bool Elaborator::check_corner(const Value& value, const Syntax& call, std::size_t place) {
     const std::size_t offset = tree_[call.operands[place]].offset;
-    const auto point = point_of(value);
+    const auto point = value.point();
     if (!point) {
         fail(offset,
              filled(tr("{0} is made of points of 3 numbers, and this is {1}"),
-                    {call_of(*call.function), described(value)}),
+                    {call_of(*call.function), value.described()}),
              filled(tr("type a point such as {0}, or the name of one"), {"(1, 2, 3)"}));
         return false;
     }
-    if (std::ranges::none_of(*point, [&](NodeId id) { return uses_space(id); })) return true;
+    if (std::ranges::none_of(*point, [&](NodeId id) { return values_.uses_space(id); }))
+        return true;
     fail(offset,
          filled(tr("{0} is made of points that are numbers, not of x, y and z"),
                 {call_of(*call.function)}),
@@ -124,7 +121,7 @@ std::optional<std::vector<Elaborator::Point>> Elaborator::corners_of(const Synta
     for (std::size_t i = 0; i < call.operands.size(); ++i) {
         const Built value = operand(call.operands[i], nullptr);
         if (!value || !check_corner(*value, call, i)) return std::nullopt;
-        points.push_back(*point_of(*value));
+        points.push_back(*value->point());
         text += (i > 0 ? ", " : "") + text_of(*value, parameters_);
     }
     text += ")";
@@ -160,7 +157,7 @@ bool Elaborator::build_straight(std::size_t index, const Function& thing,
                       : tr("type two different points, or one point alone"));
         return false;
     }
-    if (error_) return false;
+    if (values_.failed()) return false;
     Point at{};
     for (std::size_t k = 0; k < 3; ++k) {
         const NodeId along = make_multiply(builder_, builder_.variable(0), way.at(k));
@@ -176,7 +173,7 @@ bool Elaborator::check_plane(const std::vector<Point>& corners, const Point& nor
     double size = 0.0;
     for (const NodeId id : normal) {
         if (!done(id, call.offset)) return false;
-        size = std::hypot(size, middle_of(id).value_or(0.0));
+        size = std::hypot(size, values_.middle_of(id).value_or(0.0));
     }
     bool is_flat = true;
     for (std::size_t i = 3; i < corners.size(); ++i) {
@@ -185,10 +182,10 @@ bool Elaborator::check_plane(const std::vector<Point>& corners, const Point& nor
         double reach = 0.0;
         for (const NodeId id : way) {
             if (!done(id, call.offset)) return false;
-            reach = std::hypot(reach, middle_of(id).value_or(0.0));
+            reach = std::hypot(reach, values_.middle_of(id).value_or(0.0));
         }
         if (!done(height, call.offset)) return false;
-        const auto known = middle_of(height);
+        const auto known = values_.middle_of(height);
         const double off = std::abs(known.value_or(0.0));
         is_flat = is_flat && known && off <= rounding * size * reach;
         if (!known || off <= flat * size * reach) continue;
@@ -209,7 +206,7 @@ bool Elaborator::is_convex(const std::vector<Point>& corners, const Point& norma
     const auto numbers_of = [&](const Point& point) -> std::optional<glm::dvec3> {
         glm::dvec3 numbers(0.0);
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto middle = middle_of(point.at(k));
+            const auto middle = values_.middle_of(point.at(k));
             if (!middle) return std::nullopt;
             numbers[static_cast<int>(k)] = *middle;
         }
@@ -284,7 +281,7 @@ bool Elaborator::build_polygon(std::size_t index, const std::vector<Point>& corn
              tr("type corners of which three are on no line"));
         return false;
     }
-    if (error_ || !check_plane(corners, normal, call)) return false;
+    if (values_.failed() || !check_plane(corners, normal, call)) return false;
     Point middle = corners[0];
     if (corners.size() > 3) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -299,7 +296,7 @@ bool Elaborator::build_polygon(std::size_t index, const std::vector<Point>& corn
     const NodeId f = dot(normal, difference(place, middle));
     const NodeId inside = inside_polygon(corners, normal, is_convex(corners, normal));
     const NodeId root = make_call(builder_, Op::Where, f, inside);
-    if (error_ || !done(root, call.offset) || !add_surface(index, root)) return false;
+    if (values_.failed() || !done(root, call.offset) || !add_surface(index, root)) return false;
     surfaces_.back().text = std::move(text);
     surfaces_.back().sheet = true;
     return true;

@@ -1,6 +1,5 @@
 // Builds the nodes of expressions.
 
-#include "engine/algebra/graph_facts.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/expr/constants.hpp"
 #include "engine/expr/number.hpp"
@@ -19,55 +18,12 @@ constexpr double largest_number = 1e300;
 constexpr int deepest_tree = 5000;  // depth of trees within calls within trees
 constexpr int deep = 500;           // from this depth on, definitions are settled before they are
                                     // looked up
-constexpr std::size_t max_steps = 10'000'000;  // takes less than two seconds
 
 NodeId make_mod(ExprBuilder& builder, NodeId a, NodeId b) {
     return make_call(builder, Op::Mod, a, b);
 }
 
-std::string why_undefined(const Node& node) {
-    if (node.op == Op::Divide) return tr("this is not a number: a division by 0");
-    if (node.op == Op::Mod) return filled(tr("this is not a number: {0}"), {"mod(a, 0)"});
-    if (node.op == Op::Where) return tr("this is not a number: its condition never holds");
-    return filled(tr("this is not a number: {0} outside its domain"), {op_info(node.op).spelling});
-}
-
 }  // namespace
-
-bool Elaborator::divides_by_zero(const Node& node) const {
-    if (node.op != Op::Divide && node.op != Op::Mod) return false;
-    const auto& divisor = facts_[node.b].constant;
-    return divisor && divisor->neg_lo == 0 && divisor->hi == 0;
-}
-
-std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::string hint) {
-    offset = library_offset_.value_or(offset);
-    if (!error_)
-        error_ = ParseError{.offset = offset, .reason = std::move(reason), .hint = std::move(hint)};
-    return std::nullopt;
-}
-
-Elaborator::Built Elaborator::done(NodeId id, std::size_t offset, bool condition) {
-    if (builder_.size() > ProgramLimits::nodes) {
-        return fail(offset, filled(tr("the formula has more than {0} operations"),
-                                   {std::to_string(ProgramLimits::nodes)}));
-    }
-    for (auto next = static_cast<NodeId>(facts_.size()); next < builder_.size(); ++next) {
-        facts_.push_back(facts_of_node(builder_.node(next), facts_));
-        const Node& node = builder_.node(next);
-        if (refuses_undefined_ && (facts_.back().undefined || divides_by_zero(node))) {
-            return fail(offset, why_undefined(node));
-        }
-    }
-    return Value{.id = id, .condition = condition};
-}
-
-bool Elaborator::counts(std::size_t offset) {
-    if (++steps_ <= max_steps) return true;
-    fail(offset, tr("the sums and functions here ask for too many operations"),
-         tr("use fewer terms"));
-    return false;
-}
 
 Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
     struct Level {
@@ -125,7 +81,7 @@ Elaborator::Built Elaborator::literal(const Syntax& syntax) {
 
 Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
     for (const Binding* binding = scope; binding != nullptr; binding = binding->outer) {
-        ++steps_;
+        values_.count_step();
         if (binding->name == syntax.text) return binding->value;
     }
     Definition* const definition =
@@ -149,9 +105,10 @@ Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
     if (auto foreign = error_for_foreign(name, syntax.offset)) {
         return fail(foreign->offset, std::move(foreign->reason), std::move(foreign->hint));
     }
-    fail(syntax.offset, filled(tr("{0} is not known"), {quoted(name)}), hint_for_unknown(name));
-    if (!library_offset_ && error_->offset == syntax.offset) error_->mend = mend_for_unknown(name);
-    return std::nullopt;
+    return values_.fail({.offset = at(syntax.offset),
+                         .reason = filled(tr("{0} is not known"), {quoted(name)}),
+                         .hint = hint_for_unknown(name),
+                         .mend = library_offset_ ? std::nullopt : mend_for_unknown(name)});
 }
 
 Elaborator::Built Elaborator::said(const Syntax& syntax) {
@@ -304,7 +261,7 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
         }
         switch (syntax.marks[i - 1]) {
             case '[':
-                if (!total->is_single()) return refuse_index(*total, offset);
+                if (!total->is_single()) return values_.refuse_index(*total, at(offset));
                 [[fallthrough]];
             case '*': total = combined(*total, *factor, offset, make_multiply); break;
             case '/':
@@ -325,9 +282,8 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
 bool Elaborator::is_zero_by_name(SyntaxId id, const Value& divisor) {
     if (!divisor.is_single()) return false;
     const Syntax& syntax = tree_[id];
-    const auto& constant = facts_[divisor.id].constant;
-    const bool is_zero = constant && constant->neg_lo == 0 && constant->hi == 0;
-    if (!refuses_undefined_ || syntax.kind != SyntaxKind::Name || !is_zero) return false;
+    const bool is_name = syntax.kind == SyntaxKind::Name;
+    if (!values_.refuses_undefined() || !is_name || !values_.is_zero(divisor.id)) return false;
     fail(syntax.offset,
          filled(tr("this is not a number: a division by 0, as {0} is 0"), {syntax.text}),
          filled(tr("give {0} another value"), {syntax.text}));

@@ -26,7 +26,7 @@ bool Elaborator::fits(const Syntax& syntax, Values& arguments) {
         for (const int axis : {0, 1, 2})
             point.push_back({.id = builder_.variable(axis)});
         if (!done(point.back().id, syntax.offset)) return false;
-        arguments.insert(arguments.begin(), bundle(Value::Kind::Vector, std::move(point)));
+        arguments.insert(arguments.begin(), Value::vector(std::move(point)));
     }
     const std::size_t added = arguments.size() - syntax.operands.size();
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -41,17 +41,19 @@ bool Elaborator::fits(const Syntax& syntax, Values& arguments) {
 
 /// Makes sure that an argument is a vector of 3 numbers.
 bool Elaborator::make_point(char kind, Value& argument, const Syntax& syntax, std::size_t index) {
-    if (kind == 'v' && argument.is_single())
-        argument = bundle(Value::Kind::Vector, Values(3, argument));
-    if (point_of(argument)) return true;
-    wants_vector_ = wants_vector_ || argument.is_single();
+    if (kind == 'v' && argument.is_single()) argument = Value::vector(Values(3, argument));
+    if (argument.point()) return true;
     const std::string word(syntax.function->name);
     const std::string list(syntax.function->arguments);
-    const std::string_view name = name_at(list, index);
-    fail(syntax.offset,
-         filled(tr("{0} of {1} is a vector of 3 numbers, not {2}"),
-                {name, word + "(" + list + ")", described(argument)}),
-         filled(tr("type a vector such as {0}"), {"(x, y, z)"}));
+    const std::string reason =
+        filled(tr("{0} of {1} is a vector of 3 numbers, not {2}"),
+               {name_at(list, index), word + "(" + list + ")", argument.described()});
+    const std::string hint = filled(tr("type a vector such as {0}"), {"(x, y, z)"});
+    if (argument.is_single()) {
+        values_.fail_for_vector(at(syntax.offset), reason, hint);
+    } else {
+        fail(syntax.offset, reason, hint);
+    }
     return false;
 }
 
