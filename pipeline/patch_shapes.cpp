@@ -3,6 +3,7 @@
 #include "engine/expr/constants.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/expr/vector_nodes.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 
@@ -16,53 +17,17 @@
 namespace zeroset {
 namespace {
 
-using Vector = std::array<NodeId, 3>;
-
-/// Vectors as nodes of one graph.
-class VectorBuilder {
+/// The numbers of one shape as nodes of one graph.
+class ShapeBuilder {
 public:
     ExprBuilder& builder() { return builder_; }
     NodeId number(double value) { return builder_.constant(value); }
     NodeId copy(const Expr& expr) { return copy_nodes(builder_, expr).back(); }
-    Vector copy(const std::array<Expr, 3>& graphs) {
+    VectorNodes copy(const std::array<Expr, 3>& graphs) {
         return {copy(graphs[0]), copy(graphs[1]), copy(graphs[2])};
     }
-    Vector constant(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
+    VectorNodes constant(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
     NodeId times(NodeId a, NodeId b) { return make_multiply(builder_, a, b); }
-    Vector times(NodeId a, const Vector& v) {
-        return {times(a, v[0]), times(a, v[1]), times(a, v[2])};
-    }
-    Vector plus(const Vector& a, const Vector& b) {
-        Vector sum{};
-        for (std::size_t i = 0; i < 3; ++i)
-            sum.at(i) = make_add(builder_, a.at(i), b.at(i));
-        return sum;
-    }
-    Vector cross(const Vector& a, const Vector& b) {
-        Vector product{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3;
-            const std::size_t k = (i + 2) % 3;
-            product.at(i) =
-                make_subtract(builder_, times(a.at(j), b.at(k)), times(a.at(k), b.at(j)));
-        }
-        return product;
-    }
-    NodeId dot(const Vector& a, const Vector& b) {
-        NodeId sum = number(0.0);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const NodeId term =
-                a.at(i) == b.at(i) ? make_int_power(builder_, a.at(i), 2) : times(a.at(i), b.at(i));
-            sum = make_add(builder_, sum, term);
-        }
-        return sum;
-    }
-    /// The vector at length 1.
-    Vector unit(const Vector& v) {
-        const NodeId length = make_call(builder_, Op::Sqrt, dot(v, v));
-        return {make_divide(builder_, v[0], length), make_divide(builder_, v[1], length),
-                make_divide(builder_, v[2], length)};
-    }
     /// cos or sin of an angle in turns.
     NodeId of_turns(Op function, NodeId turns) {
         const NodeId full = builder_.constant(tau.value.lo, tau.value.hi);
@@ -70,7 +35,6 @@ public:
     }
     NodeId minus(NodeId a, NodeId b) { return make_subtract(builder_, a, b); }
     NodeId least(NodeId a, NodeId b) { return make_call(builder_, Op::Min, a, b); }
-    NodeId length(const Vector& v) { return make_call(builder_, Op::Sqrt, dot(v, v)); }
     /// 0 up to x = from, 1 from x = to on, even between them.
     NodeId ramp(double from, double to) {
         const NodeId x = builder_.variable(0);
@@ -78,8 +42,8 @@ public:
         return least(make_call(builder_, Op::Max, part, number(0.0)), number(1.0));
     }
     /// The graphs with `at` in place of x.
-    Vector moved(const std::array<Expr, 3>& graphs, NodeId at) {
-        Vector result{};
+    VectorNodes moved(const std::array<Expr, 3>& graphs, NodeId at) {
+        VectorNodes result{};
         for (std::size_t i = 0; i < 3; ++i) {
             std::vector<NodeId> copies;
             for (const Node& node : graphs.at(i).nodes()) {
@@ -91,7 +55,7 @@ public:
         return result;
     }
     /// The radius of a curve or point at a place.
-    NodeId radius(const Vector& place, std::size_t thickness) {
+    NodeId radius(const VectorNodes& place, std::size_t thickness) {
         const auto uniform = [&](std::size_t i) {
             return builder_.variable(variable_w + 1 + static_cast<int>(thickness + i));
         };
@@ -100,7 +64,7 @@ public:
             sum = make_add(builder_, sum, times(uniform(i + 1), place.at(i)));
         return sum;
     }
-    std::array<Expr, 3> finish(const Vector& v, std::span<const std::string> names) {
+    std::array<Expr, 3> finish(const VectorNodes& v, std::span<const std::string> names) {
         const std::vector<std::string> parameters(names.begin(), names.end());
         return {builder_.finish(v[0], parameters), builder_.finish(v[1], parameters),
                 builder_.finish(v[2], parameters)};
@@ -159,51 +123,56 @@ std::vector<std::string> names_of(const Expr& graph, std::size_t thickness) {
 
 /// A point `radius` aside of `axis`, at an angle of y turns about the direction of `first` and
 /// `second`, which are at right angles to it.
-Vector about(VectorBuilder& build, const Vector& axis, NodeId radius, const Vector& first,
-             const Vector& second) {
-    const NodeId turn = build.builder().variable(1);
+VectorNodes about(ShapeBuilder& build, const VectorNodes& axis, NodeId radius,
+                  const VectorNodes& first, const VectorNodes& second) {
+    ExprBuilder& builder = build.builder();
+    const NodeId turn = builder.variable(1);
     const NodeId back = build.minus(build.number(0.0), build.of_turns(Op::Sin, turn));
-    return build.plus(
-        axis, build.plus(build.times(build.times(radius, build.of_turns(Op::Cos, turn)), first),
-                         build.times(build.times(radius, back), second)));
+    const NodeId ahead = build.of_turns(Op::Cos, turn);
+    const VectorNodes from_axis =
+        make_sum(builder, make_scaled(builder, build.times(radius, ahead), first),
+                 make_scaled(builder, build.times(radius, back), second));
+    return make_sum(builder, axis, from_axis);
 }
 
 std::array<Expr, 3> tube(const std::array<Expr, 3>& curve, std::size_t thickness) {
     std::array<Expr, 3> tangent;
     std::ranges::transform(curve, tangent.begin(),
                            [](const Expr& graph) { return gradient_of(graph)[0]; });
-    VectorBuilder build;
-    const Vector way = build.copy(tangent);
-    const Vector first = build.unit(build.cross(way, build.constant(aside_of(tangent))));
-    const Vector second = build.unit(build.cross(way, first));
-    const Vector axis = build.copy(curve);
+    ShapeBuilder build;
+    ExprBuilder& builder = build.builder();
+    const VectorNodes way = build.copy(tangent);
+    const VectorNodes first =
+        make_unit(builder, make_cross(builder, way, build.constant(aside_of(tangent))));
+    const VectorNodes second = make_unit(builder, make_cross(builder, way, first));
+    const VectorNodes axis = build.copy(curve);
     return build.finish(about(build, axis, build.radius(axis, thickness), first, second),
                         names_of(curve[0], thickness));
 }
 
 /// Two directions at right angles to a straight line and to each other, whatever its direction is.
-std::array<Vector, 2> asides_of(VectorBuilder& build, const Vector& way) {
+std::array<VectorNodes, 2> asides_of(ShapeBuilder& build, const VectorNodes& way) {
     ExprBuilder& builder = build.builder();
-    const Vector by_z = build.cross(way, build.constant({0.0, 0.0, 1.0}));
-    const Vector by_x = build.cross(way, build.constant({1.0, 0.0, 0.0}));
+    const VectorNodes by_z = make_cross(builder, way, build.constant({0.0, 0.0, 1.0}));
+    const VectorNodes by_x = make_cross(builder, way, build.constant({1.0, 0.0, 0.0}));
     const NodeId is_steep =
-        make_call(builder, Op::Less, build.times(build.number(0.5), build.dot(way, way)),
+        make_call(builder, Op::Less, build.times(build.number(0.5), make_dot(builder, way, way)),
                   make_int_power(builder, way[2], 2));
-    Vector aside{};
+    VectorNodes aside{};
     for (std::size_t i = 0; i < 3; ++i)
         aside.at(i) = make_call(builder, Op::If, is_steep, by_x.at(i), by_z.at(i));
-    const Vector first = build.unit(aside);
-    return {first, build.unit(build.cross(way, first))};
+    const VectorNodes first = make_unit(builder, aside);
+    return {first, make_unit(builder, make_cross(builder, way, first))};
 }
 
 /// A cylinder about a segment, with both ends closed.
 std::array<Expr, 3> rod(const std::array<Expr, 3>& line, std::size_t thickness) {
-    VectorBuilder build;
+    ShapeBuilder build;
     std::array<Expr, 3> tangent;
     std::ranges::transform(line, tangent.begin(),
                            [](const Expr& graph) { return gradient_of(graph)[0]; });
     const auto [first, second] = asides_of(build, build.copy(tangent));
-    const Vector axis = build.moved(line, build.ramp(0.25, 0.75));
+    const VectorNodes axis = build.moved(line, build.ramp(0.25, 0.75));
     const NodeId shape = build.minus(build.ramp(0.0, 0.25), build.ramp(0.75, 1.0));
     const NodeId radius = build.times(shape, build.radius(axis, thickness));
     return build.finish(about(build, axis, radius, first, second), names_of(line[0], thickness));
@@ -214,23 +183,23 @@ std::array<Expr, 3> rod(const std::array<Expr, 3>& line, std::size_t thickness) 
 std::array<Expr, 3> arrow(const std::array<Expr, 3>& line, std::size_t thickness) {
     constexpr double head_length = 9.0;  // radii
     constexpr double head_radius = 3.0;
-    VectorBuilder build;
+    ShapeBuilder build;
     ExprBuilder& builder = build.builder();
     std::array<Expr, 3> tangent;
     std::ranges::transform(line, tangent.begin(),
                            [](const Expr& graph) { return gradient_of(graph)[0]; });
-    const Vector way = build.copy(tangent);
+    const VectorNodes way = build.copy(tangent);
     const auto [first, second] = asides_of(build, way);
-    const NodeId length = build.length(way);
+    const NodeId length = make_length(builder, way);
     const NodeId thickest = build.times(build.number(0.5 / head_length), length);
-    const Vector tip = build.moved(line, build.number(1.0));
+    const VectorNodes tip = build.moved(line, build.number(1.0));
     const NodeId at_tip = build.least(build.radius(tip, thickness), thickest);
     const NodeId head =
         make_divide(builder, build.times(build.number(head_length), at_tip), length);
     const NodeId shaft = build.minus(build.number(1.0), head);
     const NodeId along = make_add(builder, build.times(shaft, build.ramp(0.25, 0.5)),
                                   build.times(head, build.ramp(0.75, 1.0)));
-    const Vector axis = build.moved(line, along);
+    const VectorNodes axis = build.moved(line, along);
     const NodeId own = build.least(build.radius(axis, thickness), thickest);
     const NodeId of_shaft =
         build.times(build.minus(build.ramp(0.0, 0.25), build.ramp(0.5, 0.75)), own);
@@ -241,16 +210,16 @@ std::array<Expr, 3> arrow(const std::array<Expr, 3>& line, std::size_t thickness
 }
 
 std::array<Expr, 3> ball(const std::array<Expr, 3>& point, std::size_t thickness) {
-    VectorBuilder build;
-    const Vector middle = build.copy(point);
+    ShapeBuilder build;
+    const VectorNodes middle = build.copy(point);
     const NodeId half_turn = build.times(build.number(0.5), build.builder().variable(0));
     const NodeId turn = build.builder().variable(1);
     const NodeId size = build.radius(middle, thickness);
     const NodeId across = build.times(size, build.of_turns(Op::Sin, half_turn));
-    const Vector aside{build.times(across, build.of_turns(Op::Cos, turn)),
-                       build.times(across, build.of_turns(Op::Sin, turn)),
-                       build.times(size, build.of_turns(Op::Cos, half_turn))};
-    return build.finish(build.plus(middle, aside), names_of(point[0], thickness));
+    const VectorNodes aside{build.times(across, build.of_turns(Op::Cos, turn)),
+                            build.times(across, build.of_turns(Op::Sin, turn)),
+                            build.times(size, build.of_turns(Op::Cos, half_turn))};
+    return build.finish(make_sum(build.builder(), middle, aside), names_of(point[0], thickness));
 }
 
 }  // namespace
@@ -271,21 +240,21 @@ std::array<Expr, 3> shown_patch(const PatchGraphs& graphs, std::size_t thickness
 ///   d^2 = (f^2 G - 2 f g H + g^2 F) / (F G - H^2),   F = |grad f|^2, G = |grad g|^2,
 /// and H is the product of both gradients.
 Expr meeting_tube(const PatchGraphs& graphs, std::size_t thickness) {
-    VectorBuilder build;
+    ShapeBuilder build;
     ExprBuilder& builder = build.builder();
     const NodeId f = build.copy(graphs.point[0]);
     const NodeId g = build.copy(graphs.point[1]);
-    const Vector by_f = build.copy(gradient_of(graphs.point[0]));
-    const Vector by_g = build.copy(gradient_of(graphs.point[1]));
-    const NodeId ff = build.dot(by_f, by_f);
-    const NodeId gg = build.dot(by_g, by_g);
-    const NodeId fg = build.dot(by_f, by_g);
+    const VectorNodes by_f = build.copy(gradient_of(graphs.point[0]));
+    const VectorNodes by_g = build.copy(gradient_of(graphs.point[1]));
+    const NodeId ff = make_dot(builder, by_f, by_f);
+    const NodeId gg = make_dot(builder, by_g, by_g);
+    const NodeId fg = make_dot(builder, by_f, by_g);
     const auto square = [&](NodeId a) { return make_int_power(builder, a, 2); };
     const NodeId mixed = build.times(build.number(2.0), build.times(build.times(f, g), fg));
     const NodeId distance = make_subtract(
         builder, make_add(builder, build.times(square(f), gg), build.times(square(g), ff)), mixed);
     const NodeId area = make_subtract(builder, build.times(ff, gg), square(fg));
-    const Vector place{builder.variable(0), builder.variable(1), builder.variable(2)};
+    const VectorNodes place = make_place(builder);
     const NodeId radius = build.radius(place, thickness);
     NodeId root = make_subtract(builder, distance, build.times(square(radius), area));
     const Expr& condition = graphs.point[2];

@@ -5,6 +5,7 @@
 #include "engine/draw/smooth_pieces.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/expr/vector_nodes.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "engine/rewrite/polynomial/tighten.hpp"
 #include "engine/rewrite/surface_functions.hpp"
@@ -19,29 +20,24 @@ namespace {
 
 std::array<double, 3> numbers_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
+VectorNodes constant_vector(ExprBuilder& builder, const glm::dvec3& v) {
+    return {builder.constant(v.x), builder.constant(v.y), builder.constant(v.z)};
+}
+
 /// dot(normal, p) - offset
 Expr plane(const glm::dvec3& normal, double offset) {
     ExprBuilder builder;
-    NodeId sum = builder.constant(-offset);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (normal[axis] == 0.0) continue;
-        const NodeId term =
-            make_multiply(builder, builder.constant(normal[axis]), builder.variable(axis));
-        sum = make_add(builder, term, sum);
-    }
-    return builder.finish(sum);
+    const NodeId height = make_dot(builder, constant_vector(builder, normal), make_place(builder));
+    return builder.finish(make_subtract(builder, height, builder.constant(offset)));
 }
 
 /// |p - centre|^2 - radius^2
 Expr sphere(const Ball& ball) {
     ExprBuilder builder;
-    NodeId sum = make_negate(builder, make_int_power(builder, builder.constant(ball.radius), 2));
-    for (int axis = 0; axis < 3; ++axis) {
-        const NodeId off =
-            make_subtract(builder, builder.variable(axis), builder.constant(ball.centre[axis]));
-        sum = make_add(builder, make_int_power(builder, off, 2), sum);
-    }
-    return builder.finish(sum);
+    const VectorNodes off =
+        make_difference(builder, make_place(builder), constant_vector(builder, ball.centre));
+    const NodeId radius = make_int_power(builder, builder.constant(ball.radius), 2);
+    return builder.finish(make_subtract(builder, make_dot(builder, off, off), radius));
 }
 
 Expr constant(double value) {
