@@ -65,9 +65,7 @@ std::expected<Program, ParseError> read_program(std::string_view text, const Fie
                                                 std::span<const CutText> cuts) {
     const auto tree = read_syntax(text);
     if (!tree) return std::unexpected(tree.error());
-    Elaborator elaborator(*tree, files);
-    elaborator.cut(cuts);
-    auto program = elaborator.program();
+    auto program = Elaborator(*tree, files, std::string_view::npos, cuts).program();
     if (!program) return program;
     for (std::size_t axis = 0; axis < tree->box.size(); ++axis) {
         if (!tree->box.at(axis)) continue;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/expr/patch_graph.hpp"
+#include "engine/language/rows/cut_text.hpp"
 #include "engine/language/vocabulary/reading.hpp"
 
 #include <array>
@@ -28,12 +28,6 @@ struct Program {
     /// The ends in x, y and z that a plotting command of another program gives.
     std::array<std::optional<std::array<double, 2>>, 3> box = {};
     bool calls_w_t = false;  ///< it says t for the fourth coordinate, and never w
-};
-
-/// A box that cuts what is drawn of the statements that begin at bytes `begin` to `end` of a text.
-struct CutText {
-    std::size_t begin, end;
-    RowBox box;
 };
 
 /// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded for any

@@ -46,6 +46,12 @@ std::unexpected<ParseError> GraphValues::failure() {
     return std::unexpected(*std::exchange(error_, std::nullopt));
 }
 
+std::unexpected<ParseError> GraphValues::failure(std::size_t offset, std::string reason,
+                                                 std::string hint) {
+    fail(offset, std::move(reason), std::move(hint));
+    return failure();
+}
+
 GraphValues::Built GraphValues::done(NodeId id, std::size_t offset, bool condition) {
     if (builder_.size() > ProgramLimits::nodes) {
         return fail(offset, filled(tr("the formula has more than {0} operations"),

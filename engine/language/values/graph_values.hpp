@@ -41,6 +41,9 @@ public:
     [[nodiscard]] bool failed() const { return error_.has_value(); }
     /// The error, which there is, and which is none of this object any more.
     [[nodiscard]] std::unexpected<ParseError> failure();
+    /// An error that no value is made after.
+    [[nodiscard]] std::unexpected<ParseError> failure(std::size_t offset, std::string reason,
+                                                      std::string hint = {});
     /// Whether the error, the last one that was taken included, is that of `fail_for_vector`.
     [[nodiscard]] bool wanted_vector() const { return wanted_vector_; }
     void note(std::size_t offset, std::string text) { notes_.add(offset, std::move(text)); }
@@ -74,10 +77,10 @@ public:
     Built length(const Function& function, const BuiltValues& values, std::size_t offset);
     /// vec2, vec3 or vec4 of numbers and vectors, as in GLSL: one number stands for all.
     Built made_vector(const Function& function, const BuiltValues& values, std::size_t offset);
-    /// The parts of a vector, or of each in a list, that letters such as xz name; `hint`: what to
-    /// type where it is a number.
+    /// The parts of a vector, or of each in a list, that letters such as xz name; `name`: the
+    /// letter that it is, if it is one.
     Built part_of(const BuiltValue& of, std::string_view letters, std::size_t offset,
-                  const std::string& hint);
+                  std::string_view name = {});
     /// A vector with other numbers in place of the parts that letters name, which it has.
     Built with_parts(const BuiltValue& old, std::string_view letters, const BuiltValue& by,
                      std::size_t offset);

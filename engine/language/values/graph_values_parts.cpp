@@ -125,11 +125,11 @@ GraphValues::Built GraphValues::made_vector(const Function& function, const Buil
 }
 
 GraphValues::Built GraphValues::part_of(const BuiltValue& of, std::string_view letters,
-                                        std::size_t offset, const std::string& hint) {
+                                        std::size_t offset, std::string_view name) {
     if (of.is_list()) {
         BuiltValues parts;
         for (const BuiltValue& element : *of.parts) {
-            const Built one = part_of(element, letters, offset, hint);
+            const Built one = part_of(element, letters, offset, name);
             if (!one) return std::nullopt;
             parts.push_back(*one);
         }
@@ -139,7 +139,9 @@ GraphValues::Built GraphValues::part_of(const BuiltValue& of, std::string_view l
         return fail_for_vector(offset,
                                filled(tr("only a vector has a part {0}, and this is a number"),
                                       {"." + std::string(letters)}),
-                               hint);
+                               name.empty() ? filled(tr("type a vector such as {0}"), {"(x, y, z)"})
+                                            : filled(tr("type {0} in a row of its own"),
+                                                     {std::string(name) + " = (x, y, z)"}));
     }
     BuiltValues parts;
     for (const char letter : letters) {
@@ -157,7 +159,7 @@ GraphValues::Built GraphValues::with_parts(const BuiltValue& old, std::string_vi
                                            const BuiltValue& by, std::size_t offset) {
     const bool fits = by.is_single() || (by.is_vector() && by.size() == letters.size());
     if (!fits || !old.is_vector()) {
-        const Built parts = part_of(old, letters, offset, {});
+        const Built parts = part_of(old, letters, offset);
         return parts ? sizes_differ(*parts, by, offset) : parts;
     }
     BuiltValues parts = *old.parts;

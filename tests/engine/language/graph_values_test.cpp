@@ -98,14 +98,14 @@ TEST_F(GraphValuesTest, NoVectorIsANumber) {
 
 TEST_F(GraphValuesTest, PartsAreNamedByLetters) {
     const BuiltValue list = BuiltValue::list({vector(1, 2), vector(3, 4)});
-    const auto turned = values_.part_of(list, "yx", 0, "");
+    const auto turned = values_.part_of(list, "yx", 0);
     ASSERT_TRUE(turned && turned->is_list());
     EXPECT_EQ(text(turned->part(1).part(0)), "4");
     const auto replaced = values_.with_parts(vector(1, 2), "y", number(9), 0);
     ASSERT_TRUE(replaced);
     EXPECT_EQ(text(replaced->part(0)), "1");
     EXPECT_EQ(text(replaced->part(1)), "9");
-    EXPECT_FALSE(values_.part_of(vector(1, 2), "z", 8, ""));
+    EXPECT_FALSE(values_.part_of(vector(1, 2), "z", 8));
     EXPECT_EQ(values_.failure().error().offset, 8U);
 }
 

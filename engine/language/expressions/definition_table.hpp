@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/language/syntax/syntax.hpp"
-#include "engine/language/values/built_value.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
 
@@ -16,7 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
-// Private to Elaborator: the definitions of a text, and which of them a name refers to.
+// The definitions of a text, and which of them a name refers to.
 
 namespace zeroset {
 
@@ -28,12 +27,10 @@ struct Definition {
     std::vector<std::string> arguments;
     bool is_function = false;
     bool is_certain = false;
-    bool in_progress = false;
-    std::size_t settled_in = 0;  ///< the binding of a row's variables in which it was settled last
+    bool in_progress = false;  ///< its value is being built
     bool is_called = false;
     std::vector<std::size_t> called_with;  ///< of the first call: how many parts each argument has,
                                            ///< 1 for a number
-    std::optional<BuiltValue> value;  ///< the value of the body, once known; none for a function
 };
 
 /// A use of a name or function in a statement; names of arguments are none.

@@ -1,4 +1,4 @@
-#include "engine/language/elaborator_definitions.hpp"
+#include "engine/language/expressions/definition_table.hpp"
 
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
@@ -41,8 +41,7 @@ std::optional<Definition> DefinitionTable::definition_in(std::size_t index) cons
                           .body = relation.operands[1],
                           .arguments = {},
                           .is_certain = statement.is_certain,
-                          .called_with = {},
-                          .value = {}};
+                          .called_with = {}};
     if (left.kind == SyntaxKind::Name && !is_axis(left.text)) return definition;
     if (left.kind != SyntaxKind::Call || left.function != nullptr) return std::nullopt;
     definition.is_function = true;
