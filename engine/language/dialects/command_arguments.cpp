@@ -105,7 +105,9 @@ std::optional<CommandArguments> interval_ranges(std::span<const std::string_view
 
 std::vector<std::string_view> arguments_in(std::string_view inside) {
     std::vector<Words> parts;
-    for (const Words part : split_outside(inside, ',')) {
+    for (Words part : split_outside(inside, ',')) {
+        constexpr Words continued = "....:";  // of Sage's lines
+        if (part.starts_with(continued)) part = trimmed(part.substr(continued.size()));
         const Words last = parts.empty() ? Words() : parts.back();
         const std::size_t lambda = last.find("lambda ");
         if (lambda != Words::npos && !last.substr(lambda).contains(':'))

@@ -47,6 +47,8 @@ constexpr std::array known_commands = std::to_array<KnownCommand>({
     {"parametric_surface", "Maxima", Draws::Listed},
     {"parametric", "Maxima", Draws::Listed},
     {"draw3d", "Maxima", Draws::Commands},
+    {"wxdraw3d", "Maxima", Draws::Commands},
+    {"wxplot3d", "Maxima", Draws::Heights},
 });
 
 }  // namespace

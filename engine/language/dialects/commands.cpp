@@ -42,6 +42,8 @@ public:
         const bool has_gap = std::ranges::any_of(all_, &Words::empty);
         if (all_.empty() || has_gap || !written(known_command(call_.name)->draws))
             return std::nullopt;
+        const bool has_other = !behind_.coordinates.empty() && !is_spherical_;
+        if (has_other && lower_case(behind_.coordinates) != "cartesian") return std::nullopt;
         outcome_.left_out = std::move(behind_.left_out);
         return std::move(outcome_);
     }
@@ -63,25 +65,43 @@ private:
             case Draws::Spherical: return take(ranges_and_options(from(1))) && spherical(1, 0);
             case Draws::AroundFirst: return take(ranges_and_options(from(1))) && spherical(0, 1);
             case Draws::Turned: return take(ranges_and_options(from(1))) && turned();
-            case Draws::Listed: return take(flat_ranges(from(3))) && first_three();
+            case Draws::Listed: {
+                const auto inside = in_brackets(all_[0]);
+                if (!inside) return take(flat_ranges(from(3))) && first_three();
+                return take(flat_ranges(from(1))) && point(split_outside(*inside, ','));
+            }
             case Draws::FlatZeros: return take(flat_ranges(from(1))) && equations();
             case Draws::FlatHeights: return take(flat_ranges(from(1))) && heights(all_[0]);
             case Draws::Zeros: {
                 const auto function = unnamed_function(all_[0]);
                 const Parts names = function ? Parts(function->names) : Parts(axis_names);
-                return names.size() == 3 && take(interval_ranges(from(1), names)) && equations();
+                return names.size() == 3 && take(interval_ranges(intervals(1), names)) &&
+                       equations();
             }
             case Draws::Sheet: {
-                if (all_.size() >= 3 && unnamed_function(all_[2])) return functions(2);
+                const bool has_three =
+                    all_.size() >= 3 && (unnamed_function(all_[2]) || rows_.is_function(all_[2]));
+                if (has_three) return functions(2);
                 const auto function = unnamed_function(all_[0]);
                 const Parts names = function ? Parts(function->names) : Parts(axis_names).first(2);
-                if (names.size() != 2 || !take(interval_ranges(from(1), names))) return false;
+                if (names.size() != 2 || !take(interval_ranges(intervals(1), names))) return false;
                 return heights(function ? function->body : in_quotes(all_[0]).value_or(all_[0]));
             }
             case Draws::Track: return functions(1);
             case Draws::Commands: return commands();
         }
         return false;
+    }
+
+    /// The arguments from `first` on; the name of an interval is its value: ends = [-1 1].
+    std::vector<Words> intervals(std::size_t first) {
+        std::vector<Words> arguments(
+            all_.begin() + static_cast<std::ptrdiff_t>(std::min(first, all_.size())), all_.end());
+        if (!arguments.empty() && is_word(arguments[0])) {
+            if (const Words value = rows_.value_of(arguments[0]); !value.empty())
+                arguments[0] = value;
+        }
+        return arguments;
     }
 
     /// Adds words and parts of the typed text.
@@ -169,15 +189,17 @@ private:
     /// Writes heights over the ranges of two variables, or a point of three.
     bool heights(Words all) {
         const std::string coordinates = lower_case(behind_.coordinates);
-        if (coordinates == "spherical") return spherical(0, 1);
-        if (!coordinates.empty() || behind_.ranges.size() != 2) return false;
+        is_spherical_ = coordinates == "spherical";
+        if (is_spherical_) return spherical(0, 1);
+        if (behind_.ranges.size() != 2) return false;
         const auto list = in_brackets(all);
         const auto values =
             list && !all.starts_with('(') ? split_outside(*list, ',') : std::vector{all};
         const Words a = behind_.ranges[0].name;
         const Words b = behind_.ranges[1].name;
         const bool over_axes = a == "x" && b == "y";
-        if (values.size() == 3 && !over_axes) return point(values);
+        // In Mathematica a list holds heights.
+        if (values.size() == 3 && (!over_axes || call_.name != "Plot3D")) return point(values);
         for (const Words value : values) {
             begin_row();
             if (over_axes) {
@@ -197,9 +219,21 @@ private:
         const std::size_t count = behind_.ranges.size();
         if (numbers.size() != 3 || count == 0 || count > 2) return false;
         begin_row();
+        rename_parameters();
         add({"(", numbers[0], ", ", numbers[1], ", ", numbers[2], ")"});
         add_ranges();
+        rows_.rename({});
         return true;
+    }
+    /// Gives parameters that are called x, y or z other names.
+    void rename_parameters() {
+        std::vector<std::pair<Words, Words>> names;
+        for (std::size_t i = 0; i < behind_.ranges.size(); ++i) {
+            const Words name = behind_.ranges[i].name;
+            if (std::ranges::find(axis_names, name) != axis_names.end())
+                names.emplace_back(name, i == 0 ? "u" : "v");
+        }
+        rows_.rename(std::move(names));
     }
     /// Writes a point in brackets or by its name, or a list of such.
     bool points() {
@@ -259,16 +293,31 @@ private:
         std::vector<Words> bodies;
         for (std::size_t i = 0; i < 3 && i < all_.size(); ++i) {
             const auto function = unnamed_function(all_[i]);
+            if (!function && is_word(all_[i]) && rows_.is_function(all_[i])) {
+                bodies.push_back(all_[i]);
+                continue;
+            }
             if (!function || function->names.size() != variables) return false;
-            if (i > 0 && function->names != names) return false;
+            if (!names.empty() && function->names != names) return false;
             names = function->names;
             bodies.push_back(function->body);
         }
         if (bodies.size() != 3) return false;
-        auto behind = interval_ranges(Parts(all_).subspan(3), names);
+        if (names.empty())
+            names = variables == 1 ? std::vector<Words>{"t"} : std::vector<Words>{"u", "v"};
+        auto behind = interval_ranges(intervals(3), names);
         if (!behind) return false;
         behind_ = std::move(*behind);
-        return point(bodies);
+        begin_row();
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            add({i == 0 ? "(" : ", ", bodies[i]});
+            if (is_word(bodies[i]) && rows_.is_function(bodies[i]))
+                add({"(", names[0], variables == 2 ? ", " : "", variables == 2 ? names[1] : "",
+                     ")"});
+        }
+        add({")"});
+        add_ranges();
+        return true;
     }
 
     /// Writes the commands among the arguments; others are options.
@@ -296,6 +345,7 @@ private:
     std::vector<Words> all_;   ///< the arguments
     CommandArguments behind_;  ///< what stands behind the formulas
     CommandOutcome outcome_;
+    bool is_spherical_ = false;  ///< the coordinates that were asked for
     int row_count_ = 0;
 };
 
@@ -312,21 +362,6 @@ std::string_view program_of_command(std::string_view name) { return known_comman
 
 std::optional<CommandOutcome> write_command(const CommandCall& call, ExpressionWriter& rows) {
     return CommandWriter(call, rows).write();
-}
-
-AskedBox take_bracket_ranges(std::string_view& text) {
-    AskedBox box;
-    for (std::size_t k = 0; k < box.size() && text.starts_with('['); ++k) {
-        const auto closer = closing_bracket(text);
-        if (!closer) break;
-        const Words inside = text.substr(1, *closer - 1);
-        const std::size_t equals = inside.find('=');
-        const auto ends = split_outside(inside.substr(equals == Words::npos ? 0 : equals + 1), ':');
-        if (ends.size() == 2 && !ends[0].empty() && !ends[1].empty())
-            box.at(k) = AskedRange{.lo = std::string(ends[0]), .hi = std::string(ends[1])};
-        text = trimmed(text.substr(*closer + 1));
-    }
-    return box;
 }
 
 }  // namespace zeroset

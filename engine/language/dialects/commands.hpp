@@ -34,7 +34,4 @@ std::string_view program_of_command(std::string_view name);
 /// understood: then `rows` is to be dropped.
 std::optional<CommandOutcome> write_command(const CommandCall& call, ExpressionWriter& rows);
 
-/// The box of gnuplot's [x=-1:1][-1:1] before a formula, which is cut off.
-AskedBox take_bracket_ranges(std::string_view& text);
-
 }  // namespace zeroset

@@ -6,7 +6,9 @@
 #include "engine/language/dialects/command_table.hpp"
 #include "engine/language/dialects/commands.hpp"
 #include "engine/language/dialects/functions_of_programs.hpp"
+#include "engine/language/dialects/gnuplot.hpp"
 #include "engine/language/dialects/grids.hpp"
+#include "engine/language/dialects/idle_lines.hpp"
 #include "engine/language/dialects/latex.hpp"
 
 #include <algorithm>
@@ -22,44 +24,7 @@ using Words = std::string_view;
 
 constexpr std::size_t longest_call = 20'000;  // bytes of a command with its arguments
 constexpr int most_commands = 200;
-
-/// First words of lines that draw nothing and stand around plotting commands.
-constexpr std::array idle_words = std::to_array<Words>(
-    {"syms",    "with",   "restart",  "clear",   "clearvars", "clc",      "close",
-     "hold",    "figure", "axis",     "var",     "from",      "import",   "show",
-     "xlabel",  "ylabel", "zlabel",   "title",   "view",      "colorbar", "camlight",
-     "shading", "grid",   "lighting", "library", "using",     "load",     "colormap",
-     "set",     "unset",  "Needs",    "alpha",   "Show",      "display"});
-
-/// Whether a line only tells which names are variables: x, y = symbols('x y'), syms x y.
-bool names_variables(Words line) {
-    const std::size_t equals = line.find('=');
-    const Words value = equals == Words::npos ? line : trimmed(line.substr(equals + 1));
-    for (const Words word : {"var(", "symbols(", "sp.symbols(", "sympy.symbols(", "SR.var("}) {
-        if (value.starts_with(word)) return true;
-    }
-    return false;
-}
-
-/// Whether a line loads what a program needs, which no formula begins with.
-bool loads_library(Words line) {
-    const Words word = line.substr(0, word_length(line));
-    const Words behind = line.substr(word.size());
-    const bool names = behind.starts_with(' ') && !trimmed(behind).starts_with('=');
-    if (word == "import" || word == "syms" || word == "using") return names;
-    if (word == "from") return names && line.contains(" import ");
-    if (word == "with") return trimmed(behind).starts_with('(') && line.ends_with(':');
-    if (line.starts_with("<<") || word == "Needs") return true;
-    return names_variables(line);
-}
-
-bool is_idle(Words line) {
-    const Words word = line.substr(0, word_length(line));
-    const Words behind = trimmed(line.substr(word.size()));
-    const bool is_known = std::ranges::find(idle_words, word) != idle_words.end();
-    const bool shows = line.ends_with(".show()") && is_word(line.substr(0, line.size() - 7));
-    return (is_known && !behind.starts_with('=')) || shows || loads_library(line);
-}
+constexpr std::size_t longest_prompt = 12;  // bytes
 
 /// Reads a text statement by statement.
 class DialectReader {
@@ -79,7 +44,10 @@ public:
             at = keep_blanks(at);
             if (at == typed_.size()) break;
             const std::size_t begin = at;
-            if (!statement(at, writer, grids)) return std::unexpected(*error_);
+            if (is_output(at))
+                at = end_of_statement(typed_, at);
+            else if (!statement(at, writer, grids))
+                return std::unexpected(*error_);
             if (at == begin) ++at;
             result_.wholes.emplace_back(begin, at);
         }
@@ -94,12 +62,23 @@ private:
             at = behind_prompt(behind_blanks(at));
             const std::size_t end = end_of_statement(typed_, at);
             const Words row = trimmed(typed_.substr(at, end - at));
-            if (call_in(row) || loads_library(row) || Grids::makes_grid(row) ||
-                row.starts_with("splot ") || end_of_function(at))
+            const auto call = call_in(row);
+            const bool has_grid = Grids::makes_grid(row);
+            if (call || has_grid || loads_library(row) || row.starts_with("splot ") ||
+                end_of_function(at)) {
+                assigns_ = has_grid || loads_library(row) || (call && assigns(*call));
                 return true;
+            }
             at = std::max(end, at + 1);
         }
         return false;
+    }
+
+    /// Whether the program of a command assigns by "=", and compares by "==".
+    static bool assigns(const CommandCall& call) {
+        const Words program = program_of_command(call.name);
+        return program == "Mathematica" || program == "MATLAB" || program == "SymPy" ||
+               program == "Sage";
     }
 
     [[nodiscard]] std::size_t behind_blanks(std::size_t at) const {
@@ -107,13 +86,22 @@ private:
     }
     /// The offset behind the prompt of a program, if there is one.
     [[nodiscard]] std::size_t behind_prompt(std::size_t at) const {
-        for (const Words prompt : {"sage:", ">>>", ">>", "> "}) {
-            if (typed_.substr(at).starts_with(prompt)) {
-                at += prompt.size();
-                return at + blank_length(typed_.substr(at));
-            }
+        const Words rest = typed_.substr(at);
+        std::size_t length = 0;
+        for (const Words prompt : {"sage:", ">>>", ">>", "> ", "....:"}) {
+            if (length == 0 && rest.starts_with(prompt)) length = prompt.size();
         }
-        return at;
+        if (rest.starts_with("In[") && rest.find("]:=") < longest_prompt)
+            length = rest.find("]:=") + 3;
+        if (rest.starts_with("(%i") && rest.find(')') < longest_prompt) length = rest.find(')') + 1;
+        return length == 0 ? at : at + length + blank_length(rest.substr(length));
+    }
+    /// Whether a line is what a program answered: it has no prompt, as others have.
+    [[nodiscard]] bool is_output(std::size_t at) const {
+        const std::size_t line = typed_.substr(0, at).find_last_of(line_ends);
+        const Words row = typed_.substr(line == Words::npos ? 0 : line + 1);
+        const bool has_prompt = row.starts_with("sage:") || row.starts_with("....:");
+        return !has_prompt && typed_.starts_with("sage:");
     }
     /// Keeps blanks and line ends, but no prompt; returns the offset behind them.
     std::size_t keep_blanks(std::size_t at) {
@@ -143,9 +131,35 @@ private:
             return command(*call, row, writer);
         }
         const bool shows_plot = std::ranges::find(plots_, row) != plots_.end();
-        if (!is_idle(row) && !shows_plot) writer.write(typed_.substr(at, end - at));
+        if (!is_idle(row) && !shows_plot) other_statement(typed_.substr(at, end - at), writer);
         at = end;
         return true;
+    }
+
+    /// Writes a statement that is neither a command nor a function. Where programs assign by "=",
+    /// it defines, several names at once, too.
+    void other_statement(Words text, ExpressionWriter& writer) {
+        const Words row = trimmed(text);
+        const std::size_t equals = assigns_ ? find_outside(row, "=") : Words::npos;
+        const bool compares = equals == Words::npos || row.substr(equals).starts_with("==") ||
+                              (equals > 0 && Words("<>!:").contains(row[equals - 1]));
+        const auto names =
+            compares ? std::vector<Words>() : split_outside(row.substr(0, equals), ',');
+        const auto values = compares ? names : split_outside(row.substr(equals + 1), ',');
+        const bool defines = !names.empty() && names.size() == values.size() &&
+                             std::ranges::all_of(names, [](Words name) {
+                                 return is_word(name) && name != "x" && name != "y" && name != "z";
+                             });
+        if (!defines) return writer.write(text);
+        const auto list = in_brackets(values[0]);
+        const bool is_row_of_numbers = list && values[0].starts_with('[') && !list->contains(',');
+        if (is_row_of_numbers) return;  // ends for a command, as MATLAB has them
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (i > 0) writer.put("; ", names[i]);
+            result_.text.keep(names[i]);
+            writer.put(" := ", values[i]);
+            writer.write(values[i]);
+        }
     }
 
     /// Where the function of a program that starts at `at` ends.
@@ -181,6 +195,10 @@ private:
             row = row.substr(length + sign.size());
             length = word_length(row);
         }
+        if (const Words inner = in_index(row, length); known_command(inner) != nullptr) {
+            const auto arguments = in_brackets(row.substr(length + inner.size() + 2));
+            if (arguments) return CommandCall{.name = inner, .arguments = arguments_in(*arguments)};
+        }
         const Words name = row.substr(0, length);
         if (known_command(name) == nullptr) return std::nullopt;
         const std::size_t opener = length + blank_length(row.substr(length));
@@ -189,11 +207,20 @@ private:
             calls ? closing_bracket(row.substr(opener, longest_call)) : std::nullopt;
         if (!closer) return std::nullopt;
         const Words rest = trimmed(row.substr(opener + *closer + 1));
-        if (!rest.empty() && rest != ":" && rest != ".show()") return std::nullopt;
+        const bool ends = rest.empty() || rest == ":" || rest == "$" ||
+                          rest.starts_with(".show(") || rest == "// Evaluate";
+        if (!ends) return std::nullopt;
         CommandCall call{.name = name,
                          .arguments = arguments_in(row.substr(opener + 1, *closer - 1))};
         if (!is_command(call) || defines_function(name)) return std::nullopt;
         return call;
+    }
+    /// The name in plots[implicitplot3d], behind the first `length` bytes.
+    static Words in_index(Words row, std::size_t length) {
+        const Words behind = row.substr(length);
+        if (length == 0 || !behind.starts_with('[')) return {};
+        const Words name = behind.substr(1, word_length(behind.substr(1)));
+        return behind.substr(1 + name.size()).starts_with("](") ? name : Words();
     }
     [[nodiscard]] bool defines_function(Words name) const {
         SourceText scratch(typed_);
@@ -242,37 +269,8 @@ private:
         }
     }
 
-    /// The ranges that gnuplot draws: those before the formulas, else those of "set xrange [a:b]",
-    /// else -10 to 10 of x and y.
-    AskedBox box_of_splot(Words& formulas) const {
-        AskedBox box = take_bracket_ranges(formulas);
-        constexpr std::array<Words, 3> settings{"set xrange", "set yrange", "set zrange"};
-        for (std::size_t k = 0; k < box.size(); ++k) {
-            const std::size_t at = typed_.find(settings.at(k));
-            if (box.at(k)) continue;
-            Words ends =
-                at == Words::npos ? Words() : trimmed(typed_.substr(at + settings.at(k).size()));
-            box.at(k) = take_bracket_ranges(ends)[0];
-            if (!box.at(k) && k < 2) box.at(k) = AskedRange{.lo = "-10", .hi = "10"};
-        }
-        return box;
-    }
-
-    /// Writes gnuplot's formulas of x and y.
     bool splot(Words row, ExpressionWriter& writer) {
-        Words formulas = trimmed(row.substr(6));
-        take(box_of_splot(formulas), result_.text.offset_of(row));
-        bool is_first = true;
-        for (const Words part : split_outside(formulas, ',')) {
-            Words formula = part;
-            for (const Words word : {"with", "w", "title", "t", "notitle", "lc", "lt", "ls"})
-                formula = trimmed(
-                    formula.substr(0, std::min(find_outside(formula, word), formula.size())));
-            writer.put(is_first ? "z = " : "; z = ", part);
-            writer.write(formula);
-            is_first = false;
-        }
-        writer.put(";", row.substr(row.size()));
+        take(write_splot(row, writer), result_.text.offset_of(row));
         result_.notes.add(result_.text.offset_of(row),
                           filled(tr("this is read as {0}'s {1}"), {"gnuplot", "splot"}));
         return true;
@@ -282,6 +280,7 @@ private:
     DialectText result_;
     std::optional<ParseError> error_;
     std::vector<Words> plots_;  ///< names that commands are given
+    bool assigns_ = false;      ///< "=" gives a name its value, and is no equation
     int commands_ = 0;
     int failed_functions_ = 0;  ///< statements that might have been one
 };

@@ -82,7 +82,7 @@ bool is_constant_of_maxima(Words text, std::size_t at) {
     if (text[at] != '%') return false;
     const Words name = text.substr(at + 1, word_length(text.substr(at + 1)));
     const Words before = trimmed(text.substr(0, at));
-    return (name == "pi" || name == "e") &&
+    return (name == "pi" || name == "e" || name == "phi") &&
            (before.empty() || Words("+-*/^(,=<>").contains(before.back()));
 }
 
@@ -126,6 +126,19 @@ std::string ExpressionWriter::words_of(std::string_view expression) const {
     return words.words();
 }
 
+std::string_view ExpressionWriter::value_of(std::string_view name) const {
+    const std::string_view typed = text_.typed();
+    for (std::size_t at = typed.find(name); at != Words::npos; at = typed.find(name, at + 1)) {
+        const std::string_view behind = trimmed(typed.substr(at + name.size()));
+        if (at > 0 && word_length(typed.substr(at - 1)) > name.size()) continue;
+        const std::string_view value =
+            behind.starts_with('=') ? trimmed(behind.substr(1)) : Words();
+        const auto closer = value.starts_with('[') ? closing_bracket(value) : std::nullopt;
+        if (closer) return value.substr(0, *closer + 1);
+    }
+    return {};
+}
+
 void ExpressionWriter::write(std::string_view expression) {
     if (write_choice(expression)) return;
     std::size_t kept = 0;
@@ -157,6 +170,15 @@ void ExpressionWriter::write(std::string_view expression) {
             continue;
         }
         const std::string_view word = rest.substr(0, length);
+        const auto other = std::ranges::find(renamed_, word,
+                                             &std::pair<std::string_view, std::string_view>::first);
+        if (other != renamed_.end()) {
+            text_.keep(expression.substr(kept, at - kept));
+            put(other->second, word);
+            at += length;
+            kept = at;
+            continue;
+        }
         const std::size_t opener = length + blank_length(rest.substr(length));
         const bool may_call = depth_ < most_nested_calls && opener < rest.size() &&
                               (rest[opener] == '(' || rest[opener] == '[');
@@ -179,7 +201,7 @@ void ExpressionWriter::write(std::string_view expression) {
 }
 
 bool has_foreign_expression(std::string_view text) {
-    constexpr std::array<Words, 4> others{"Piecewise", "piecewise", "Rational", "Eq"};
+    constexpr std::array<Words, 5> others{"Piecewise", "piecewise", "Rational", "Eq", "Evaluate"};
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = word_length(text.substr(at));
         if (length == 0) {
@@ -206,6 +228,12 @@ bool ExpressionWriter::write_call(std::string_view word, std::string_view inside
         is_written = write_cases(word, inside);
     if (!is_written && word == "Rational" && parts.size() == 2) {
         write_joined("((", parts[0], ")/(", parts[1], "))");
+        is_written = true;
+    }
+    if (!is_written && word == "Evaluate") {
+        put("(", inside);
+        write(inside);
+        put(")", inside.substr(inside.size()));
         is_written = true;
     }
     if (!is_written && word == "Eq" && parts.size() == 2) {

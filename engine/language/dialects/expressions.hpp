@@ -6,6 +6,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 // Expressions of other programs in the words of the language.
 
@@ -25,6 +27,12 @@ public:
     }
     /// Whether the typed text gives this name to a function: f = @(x, y), f[x_] := ..., def f(x).
     [[nodiscard]] bool is_function(std::string_view name) const;
+    /// The list in brackets that the typed text gives a name: ends = [-1 1]; empty: none.
+    [[nodiscard]] std::string_view value_of(std::string_view name) const;
+    /// Puts other names in place of these, until it is told otherwise.
+    void rename(std::vector<std::pair<std::string_view, std::string_view>> names) {
+        renamed_ = std::move(names);
+    }
     [[nodiscard]] SourceText& text() { return text_; }
 
 private:
@@ -36,6 +44,7 @@ private:
     bool write_choice(std::string_view expression);
 
     SourceText& text_;
+    std::vector<std::pair<std::string_view, std::string_view>> renamed_;
     int depth_ = 0;     ///< calls within calls
     int unclosed_ = 0;  ///< calls without an end
 };

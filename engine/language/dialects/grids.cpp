@@ -47,13 +47,18 @@ bool Grids::makes_grid(std::string_view row) {
     return call && is_grid(call->name);
 }
 
+bool Grids::has_grid_ahead() const {
+    const Words typed = writer_.text().typed();
+    return typed.contains("meshgrid") || typed.contains("ndgrid") || typed.contains("mgrid");
+}
+
 bool Grids::write(std::string_view row) {
     if (write_surface(row)) return true;
     const auto parts = assignment(row);
     if (!parts) return false;
     const auto call = call_of(parts->second);
     if (call && is_grid(call->name)) return write_grid(parts->first, parts->second);
-    if (!is_word(parts->first) || !writer_.text().typed().contains("meshgrid")) return false;
+    if (!is_word(parts->first) || !has_grid_ahead()) return false;
     if (const auto inner = assignment(parts->second)) {  // tx = ty = linspace(-8, 8, 41)
         if (!write(parts->second)) return false;
         remember_points(parts->first, inner->first);
@@ -92,8 +97,9 @@ bool Grids::write_grid(std::string_view names, std::string_view call) {
     const auto of = call_of(call);
     const auto grid = split_outside(in_brackets(names).value_or(names), ',');
     if (grid.size() < 2 || grid.size() > 3) return false;
+    if (std::ranges::any_of(grid, [](Words name) { return !is_word(name); })) return false;
+    if (grid.size() == 2 && draws_points(grid)) return write_parameters(grid, of->arguments);
     for (std::size_t k = 0; k < grid.size(); ++k) {
-        if (!is_word(grid[k])) return false;
         const bool is_same = of->arguments.size() == 1;
         const bool has_ends = is_same || k < of->arguments.size();
         box_.at(k) = has_ends ? ends_of(of->arguments[is_same ? 0 : k]) : std::nullopt;
@@ -106,6 +112,33 @@ bool Grids::write_grid(std::string_view names, std::string_view call) {
     const Words typed = writer_.text().typed();
     if (find_outside(typed, "eps") != Words::npos && !writer_.is_function("eps"))
         writer_.put("eps := 2^-52;", names);  // MATLAB's distance of 1 from the next number
+    has_grid_ = true;
+    return true;
+}
+
+/// Whether a surface is drawn over other places than those of a grid: surf(X, Y, Z) over [u, v].
+bool Grids::draws_points(const std::vector<std::string_view>& grid) const {
+    const Words typed = writer_.text().typed();
+    for (const Words word : {"surf(", "mesh(", "surf (", "mesh (", "surfc(", "plot_surface("}) {
+        const std::size_t at = typed.find(word);
+        if (at == Words::npos) continue;
+        const auto call = call_of(typed.substr(at));
+        if (!call || call->arguments.size() < 3) continue;
+        const Words first = call->arguments[0];
+        const bool is_line =
+            std::ranges::any_of(points_, [&](const auto& points) { return points.first == first; });
+        return first != grid[0] && first != grid[1] && !is_line;
+    }
+    return false;
+}
+
+/// Keeps the ranges of a grid whose points are parameters.
+bool Grids::write_parameters(const std::vector<std::string_view>& grid, const GridArguments& of) {
+    for (std::size_t k = 0; k < grid.size(); ++k) {
+        const auto ends = ends_of(of[of.size() == 1 ? 0 : k]);
+        if (!ends) return false;
+        parameters_ += ", " + ends->lo + " < " + std::string(grid[k]) + " < " + ends->hi;
+    }
     has_grid_ = true;
     return true;
 }
@@ -123,13 +156,21 @@ bool Grids::write_surface(std::string_view row) {
     const bool is_level = call->name == "isosurface" || call->name == "marching_cubes";
     const bool is_height = call->name == "surf" || call->name == "mesh" ||
                            call->name == "plot_surface" || call->name == "surfc";
-    if (is_level && (count == 2 || count == 5)) {
-        const Words level = call->arguments[count - 1];
+    const bool is_marching = call->name == "marching_cubes" && count >= 2;
+    if (is_marching || (is_level && (count == 2 || count == 5))) {
+        const std::size_t at = is_marching ? 1 : count - 1;
+        const Words level = call->arguments[at];
         const std::size_t equals = level.find('=');
-        writer_.write(call->arguments[count - 2]);
+        writer_.write(call->arguments[at - 1]);
         writer_.put(" - (", level);
         writer_.write(equals == Words::npos ? level : level.substr(equals + 1));
         writer_.put(") = 0", level);
+    } else if (is_height && count >= 3 && !parameters_.empty()) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            writer_.put(i == 0 ? "(" : ", ", call->arguments[i]);
+            writer_.write(call->arguments[i]);
+        }
+        writer_.put(")" + parameters_, call->arguments[0]);
     } else if (is_height && count >= 3) {
         writer_.put("z = ", call->arguments[2]);
         writer_.write(call->arguments[2]);

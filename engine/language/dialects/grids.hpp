@@ -2,6 +2,8 @@
 
 #include "engine/language/dialects/expressions.hpp"
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -27,11 +29,16 @@ private:
     [[nodiscard]] std::optional<Ends> ends_of(std::string_view argument) const;
     bool write_grid(std::string_view names, std::string_view call);
     bool write_surface(std::string_view row);
+    using GridArguments = std::vector<std::string_view>;
+    [[nodiscard]] bool has_grid_ahead() const;
+    [[nodiscard]] bool draws_points(const std::vector<std::string_view>& grid) const;
+    bool write_parameters(const std::vector<std::string_view>& grid, const GridArguments& of);
     void remember_points(std::string_view name, std::string_view value);
 
     ExpressionWriter& writer_;
     AskedBox& box_;
     std::vector<std::pair<std::string_view, Ends>> points_;  ///< names of points on a line
+    std::string parameters_;  ///< ranges of a grid whose points are parameters of a surface
     bool has_grid_ = false;
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 /// The error for a thing that is used as a value.
 std::nullopt_t refuse_thing(const CallSite& site) {
-    return site.fail(
-        filled(tr("{0} is drawn by itself, and is no value"), {call_of(*site.call.function)}),
+    return refuse_call(
+        site, filled(tr("{0} is drawn by itself, and is no value"), {call_of(*site.call.function)}),
         tr("type it alone in a row"));
 }
 
@@ -21,6 +21,15 @@ std::nullopt_t refuse_thing(const CallSite& site) {
 
 std::string call_of(const Function& function) {
     return std::string(function.name) + "(" + std::string(function.arguments) + ")";
+}
+
+std::nullopt_t refuse_call(const CallSite& site, std::string reason, std::string hint) {
+    return site.values().fail(site.offset(), std::move(reason), std::move(hint));
+}
+
+std::nullopt_t refuse_argument(const CallSite& site, std::size_t place, std::string reason,
+                               std::string hint) {
+    return site.values().fail(site.offset_of(place), std::move(reason), std::move(hint));
 }
 
 ExpressionReader::Built ExpressionReader::call(const Syntax& syntax, const Context& context) {

@@ -25,13 +25,12 @@ struct CallSite {
     [[nodiscard]] std::size_t offset_of(std::size_t place) const {
         return context.at(argument(place).offset);
     }
-    std::nullopt_t fail(std::string reason, std::string hint) const {
-        return values().fail(offset(), std::move(reason), std::move(hint));
-    }
-    std::nullopt_t fail_at(std::size_t place, std::string reason, std::string hint) const {
-        return values().fail(offset_of(place), std::move(reason), std::move(hint));
-    }
 };
+
+/// Errors at a call, and at one of its arguments.
+std::nullopt_t refuse_call(const CallSite& site, std::string reason, std::string hint);
+std::nullopt_t refuse_argument(const CallSite& site, std::size_t place, std::string reason,
+                               std::string hint);
 
 // Calls whose arguments are not only numbers; each stands in a file of its own, calls_*.cpp.
 

@@ -84,8 +84,8 @@ std::optional<std::array<NodeId, 3>> point_of_blobs(const CallSite& site, BuiltV
     if (point && before.empty()) return point;
     if (!point) return std::nullopt;
     const std::string name = site.word();
-    return site.fail(filled(tr("{0} is of one point and a list"), {name}),
-                     filled(tr("type {0}"), {name + "(p, [(0, 0, 0, 1), (1, 0, 0, 1)])"}));
+    return refuse_call(site, filled(tr("{0} is of one point and a list"), {name}),
+                       filled(tr("type {0}"), {name + "(p, [(0, 0, 0, 1), (1, 0, 0, 1)])"}));
 }
 
 /// Adds a ball: a vector (x, y, z, r), or (x, y, z) where a radius is behind the list.
@@ -93,9 +93,10 @@ bool add_blob(const CallSite& site, const BuiltValue& from, const BuiltValues& r
               std::vector<std::array<NodeId, 4>>& blobs) {
     const bool fits = from.is_vector() && (from.size() == 4 || from.size() == 3);
     if (!fits) {
-        site.fail(filled(tr("{0} is of a list of balls (x, y, z, r), not of {1}"),
-                         {site.word(), from.described()}),
-                  filled(tr("type {0}"), {"[(0, 0, 0, 1), (1, 0, 0, 1)]"}));
+        refuse_call(site,
+                    filled(tr("{0} is of a list of balls (x, y, z, r), not of {1}"),
+                           {site.word(), from.described()}),
+                    filled(tr("type {0}"), {"[(0, 0, 0, 1), (1, 0, 0, 1)]"}));
         return false;
     }
     std::array<NodeId, 4> blob{};
@@ -127,8 +128,8 @@ GraphValues::Built blobs_field_of(const CallSite& site, const std::array<NodeId,
         const bool near =
             std::ranges::all_of(blob.center, [](double c) { return std::abs(c) <= most; });
         if (!near || !(blob.radius >= least && blob.radius <= most)) {
-            return site.fail(tr("a ball has a radius other than 0 and a finite place"),
-                             filled(tr("type {0}"), {"(0, 0, 0, 1)"}));
+            return refuse_call(site, tr("a ball has a radius other than 0 and a finite place"),
+                               filled(tr("type {0}"), {"(0, 0, 0, 1)"}));
         }
         blobs.push_back(blob);
     }
@@ -143,9 +144,10 @@ GraphValues::Built blobs_formula(const CallSite& site, const std::array<NodeId, 
                                  const std::vector<std::array<NodeId, 4>>& balls) {
     ExprBuilder& builder = site.builder();
     if (balls.size() > most_that_change) {
-        return site.fail(filled(tr("at most {0} balls may depend on sliders, w or the point"),
-                                {std::to_string(most_that_change)}),
-                         tr("type numbers for the others in a list of their own"));
+        return refuse_call(site,
+                           filled(tr("at most {0} balls may depend on sliders, w or the point"),
+                                  {std::to_string(most_that_change)}),
+                           tr("type numbers for the others in a list of their own"));
     }
     const BlobKind kind = kind_of(site.composed());
     NodeId sum = builder.constant(0.0);
@@ -185,7 +187,8 @@ GraphValues::Built read_blobs(const CallSite& site) {
     const bool has_list = list != arguments->end();
     if (!has_list || radius.size() > 1 || (!radius.empty() && !radius.front().is_single())) {
         const std::string name = site.word();
-        return site.fail(
+        return refuse_call(
+            site,
             filled(tr("{0} is of a list of balls, with or without a radius behind it"), {name}),
             filled(tr("type {0}"), {name + "([(0, 0, 0, 1), (1, 0, 0, 1)])"}));
     }

@@ -24,7 +24,8 @@ std::optional<int> step_count(const CallSite& site) {
     const std::string word = site.word();
     const std::string example = filled(tr("for example {0}"), {word + "(u, 3, x, u^2 + y)"});
     if (site.argument(0).kind != SyntaxKind::Name) {
-        site.fail_at(0, filled(tr("the first argument of {0} is a name"), {word}), example);
+        refuse_argument(site, 0, filled(tr("the first argument of {0} is a name"), {word}),
+                        example);
         return std::nullopt;
     }
     const auto count = site.reader.whole_number(
@@ -32,10 +33,10 @@ std::optional<int> step_count(const CallSite& site) {
         {.reason = tr("the number of steps is a whole number"), .hint = example});
     if (!count) return std::nullopt;
     if (*count < 0 || *count > most_steps) {
-        site.fail_at(1,
-                     filled(tr("{0} takes from 0 to {1} steps"),
-                            {word, std::to_string(static_cast<int>(most_steps))}),
-                     tr("use fewer"));
+        refuse_argument(site, 1,
+                        filled(tr("{0} takes from 0 to {1} steps"),
+                               {word, std::to_string(static_cast<int>(most_steps))}),
+                        tr("use fewer"));
         return std::nullopt;
     }
     return static_cast<int>(*count);
@@ -43,9 +44,10 @@ std::optional<int> step_count(const CallSite& site) {
 
 bool is_within_budget(const CallSite& site, std::size_t before, int steps) {
     if (site.builder().size() - before <= most_nodes) return true;
-    site.fail(filled(tr("{0} steps of this iteration have more than {1} operations"),
-                     {std::to_string(steps), std::to_string(most_nodes)}),
-              tr("use fewer steps or a shorter step"));
+    refuse_call(site,
+                filled(tr("{0} steps of this iteration have more than {1} operations"),
+                       {std::to_string(steps), std::to_string(most_nodes)}),
+                tr("use fewer steps or a shorter step"));
     return false;
 }
 
@@ -110,12 +112,13 @@ GraphValues::Built read_distance_estimate(const CallSite& site) {
         const bool same_kind =
             !first || (value.kind == first->kind && value.size() == first->size());
         if (value.is_list() || !same_kind) {
-            site.fail_at(first ? 3 : 2,
-                         tr("a step of distance_estimate gives a value of the kind that it starts "
-                            "from, a number or a vector"),
-                         filled(tr("for example {0}"),
-                                {"distance_estimate(q, 8, (x, y, z, 0), quaternion_square(q) + "
-                                 "(-1, 0, 0, 0))"}));
+            refuse_argument(
+                site, first ? 3 : 2,
+                tr("a step of distance_estimate gives a value of the kind that it starts "
+                   "from, a number or a vector"),
+                filled(tr("for example {0}"),
+                       {"distance_estimate(q, 8, (x, y, z, 0), quaternion_square(q) + "
+                        "(-1, 0, 0, 0))"}));
             return false;
         }
         if (!first) first = value;

@@ -28,7 +28,7 @@ bool make_point(const CallSite& site, std::size_t index, BuiltValue& argument) {
     if (argument.is_single()) {
         site.values().fail_for_vector(site.offset(), reason, hint);
     } else {
-        site.fail(reason, hint);
+        refuse_call(site, reason, hint);
     }
     return false;
 }

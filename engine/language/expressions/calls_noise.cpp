@@ -41,7 +41,7 @@ std::optional<double> whole_argument(const CallSite& site, const BuiltValues& re
     const bool is_whole = exact && *exact == std::floor(*exact);
     if (is_whole && *exact >= argument.least && *exact <= argument.most) return exact;
     const std::size_t before = site.call.operands.size() - rest.size();
-    return site.fail_at(before + argument.place, argument.rule, tr("type one, such as 7"));
+    return refuse_argument(site, before + argument.place, argument.rule, tr("type one, such as 7"));
 }
 
 /// Writes out fbm(p, octaves, gain, lacunarity, seed), or turbulence.
@@ -88,9 +88,9 @@ std::optional<std::array<NodeId, 3>> leading_point(const CallSite& site, BuiltVa
     const bool is_point = first.is_vector() && first.size() <= 3;
     if (!first.is_single() && !is_point) {
         const std::string name = site.word();
-        return site.fail_at(0,
-                            filled(tr("{0} is of a point, not of {1}"), {name, first.described()}),
-                            filled(tr("type {0} or {1}"), {name + "(x, y, z)", name + "(p)"}));
+        return refuse_argument(
+            site, 0, filled(tr("{0} is of a point, not of {1}"), {name, first.described()}),
+            filled(tr("type {0} or {1}"), {name + "(x, y, z)", name + "(p)"}));
     }
     const NodeId zero = site.builder().constant(0.0);
     std::array<NodeId, 3> point{zero, zero, zero};
@@ -129,8 +129,8 @@ GraphValues::Built read_noise(const CallSite& site) {
             has_octaves ? filled(tr("{0} takes at most {1} numbers behind its point"),
                                  {name, std::to_string(most)})
                         : filled(tr("{0} takes only a seed behind its point"), {name});
-        return site.fail_at(site.call.operands.size() - 1, reason,
-                            filled(tr("type {0}"), {call_of(*site.call.function)}));
+        return refuse_argument(site, site.call.operands.size() - 1, reason,
+                               filled(tr("type {0}"), {call_of(*site.call.function)}));
     }
     const auto seed =
         whole_argument(site, *arguments,

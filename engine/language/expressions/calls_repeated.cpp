@@ -91,7 +91,8 @@ GraphValues::Built read_repeated(const CallSite& site) {
     const Syntax& call = site.call;
     const std::string example = filled(tr("for example {0}"), {name + "(x^i, i, 1, 5)"});
     if (site.argument(1).kind != SyntaxKind::Name) {
-        return site.fail_at(1, filled(tr("the second argument of {0} is a name"), {name}), example);
+        return refuse_argument(site, 1, filled(tr("the second argument of {0} is a name"), {name}),
+                               example);
     }
     const GraphValues::Number last = site.reader.number(call.operands[3], site.context);
     if (!last) return std::nullopt;
@@ -109,12 +110,13 @@ GraphValues::Built read_repeated(const CallSite& site) {
     }
     if (is_of_sliders) return repeated_up_to(site, *bounds[0], *last);
     if (*bounds[1] - *bounds[0] >= max_terms) {
-        return site.fail(filled(tr("{0} has more than 10 000 terms"), {name}), tr("use fewer"));
+        return refuse_call(site, filled(tr("{0} has more than 10 000 terms"), {name}),
+                           tr("use fewer"));
     }
     const Composed kind = site.composed();
     const bool is_empty = *bounds[1] < *bounds[0];
     if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
-        return site.fail(filled(tr("{0} has no terms"), {name}), tr("let m be at most n"));
+        return refuse_call(site, filled(tr("{0} has no terms"), {name}), tr("let m be at most n"));
     return repeated_from(site, *bounds[0], *bounds[1]);
 }
 

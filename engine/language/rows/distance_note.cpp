@@ -38,8 +38,13 @@ void note_distance(const SyntaxTree& tree, DefinitionTable& table, std::size_t s
     };
     std::ranges::for_each(table.uses(statement), add);
     if (relation.kind == SyntaxKind::Compare) add({.at = relation.operands[0], .calls = false});
-    if (said.contains("x") || said.contains("y")) return;
     const auto r = said.find("r");
+    if (r != said.end() && said.contains("x") && said.contains("y") && said.contains("z")) {
+        notes.add(tree[r->second].offset,
+                  filled(tr("{0} is {1}; for a radius with a slider type {2}"),
+                         {"r", "sqrt(x^2 + y^2 + z^2)", "R"}));
+    }
+    if (said.contains("x") || said.contains("y")) return;
     const auto rho = said.find("rho");
     const bool is_spherical = said.contains("phi");
     if (r != said.end() && !is_spherical && (said.contains("z") || said.contains("theta"))) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,16 @@ std::string hint_without_surface(const SyntaxTree& tree, DefinitionTable& table)
     }
     if (is_function && last->arguments == std::vector<std::string>{"x", "y", "z"})
         return filled(tr("type {0} on the next line"), {last->name + "(x, y, z) = 0"});
-    if (is_function && last->arguments == std::vector<std::string>{"x"})
+    const auto goes_by = [&](std::span<const std::string> names) {
+        return last != nullptr && table.going_by(names).contains(last);
+    };
+    if (is_function && last->arguments == std::vector<std::string>{"x"}) {
+        if (goes_by(std::vector<std::string>{"y", "z"}))
+            return filled(tr("type {0} on the next line"), {last->name + "(x) = 0"});
         return filled(tr("type {0} on the next line"), {"y = " + last->name + "(x)"});
+    }
+    if (!is_function && goes_by(std::vector<std::string>{"x", "y", "z", "r", "rho"}))
+        return filled(tr("type {0} on the next line"), {last->name + " = 0"});
     return filled(tr("type an equation such as {0} on the next line"), {"x^2 + y^2 + z^2 = 1"});
 }
 

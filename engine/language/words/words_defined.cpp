@@ -14,9 +14,10 @@
 namespace zeroset {
 namespace {
 
-constexpr std::array<std::string_view, 20> type_words{
-    "float", "double", "int",     "real", "const", "let",     "var",  "val",  "def",  "auto",
-    "local", "static", "declare", "lowp", "highp", "mediump", "vec2", "vec3", "vec4", "bool"};
+constexpr std::array<std::string_view, 23> type_words{
+    "float", "double", "int",   "real",   "const",   "let",    "var",   "val",
+    "def",   "auto",   "local", "static", "declare", "lowp",   "highp", "mediump",
+    "vec2",  "vec3",   "vec4",  "bool",   "float2",  "float3", "float4"};
 
 /// Whether a name is one letter, ASCII or not; such names are never split.
 bool is_letter_name(std::string_view name) {
