@@ -89,27 +89,58 @@ HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, Floats p, Floats q)
     return all;
 }
 
-/// The derivatives of g, and 1 over their determinant.
-struct Slopes2 {
-    Floats pp, pq, qp, qq, inverse;
+/// (a, b, s) at a place, but for some terms, and its slopes.
+struct FloatPoint {
+    InAxes<Floats> value, by_p, by_q;
+};
+/// The point of a polynomial for each coordinate, of(0) to of(2).
+template <class Polynomial>
+HWY_INLINE FloatPoint point_of(Polynomial of) {
+    const FloatSlopes a = of(0);
+    const FloatSlopes b = of(1);
+    const FloatSlopes s = of(2);
+    return {.value = {.x = a.value, .y = b.value, .z = s.value},
+            .by_p = {.x = a.by_p, .y = b.by_p, .z = s.by_p},
+            .by_q = {.x = a.by_q, .y = b.by_q, .z = s.by_q}};
+}
+/// The derivatives of g there.
+HWY_INLINE Matrix2<Floats> slopes_of_g(const SightLine<Floats>& ray, const FloatPoint& at) {
+    const Vector2<Floats> by_p = ray.across(at.by_p);
+    const Vector2<Floats> by_q = ray.across(at.by_q);
+    return {.pp = by_p.p, .pq = by_q.p, .qp = by_p.q, .qq = by_q.q};
+}
 
-    HWY_INLINE Slopes2(const FloatSlopes& a, const FloatSlopes& b, const FloatSlopes& s, Floats u,
-                       Floats v) {
-        pp = hn::NegMulAdd(u, s.by_p, a.by_p);
-        pq = hn::NegMulAdd(u, s.by_q, a.by_q);
-        qp = hn::NegMulAdd(v, s.by_p, b.by_p);
-        qq = hn::NegMulAdd(v, s.by_q, b.by_q);
-        const Floats determinant = hn::NegMulAdd(pq, qp, hn::Mul(pp, qq));
+/// A matrix with 1 over its determinant, for steps whose errors are bounded elsewhere.
+struct Slopes2 {
+    Matrix2<Floats> m;
+    Floats inverse;
+
+    explicit HWY_INLINE Slopes2(const Matrix2<Floats>& of) : m(of) {
+        const Floats determinant = hn::NegMulAdd(m.pq, m.qp, hn::Mul(m.pp, m.qq));
         inverse = hn::Div(float_number(1.0), determinant);
     }
-    /// Newton's step where g is (g1, g2).
-    [[nodiscard]] HWY_INLINE Floats step_p(Floats g1, Floats g2) const {
-        return hn::Mul(hn::NegMulAdd(qq, g1, hn::Mul(pq, g2)), inverse);
+    [[nodiscard]] HWY_INLINE Matrix2<Floats> inverse_matrix() const {
+        return inverse_of(m, inverse);
     }
-    [[nodiscard]] HWY_INLINE Floats step_q(Floats g1, Floats g2) const {
-        return hn::Mul(hn::NegMulAdd(pp, g2, hn::Mul(qp, g1)), inverse);
+    /// Newton's step where the function with these derivatives is g.
+    [[nodiscard]] HWY_INLINE Vector2<Floats> step(const Vector2<Floats>& g) const {
+        const Vector2<Floats> by = zero_by_determinant(m, g);
+        return {.p = hn::Mul(by.p, inverse), .q = hn::Mul(by.q, inverse)};
     }
 };
+
+HWY_INLINE Floats clamped(Floats at, double limit) {
+    const Floats most = float_number(limit);
+    return hn::Min(hn::Max(at, hn::Neg(most)), most);
+}
+/// A step from `at` within |p|, |q| <= limit; none where it is not known.
+HWY_INLINE Vector2<Floats> moved(const Vector2<Floats>& at, const Vector2<Floats>& by,
+                                 double limit) {
+    const auto along = [&](Floats from, Floats step) HWY_ATTR {
+        return hn::IfThenElse(hn::IsNaN(step), from, clamped(hn::Add(from, step), limit));
+    };
+    return {.p = along(at.p, by.p), .q = along(at.q, by.q)};
+}
 
 }  // namespace zeroset::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

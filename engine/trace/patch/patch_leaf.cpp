@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// Krawczyk's test has to contract by this on all of a box.
-constexpr double flat_norm = 0.7;
+constexpr double contracting_norm = 0.7;
 /// Newton's method is not tried on boxes that bend more than this.
 constexpr double bent_norm = 8.0;
 constexpr int most_halvings = 14;
@@ -83,7 +83,7 @@ private:
             open.count = solve_bent(Newton(piece, floats, axes_, rays_.tolerance, around),
                                     piece.first_degree, some);
             if (open.count == 0) return;
-            if (piece.contraction.norm <= flat_norm) open.count = solve(piece, floats, open);
+            if (piece.contraction.norm <= contracting_norm) open.count = solve(piece, floats, open);
         }
         if (open.count == 0) return;
         // Leave rays open that halves would not settle.
@@ -127,11 +127,10 @@ private:
     template <int degree>
     std::size_t solve_by(const Piece& piece, const Solver& solver, const Range& rays);
     /// Takes those hits among twice as many rays as vectors have numbers, from `at` on, that count.
-    void take_hits(const Piece& piece, const SolverEnd& end, std::size_t at, LaneBits real);
+    void take_hits(const SolverEnd& end, std::size_t at, LaneBits real);
     /// The lanes whose places are in the box of what counts.
     [[nodiscard]] Mask in_box(Vector u, Vector v, Vector s) const;
-    void put_normals(const FloatSlopes& a, const FloatSlopes& b, const FloatSlopes& s,
-                     LeafFound* found) const;
+    void put_normals(const FloatPoint& at, LeafFound* found) const;
     /// Puts hits that count.
     void put_found(const LeafFound* found, const double* s, const std::int32_t* pixels,
                    LaneBits hits) const;
@@ -161,10 +160,8 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
         const auto p = doubles_of(hn::LoadU(df, lists_.p(at)));
         const auto q = doubles_of(hn::LoadU(df, lists_.q(at)));
         for (std::size_t i = 0; i < 2; ++i) {
-            end.halves[i].u = u[i];
-            end.halves[i].v = v[i];
-            end.halves[i].p = p[i];
-            end.halves[i].q = q[i];
+            end.halves[i].line = {.u = u[i], .v = v[i]};
+            end.halves[i].place = {.p = p[i], .q = q[i]};
         }
         solver.solve<degree>(end);
         const LaneBits real = RayLists::first_bits(rays.count - first);
@@ -173,7 +170,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
                            lanes_of(d, mask_of_half(end.halves[1].test)) << width);
         };
         // Take the hits, and leave rays for which the model is too coarse.
-        take_hits(piece, end, at, real);
+        take_hits(end, at, real);
         LaneBits wide = bits([](const Test& test) HWY_ATTR { return test.wide; });
         LaneBits open = ~wide & bits([](const Test& test) HWY_ATTR {
             return hn::Not(hn::Or(test.none, test.found));
@@ -226,7 +223,7 @@ inline void LeafTracer::take_found(const RaysOnPiece& rays, const NewtonEnd& end
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
     // Compute the normals; store the hits at once where none is to be judged.
     LeafFound found[2 * width];
-    put_normals(end.at_a, end.at_b, end.at_s, found);
+    put_normals(end.at, found);
     if (clip_.window != LeafWindow::Judged && rays_.to == nullptr)
         return put_found(found, s, lists_.pixels_at(at), hits);
     for (; hits != 0; hits &= hits - 1) {
@@ -277,15 +274,16 @@ inline Mask LeafTracer::in_box(Vector u, Vector v, Vector s) const {
 }
 
 /// dS/dp x dS/dq in the axes, then in the world.
-inline void LeafTracer::put_normals(const FloatSlopes& a_by, const FloatSlopes& b_by,
-                                    const FloatSlopes& s_by, LeafFound* found) const {
+inline void LeafTracer::put_normals(const FloatPoint& at, LeafFound* found) const {
     const Floats flip = hn::Set(df, flip_);
-    const auto cross = [&](Floats ap, Floats aq, Floats bp, Floats bq) HWY_ATTR {
-        return hn::Mul(flip, hn::NegMulAdd(bp, aq, hn::Mul(ap, bq)));
+    const auto& [ap, bp, sp] = at.by_p;
+    const auto& [aq, bq, sq] = at.by_q;
+    const auto cross = [&](Floats xp, Floats xq, Floats yp, Floats yq) HWY_ATTR {
+        return hn::Mul(flip, hn::NegMulAdd(yp, xq, hn::Mul(xp, yq)));
     };
-    const Floats a = cross(b_by.by_p, b_by.by_q, s_by.by_p, s_by.by_q);
-    const Floats b = cross(s_by.by_p, s_by.by_q, a_by.by_p, a_by.by_q);
-    const Floats c = cross(a_by.by_p, a_by.by_q, b_by.by_p, b_by.by_q);
+    const Floats a = cross(bp, bq, sp, sq);
+    const Floats b = cross(sp, sq, ap, aq);
+    const Floats c = cross(ap, aq, bp, bq);
     const Floats most = hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c));
     const Floats scale = hn::Div(float_number(1.0), most);
     Floats world[3];
@@ -300,10 +298,8 @@ inline void LeafTracer::put_normals(const FloatSlopes& a_by, const FloatSlopes& 
                           found->normal.data());
 }
 
-inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std::size_t at,
-                                  LaneBits real) {
+inline void LeafTracer::take_hits(const SolverEnd& end, std::size_t at, LaneBits real) {
     const D d;
-    const glm::dvec2 slope(piece.sight.dp.z, piece.sight.dq.z);
     HWY_ALIGN double s[2 * width];
     HWY_ALIGN double s_radius[2 * width];
     LaneBits hits = 0;
@@ -312,12 +308,11 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
     for (std::size_t half = 0; half < 2; ++half) {
         const HalfRays& rays = end.halves[half];
         const Test& test = rays.test;
-        const Vector depth = hn::MulAdd(number(slope.x), test.step_p,
-                                        hn::MulAdd(number(slope.y), test.step_q, rays.at.s));
-        hn::Store(depth, d, s + half * width);
-        hn::Store(test.s_radius, d, s_radius + half * width);
+        hn::Store(test.depth.middle, d, s + half * width);
+        hn::Store(test.depth.radius, d, s_radius + half * width);
         Mask some = hn::AndNot(test.outside, test.found);
-        if (clip_.window == LeafWindow::Box) some = hn::And(some, in_box(rays.u, rays.v, depth));
+        if (clip_.window == LeafWindow::Box)
+            some = hn::And(some, in_box(rays.line.u, rays.line.v, test.depth.middle));
         hits |= lanes_of(d, some) << (half * width);
         inside |= lanes_of(d, test.inside) << (half * width);
     }
@@ -325,7 +320,7 @@ inline void LeafTracer::take_hits(const Piece& piece, const SolverEnd& end, std:
     if (hits == 0) return;
     // Compute the normals, and store the hits that are nearer than the reach.
     LeafFound found[2 * width];
-    put_normals(end.a, end.b, end.s, found);
+    put_normals(end.at, found);
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
         const std::size_t pixel = lists_.pixel(at + lane);

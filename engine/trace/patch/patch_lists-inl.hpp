@@ -305,7 +305,8 @@ private:
                                       const std::array<Vector, 2>& vs, Pixels pixels,
                                       LaneBits wanted, std::size_t to) {
         // Reject rays on which the form has no zero.
-        const Zeros zeros = form.zeros(floats_of(us[0], us[1]), floats_of(vs[0], vs[1]));
+        const Zeros zeros =
+            form.zeros({.u = floats_of(us[0], us[1]), .v = floats_of(vs[0], vs[1])});
         const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
         if (left_bits == 0) return 0;
         const FloatMask left = lanes_at(df, left_bits);

@@ -17,6 +17,7 @@
 #define ZEROSET_PATCH_NEWTON_INL
 #endif
 
+#include "engine/real/unbounded.hpp"
 #include "engine/trace/patch/patch_bounds-inl.hpp"
 #include "engine/trace/patch/patch_floats-inl.hpp"
 
@@ -47,34 +48,7 @@ struct NewtonEnd {
     FloatMask none;   ///< no zero within `inner`
     FloatMask found;  ///< one, in the unit square, and its depth is known well enough
     std::array<Vector, 2> s;
-    FloatSlopes at_a, at_b, at_s;  ///< where the search ended: terms of high degree, all slopes
-};
-
-/// The inverse of a matrix.
-struct Inverse2 {
-    Floats pp, pq, qp, qq;  ///< without the signs of pq and qp, which are -1
-
-    explicit HWY_INLINE Inverse2(const Slopes2& by)
-        : pp(hn::Mul(by.qq, by.inverse)),
-          pq(hn::Mul(by.pq, by.inverse)),
-          qp(hn::Mul(by.qp, by.inverse)),
-          qq(hn::Mul(by.pp, by.inverse)) {}
-
-    [[nodiscard]] HWY_INLINE Floats p(Floats x1, Floats x2) const {
-        return hn::NegMulAdd(pq, x2, hn::Mul(pp, x1));
-    }
-    [[nodiscard]] HWY_INLINE Floats q(Floats x1, Floats x2) const {
-        return hn::NegMulAdd(qp, x1, hn::Mul(qq, x2));
-    }
-    /// The norm of the matrix.
-    [[nodiscard]] HWY_INLINE Floats norm() const {
-        return hn::Max(hn::Add(hn::Abs(pp), hn::Abs(pq)), hn::Add(hn::Abs(qp), hn::Abs(qq)));
-    }
-    /// The larger number of its sizes times (x1, x2).
-    [[nodiscard]] HWY_INLINE Floats most(Floats x1, Floats x2) const {
-        return hn::Max(hn::MulAdd(hn::Abs(pp), x1, hn::Mul(hn::Abs(pq), x2)),
-                       hn::MulAdd(hn::Abs(qp), x1, hn::Mul(hn::Abs(qq), x2)));
-    }
+    FloatPoint at;  ///< where the search ended: terms of high degree, all slopes
 };
 
 /// Newton's method for rays on a piece.
@@ -88,30 +62,29 @@ public:
         const NewtonBounds bounds(piece, with_squares_);
         const PatchSight& sight = piece.sight;
         const glm::dvec3 most = glm::abs(sight.c) + sight.spread();
-        const double error = sight.value_error + piece.first_error;
+        const SightLine<double> around{.u = std::abs(rays.middle.u) + rays.u_radius,
+                                       .v = std::abs(rays.middle.v) + rays.v_radius};
+        // Products of slopes as large as this overflow in float: no error is a bound of theirs.
+        const bool fits = larger(around.most(in_axes<double>(most))) < 0x1p50;
+        const double error = fits ? sight.value_error + piece.first_error : unbounded;
         // Bound each coordinate's error, its slopes' error and its second derivatives.
-        const Sizes lost{error + bounds.error[0] + rounding * most.x,
-                         error + bounds.error[1] + rounding * most.y,
-                         error + bounds.error[2] + rounding * (distance_ + most.z)};
-        const Sizes flat{bounds.slope_error[0], bounds.slope_error[1], bounds.slope_error[2]};
-        const Sizes bend{0.5 * bounds.bend[0], 0.5 * bounds.bend[1], 0.5 * bounds.bend[2]};
-        const double u = std::abs(rays.middle.u) + rays.u_radius;
-        const double v = std::abs(rays.middle.v) + rays.v_radius;
-        const auto most_of = [&](const Sizes& of) {
-            return float_above(std::max(of[0] + u * of[2], of[1] + v * of[2]));
+        const auto vector = [](const double* of) { return glm::dvec3(of[0], of[1], of[2]); };
+        const glm::dvec3 lost =
+            vector(bounds.error) + error + rounding * (most + glm::dvec3(0.0, 0.0, distance_));
+        const glm::dvec3 bend = 0.5 * vector(bounds.bend);
+        const glm::dvec3 square = bend + 0.5 * vector(bounds.square);
+        const auto most_of = [&](const glm::dvec3& of) {
+            return float_above(larger(around.most(in_axes<double>(of))));
         };
-        const auto set = [&](Bounds& to, const Sizes& of) {
-            for (std::size_t k = 0; k < 3; ++k)
-                to.by[k] = float_above(of[k]);
-            to.all = most_of(of);
+        const auto bounds_of = [&](const glm::dvec3& of, const glm::dvec3& all) {
+            return Bounds{.by = {float_above(of.x), float_above(of.y), float_above(of.z)},
+                          .all = most_of(all)};
         };
-        set(lost_, lost);
-        set(flat_, flat);
-        set(bend_, bend);
-        const auto square = [&](std::size_t k) { return bend[k] + 0.5 * bounds.square[k]; };
-        bend_.all = most_of({square(0), square(1), square(2)});
+        lost_ = bounds_of(lost, lost);
+        flat_ = bounds_of(vector(bounds.slope_error), vector(bounds.slope_error));
+        bend_ = bounds_of(bend, square);
         s_lost_ = float_above(error + bounds.error[2] + rounding * most.z);
-        s_bend_ = float_above(square(2));
+        s_bend_ = float_above(square.z);
         tolerance_ = static_cast<float>(tolerance * (1.0 - 0x1p-20));
         const auto is_within = [](double middle, double radius) {
             return middle - radius > 0x1p-40 && middle + radius < 1.0 - 0x1p-40;
@@ -132,32 +105,31 @@ public:
                                 HWY_ATTR { return hn::NegMulAdd(along, far, number(at)); };
         const Search search{
             .rays = rays,
-            .u = floats_of(rays.u[0], rays.u[1]),
-            .v = floats_of(rays.v[0], rays.v[1]),
+            .line = {.u = floats_of(rays.u[0], rays.u[1]), .v = floats_of(rays.v[0], rays.v[1])},
             .first1 = {beside(rays.u[0], constant[0]), beside(rays.u[1], constant[0])},
             .first2 = {beside(rays.v[0], constant[1]), beside(rays.v[1], constant[1])}};
         // Take a first step with the terms of low degree alone.
-        Place at{.p = clamped(rays.p), .q = clamped(rays.q)};
-        step<std::min(degree, 3)>(search, at);
+        Vector2<Floats> at{.p = clamped(rays.p, newton_limit), .q = clamped(rays.q, newton_limit)};
+        at = moved(at, first_step<std::min(degree, 3)>(search, at), newton_limit);
         NewtonEnd end;
         constexpr int most_tests = 3;
         for (int tests = 1;; ++tests) {
             constexpr int first = with_squares ? 3 : 2;
-            end.at_a = high_terms_of<degree, first>(floats_, 0, at.p, at.q);
-            end.at_b = high_terms_of<degree, first>(floats_, 1, at.p, at.q);
-            end.at_s = high_terms_of<degree, first>(floats_, 2, at.p, at.q);
+            end.at = point_of([&](int k) HWY_ATTR {
+                return high_terms_of<degree, first>(floats_, k, at.p, at.q);
+            });
             const Low low = low_terms<with_squares>(search, at);
-            const Slopes2 slopes(end.at_a, end.at_b, end.at_s, search.u, search.v);
+            const Slopes2 slopes(slopes_of_g(search.line, end.at));
             Step by = step_from(search, at, low, slopes, end);
             // Test by bounds for all rays; where that is not enough, by each ray's own.
             Proof proof = test(by, at, end);
             if (!hn::AllTrue(df, hn::Or(end.none, end.found))) {
-                bound_closely(search, slopes, by);
+                bound_closely(search.line, slopes, by);
                 proof = test(by, at, end);
             }
             // Go on from the better place while that may settle a ray.
             if (tests < most_tests && !hn::AllFalse(df, proof.may_help)) {
-                at = {.p = moved(at.p, by.p), .q = moved(at.q, by.q)};
+                at = moved(at, by.to, newton_limit);
                 continue;
             }
             finish(by, at, low, proof, end);
@@ -166,7 +138,6 @@ public:
     }
 
 private:
-    using Sizes = std::array<double, 3>;
     /// Bounds of a quantity in each of (a, b, s), and of the larger one in g.
     struct Bounds {
         float by[3];
@@ -175,11 +146,8 @@ private:
     /// Rays and what is constant on them: g but for the other terms.
     struct Search {
         const RaysOnPiece& rays;
-        Floats u, v;
+        SightLine<Floats> line;
         std::array<Vector, 2> first1, first2;
-    };
-    struct Place {
-        Floats p, q;
     };
     /// The terms of degree 1, or up to 2: of s, without the constant, and of g.
     struct Low {
@@ -187,8 +155,8 @@ private:
     };
     /// A step of Newton's method, and bounds of what it leaves.
     struct Step {
-        Floats p, q;
-        Floats g1, g2;
+        Vector2<Floats> to;  ///< from where it begins
+        Vector2<Floats> g;
         Floats out;       ///< the larger size of where it begins
         Floats lost;      ///< a bound of its error by errors of g
         Floats flat;      ///< k0
@@ -210,31 +178,21 @@ private:
     static float float_above(double number) { return static_cast<float>(number * (1.0 + 0x1p-22)); }
     static HWY_INLINE Floats set(float number) { return hn::Set(df, number); }
 
-    static HWY_INLINE Floats clamped(Floats at) {
-        const Floats limit = float_number(newton_limit);
-        return hn::Min(hn::Max(at, hn::Neg(limit)), limit);
-    }
-    /// A step from `at`, or none where it is not known.
-    static HWY_INLINE Floats moved(Floats at, Floats by) {
-        return hn::IfThenElse(hn::IsNaN(by), at, clamped(hn::Add(at, by)));
-    }
-
     /// A step with the terms up to a degree.
     template <int degree>
-    HWY_INLINE void step(const Search& search, Place& at) const {
-        const FloatSlopes a = slopes_of<degree>(floats_, 0, at.p, at.q);
-        const FloatSlopes b = slopes_of<degree>(floats_, 1, at.p, at.q);
-        const FloatSlopes s = slopes_of<degree>(floats_, 2, at.p, at.q);
+    HWY_INLINE Vector2<Floats> first_step(const Search& search, const Vector2<Floats>& at) const {
+        const FloatPoint point =
+            point_of([&](int k) HWY_ATTR { return slopes_of<degree>(floats_, k, at.p, at.q); });
         const Floats c1 = floats_of(search.first1[0], search.first1[1]);
         const Floats c2 = floats_of(search.first2[0], search.first2[1]);
-        const Floats g1 = hn::NegMulAdd(search.u, s.value, hn::Add(c1, a.value));
-        const Floats g2 = hn::NegMulAdd(search.v, s.value, hn::Add(c2, b.value));
-        const Slopes2 by(a, b, s, search.u, search.v);
-        at = {.p = moved(at.p, by.step_p(g1, g2)), .q = moved(at.q, by.step_q(g1, g2))};
+        const auto& [a, b, s] = point.value;
+        const Vector2<Floats> g =
+            search.line.across({.x = hn::Add(c1, a), .y = hn::Add(c2, b), .z = s});
+        return Slopes2(slopes_of_g(search.line, point)).step(g);
     }
 
     template <bool with_squares>
-    HWY_INLINE Low low_terms(const Search& search, const Place& at) const {
+    HWY_INLINE Low low_terms(const Search& search, const Vector2<Floats>& at) const {
         const auto ps = doubles_of(at.p);
         const auto qs = doubles_of(at.q);
         Low low{};
@@ -259,24 +217,23 @@ private:
     }
 
     /// Newton's step from a place, with bounds by one norm of Y and bounds for all rays.
-    HWY_INLINE Step step_from(const Search& search, const Place& at, const Low& low,
+    HWY_INLINE Step step_from(const Search& search, const Vector2<Floats>& at, const Low& low,
                               const Slopes2& slopes, const NewtonEnd& end) const {
-        const Inverse2 y(slopes);
+        const Matrix2<Floats> y = slopes.inverse_matrix();
         const Floats one = float_number(1.0);
         const Floats tiny = float_number(rounding_of_places);
+        const Vector2<Floats> high = search.line.across(end.at.value);
         Step by{};
-        by.g1 = hn::Add(floats_of(low.g1[0], low.g1[1]),
-                        hn::NegMulAdd(search.u, end.at_s.value, end.at_a.value));
-        by.g2 = hn::Add(floats_of(low.g2[0], low.g2[1]),
-                        hn::NegMulAdd(search.v, end.at_s.value, end.at_b.value));
-        by.out = hn::Max(hn::Abs(at.p), hn::Abs(at.q));
+        by.g = {.p = hn::Add(floats_of(low.g1[0], low.g1[1]), high.p),
+                .q = hn::Add(floats_of(low.g2[0], low.g2[1]), high.q)};
+        by.out = size_of(at);
         // Beyond, rounding upward makes a finite number of an infinite one below 0.
         by.usual = hn::Lt(hn::Abs(slopes.inverse), float_number(0x1p120));
-        by.p = hn::Neg(y.p(by.g1, by.g2));
-        by.q = hn::Neg(y.q(by.g1, by.g2));
-        const Floats norm = y.norm();
-        const Floats size = hn::Max(hn::Abs(by.g1), hn::Abs(by.g2));
-        by.lost = outside_more(by.out, hn::Mul(norm, hn::MulAdd(size, tiny, set(lost_.all))));
+        const Vector2<Floats> back = y * by.g;
+        by.to = {.p = hn::Neg(back.p), .q = hn::Neg(back.q)};
+        const Floats norm = norm_of(y);
+        by.lost =
+            outside_more(by.out, hn::Mul(norm, hn::MulAdd(size_of(by.g), tiny, set(lost_.all))));
         by.flat = hn::Mul(norm, set(flat_.all));
         by.bend = hn::Mul(norm, set(bend_.all));
         const Floats moved_by =
@@ -293,39 +250,35 @@ private:
     }
 
     /// Sets the bounds of a step by Y itself and what is known of each ray.
-    HWY_INLINE void bound_closely(const Search& search, const Slopes2& slopes, Step& by) const {
-        const Inverse2 y(slopes);
-        const Floats u_size = hn::Abs(search.u);
-        const Floats v_size = hn::Abs(search.v);
-        /// |Y| times bounds for the coordinates.
-        const auto most = [&](const Bounds& of, Floats more1, Floats more2) HWY_ATTR {
-            const Floats along = set(of.by[2]);
-            return y.most(hn::Add(more1, hn::MulAdd(u_size, along, set(of.by[0]))),
-                          hn::Add(more2, hn::MulAdd(v_size, along, set(of.by[1]))));
+    HWY_INLINE void bound_closely(const SightLine<Floats>& line, const Slopes2& slopes,
+                                  Step& by) const {
+        const Matrix2<Floats> y = slopes.inverse_matrix();
+        const Matrix2<Floats> sizes = sizes_of(y);
+        const auto most = [&](const Bounds& of) HWY_ATTR {
+            return line.most({.x = set(of.by[0]), .y = set(of.by[1]), .z = set(of.by[2])});
         };
-        const Floats zero = hn::Zero(df);
         const Floats tiny = float_number(rounding_of_places);
-        by.lost = outside_more(
-            by.out, most(lost_, hn::Mul(hn::Abs(by.g1), tiny), hn::Mul(hn::Abs(by.g2), tiny)));
-        by.flat = most(flat_, zero, zero);
+        const Vector2<Floats> g = sizes_of(by.g);
+        const Vector2<Floats> lost = most(lost_);
+        const Vector2<Floats> errors{.p = hn::MulAdd(g.p, tiny, lost.p),
+                                     .q = hn::MulAdd(g.q, tiny, lost.q)};
+        by.lost = outside_more(by.out, larger(sizes * errors));
+        by.flat = larger(sizes * most(flat_));
         // g'' of the terms of degree 2 is known with its sign.
-        Floats bend_p = most(bend_, zero, zero);
-        Floats bend_q = bend_p;
+        Vector2<Floats> bend = sizes * most(bend_);
         for (const std::size_t i : {patch_term(2, 0), patch_term(1, 1), patch_term(0, 2)}) {
             const float* const term = floats_.terms[i];
-            const Floats s2 = set(term[2]);
-            const Floats h1 = hn::NegMulAdd(search.u, s2, set(term[0]));
-            const Floats h2 = hn::NegMulAdd(search.v, s2, set(term[1]));
-            bend_p = hn::Add(bend_p, hn::Abs(y.p(h1, h2)));
-            bend_q = hn::Add(bend_q, hn::Abs(y.q(h1, h2)));
+            const Vector2<Floats> more = sizes_of(
+                y * line.across({.x = set(term[0]), .y = set(term[1]), .z = set(term[2])}));
+            bend = {.p = hn::Add(bend.p, more.p), .q = hn::Add(bend.q, more.q)};
         }
-        by.bend = hn::Max(bend_p, bend_q);
+        by.bend = larger(bend);
     }
 
     /// Tests what a step proves of the zeros, and sets end.none and end.found.
-    HWY_INLINE Proof test(const Step& by, const Place& at, NewtonEnd& end) const {
+    HWY_INLINE Proof test(const Step& by, const Vector2<Floats>& at, NewtonEnd& end) const {
         const Floats one = float_number(1.0);
-        const Floats size = hn::Max(hn::Abs(by.p), hn::Abs(by.q));
+        const Floats size = size_of(by.to);
         // 1 - k, rounded downward.
         const Floats rest = hn::Neg(hn::Sub(hn::MulAdd(by.bend, by.far, by.flat), one));
         const Floats reach = hn::Div(hn::Add(size, by.lost), rest);
@@ -335,13 +288,14 @@ private:
         Proof proof{};
         proof.radius = hn::Add(within, float_number(rounding_of_places));
         const Floats limit = hn::Add(proof.radius, float_number(inner));
-        const auto to = hn::Max(hn::Abs(hn::Add(at.p, by.p)), hn::Abs(hn::Add(at.q, by.q)));
+        const Floats to =
+            size_of(Vector2<Floats>{.p = hn::Add(at.p, by.to.p), .q = hn::Add(at.q, by.to.q)});
         // Mark rays that have no zero in the box's own share.
         end.none = hn::And(is_known, hn::Gt(to, limit));
         // Mark rays that have one zero, whose depth is known well enough.
         const FloatMask is_one =
             hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(by.out, reach), one));
-        const Floats slope = hn::Add(hn::Abs(end.at_s.by_p), hn::Abs(end.at_s.by_q));
+        const Floats slope = hn::Add(hn::Abs(end.at.by_p.z), hn::Abs(end.at.by_q.z));
         const Floats s_radius = hn::MulAdd(hn::MulAdd(reach, set(s_bend_), set(flat_.by[2])), reach,
                                            hn::MulAdd(slope, within, set(s_lost_)));
         const FloatMask narrow = hn::Le(hn::Add(s_radius, s_radius), set(tolerance_));
@@ -352,16 +306,18 @@ private:
         return proof;
     }
 
-    HWY_INLINE void finish(const Step& by, const Place& at, const Low& low, const Proof& proof,
-                           NewtonEnd& end) const {
+    HWY_INLINE void finish(const Step& by, const Vector2<Floats>& at, const Low& low,
+                           const Proof& proof, NewtonEnd& end) const {
         if (!is_within_) {
             const UvBox& box = piece_.box;
-            const FloatMask in_p = in_unit(hn::Add(at.p, by.p), proof.radius, box.u, box.u_radius);
-            const FloatMask in_q = in_unit(hn::Add(at.q, by.q), proof.radius, box.v, box.v_radius);
+            const FloatMask in_p =
+                in_unit(hn::Add(at.p, by.to.p), proof.radius, box.u, box.u_radius);
+            const FloatMask in_q =
+                in_unit(hn::Add(at.q, by.to.q), proof.radius, box.v, box.v_radius);
             end.found = hn::And(end.found, hn::And(in_p, in_q));
         }
         const auto further = doubles_of(
-            hn::MulAdd(end.at_s.by_p, by.p, hn::MulAdd(end.at_s.by_q, by.q, end.at_s.value)));
+            hn::MulAdd(end.at.by_p.z, by.to.p, hn::MulAdd(end.at.by_q.z, by.to.q, end.at.value.z)));
         for (std::size_t i = 0; i < 2; ++i)
             end.s[i] = hn::Add(hn::Add(low.s[i], number(piece_.terms[0][2])), further[i]);
     }

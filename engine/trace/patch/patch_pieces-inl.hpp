@@ -209,26 +209,22 @@ inline bool is_all_error(const Piece& piece, const SightAxes& axes, const SightR
 /// the tip of a cone, where dS/dp is 0, its halves along p bend as it does itself.) A tip in the
 /// very middle has no Y: there the radii of the derivatives tell.
 inline bool halves_along_p(const Piece& piece, const SightRay& ray) {
-    const Matrix2& y = piece.contraction.inverse;
-    struct Rows {
-        double p, q;
-
-        [[nodiscard]] double most() const { return std::max(p, q); }
-    };
+    const Matrix2<double>& y = piece.contraction.inverse;
+    const SightLine<double> line{.u = ray.u, .v = ray.v};
     const auto bend = [&](int by_p, int by_q, double times) {
         const auto& term = piece.terms[patch_term(by_p, by_q)];
-        const double first = term[0] - ray.u * term[2];
-        const double second = term[1] - ray.v * term[2];
-        return Rows{.p = times * std::abs(y.pp * first + y.pq * second),
-                    .q = times * std::abs(y.qp * first + y.qq * second)};
+        const auto [p, q] = sizes_of(y * line.across({.x = term[0], .y = term[1], .z = term[2]}));
+        return Vector2<double>{.p = times * p, .q = times * q};
     };
-    const Rows pp = bend(2, 0, 2.0);
-    const Rows pq = bend(1, 1, 2.0);
-    const Rows qq = bend(0, 2, 2.0);
-    const Rows along_p{.p = 0.5 * pp.p + pq.p + 2.0 * qq.p, .q = 0.25 * pp.q + 0.5 * pq.q + qq.q};
-    const Rows along_q{.p = pp.p + 0.5 * pq.p + 0.25 * qq.p, .q = 2.0 * pp.q + pq.q + 0.5 * qq.q};
-    const double by_p = along_p.most();
-    const double by_q = along_q.most();
+    const Vector2<double> pp = bend(2, 0, 2.0);
+    const Vector2<double> pq = bend(1, 1, 2.0);
+    const Vector2<double> qq = bend(0, 2, 2.0);
+    const Vector2<double> along_p{.p = 0.5 * pp.p + pq.p + 2.0 * qq.p,
+                                  .q = 0.25 * pp.q + 0.5 * pq.q + qq.q};
+    const Vector2<double> along_q{.p = pp.p + 0.5 * pq.p + 0.25 * qq.p,
+                                  .q = 2.0 * pp.q + pq.q + 0.5 * qq.q};
+    const double by_p = larger(along_p);
+    const double by_q = larger(along_q);
     if (std::isfinite(y.pp + y.pq + y.qp + y.qq) && by_p != by_q) return by_p < by_q;
     const PatchSight& sight = piece.sight;
     const auto sum = [](const glm::dvec3& of) { return of.x + of.y; };

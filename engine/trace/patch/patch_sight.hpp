@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/trace/patch/matrix2.hpp"
 #include "engine/trace/patch/patch_form.hpp"
 
 #include <glm/glm.hpp>
@@ -80,11 +81,6 @@ PatchSight place_of(const PatchForm& form, const SightAxes& axes);
 void add_slopes(PatchSight& sight, const PatchForm& form, const SightAxes& axes);
 void add_value_error(PatchSight& sight, const PatchForm& form);
 
-/// A 2 x 2 matrix.
-struct Matrix2 {
-    double pp, pq, qp, qq;
-};
-
 /// Where in a box the zeros of g are: p within p_radius of `p`, and q likewise.
 struct LinearZeros {
     bool any;    ///< else there are none
@@ -104,8 +100,7 @@ LinearZeros linear_zeros(const PatchSight& sight, const SightAxes& axes, const S
 /// middle, |I - Y g'| over the box and all rays has norm `norm` at most. If that is below 1, there
 /// is at most one zero for each.
 struct Contraction {
-    Matrix2 inverse;  ///< Y
-    Matrix2 size;     ///< of its elements
+    Matrix2<double> inverse;  ///< Y
     double norm;
 };
 

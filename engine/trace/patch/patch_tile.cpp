@@ -14,7 +14,7 @@ namespace zeroset {
 namespace {
 
 /// Leaves are so flat that two or three steps of Newton's method find a zero.
-constexpr double flat_norm = 0.4;
+constexpr double leaf_norm = 0.4;
 /// Leaves with a model need not be flatter than this: trace_leaf halves them.
 constexpr double model_norm = 1.0;
 /// Leaves with a model below large_pixels need not be flatter than this: larger ones are halved
@@ -182,7 +182,7 @@ PatchTile::Refinement PatchTile::refinement_of(const Part& part, const Rect& rec
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
     const double norm = contraction_of(with_slopes, rays_of(rect)).norm;
-    if (node->model == nullptr) return norm <= flat_norm ? Refinement::None : Refinement::Parts;
+    if (node->model == nullptr) return norm <= leaf_norm ? Refinement::None : Refinement::Parts;
     const auto most = [](double size) {
         return size < large_pixels ? small_model_norm : model_norm;
     };

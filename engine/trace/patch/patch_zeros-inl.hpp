@@ -11,13 +11,13 @@
 
 #include "engine/trace/patch/patch_sight.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
+#include "engine/trace/patch/sight_algebra-inl.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 
 #include <hwy/highway.h>
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -93,95 +93,47 @@ HWY_INLINE Floats squeezed(Floats numbers, FloatMask wanted) {
 struct Zeros {
     FloatMask none, known;
     Floats p, q;
-    Floats radius;          ///< of both, where they are known
-    Floats lost;            ///< the part of it by rounding
-    Floats pp, pq, qp, qq;  ///< the slopes of g by the linear form
+    Floats radius;           ///< of both, where they are known
+    Floats lost;             ///< the part of it by rounding
+    Matrix2<Floats> slopes;  ///< of g by the linear form
 };
 
 /// linear_zeros of a leaf in float, with its numbers in vectors. In upward rounding.
 class LinearForm {
 public:
-    struct Place {
-        Floats x, y, z;
-    };
-    static HWY_INLINE Place spread(const glm::dvec3& at) {
-        return {.x = float_number(at.x), .y = float_number(at.y), .z = float_number(at.z)};
-    }
     /// More than what the rounding of some tens of operations may take from floats, relative to
     /// the sizes that go in.
     static constexpr double float_rounding = 0x1p-20;
 
     HWY_INLINE LinearForm(const PatchSight& sight, const SightAxes& axes)
-        : c_(spread(sight.c)),
-          kp_(spread(sight.kp)),
-          kq_(spread(sight.kq)),
+        : c_(in_axes<Floats>(sight.c)),
+          kp_(in_axes<Floats>(sight.kp)),
+          kq_(in_axes<Floats>(sight.kq)),
           distance_(float_number(axes.distance)) {
         // The numbers as floats are as good as those of a linear form that is so far from this one.
         const glm::dvec3 sizes = glm::abs(sight.c) + glm::abs(sight.kp) + glm::abs(sight.kq) +
                                  glm::dvec3(0.0, 0.0, axes.distance);
-        e_ = spread(sight.e + float_rounding * sizes);
+        e_ = in_axes<Floats>(sight.e + float_rounding * sizes);
     }
 
-    HWY_INLINE Zeros zeros(Floats u, Floats v) const {
-        const Floats g1 = hn::NegMulAdd(u, c_.z, hn::NegMulAdd(u, distance_, c_.x));
-        const Floats g2 = hn::NegMulAdd(v, c_.z, hn::NegMulAdd(v, distance_, c_.y));
-        const Floats pp = hn::NegMulAdd(u, kp_.z, kp_.x);
-        const Floats pq = hn::NegMulAdd(u, kq_.z, kq_.x);
-        const Floats qp = hn::NegMulAdd(v, kp_.z, kp_.y);
-        const Floats qq = hn::NegMulAdd(v, kq_.z, kq_.y);
-        const Floats e1 = hn::MulAdd(hn::Abs(u), e_.z, e_.x);
-        const Floats e2 = hn::MulAdd(hn::Abs(v), e_.z, e_.y);
-        // Reject rays on which the linear form of g is not 0 anywhere.
-        const Floats wider = float_number(inner * (1.0 + float_rounding));
-        const Floats reach1 = hn::MulAdd(hn::Add(hn::Abs(pp), hn::Abs(pq)), wider, e1);
-        const Floats reach2 = hn::MulAdd(hn::Add(hn::Abs(qp), hn::Abs(qq)), wider, e2);
-        const FloatMask beside = hn::Or(hn::Gt(hn::Abs(g1), reach1), hn::Gt(hn::Abs(g2), reach2));
-        // Solve the linear system, with bounds of the error.
-        const Floats first = hn::Mul(pp, qq);
-        const Floats second = hn::Mul(pq, qp);
-        const Floats determinant = hn::Sub(first, second);
-        const Floats size = hn::Add(hn::Abs(first), hn::Abs(second));
-        const Floats inverse = hn::Div(float_number(1.0), determinant);
-        const Floats grow = hn::Mul(hn::Abs(inverse), float_number(1.0 + 0x1p-8));
-        const Floats lost = hn::Mul(hn::Mul(float_number(float_rounding), size), grow);
-        const auto radius = [&](Floats a, Floats b, Floats ga, Floats gb) HWY_ATTR {
-            const Floats forms = hn::Mul(hn::MulAdd(a, e1, hn::Mul(b, e2)), grow);
-            const Floats terms = hn::Add(hn::Abs(ga), hn::Abs(gb));
-            return hn::MulAdd(hn::Mul(lost, terms), grow, forms);
-        };
-        const Floats p1 = hn::Mul(pq, g2);
-        const Floats p2 = hn::Mul(qq, g1);
-        const Floats q1 = hn::Mul(qp, g1);
-        const Floats q2 = hn::Mul(pp, g2);
-        Zeros zeros{};
-        zeros.p = hn::Mul(hn::Sub(p1, p2), inverse);
-        zeros.q = hn::Mul(hn::Sub(q1, q2), inverse);
-        const Floats p_radius = radius(hn::Abs(qq), hn::Abs(pq), p1, p2);
-        const Floats q_radius = radius(hn::Abs(qp), hn::Abs(pp), q1, q2);
-        const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
-        zeros.radius = hn::Max(p_radius, q_radius);
-        zeros.lost = hn::Mul(hn::Mul(lost, grow), hn::Max(hn::Add(hn::Abs(p1), hn::Abs(p2)),
-                                                          hn::Add(hn::Abs(q1), hn::Abs(q2))));
-        zeros.pp = pp;
-        zeros.pq = pq;
-        zeros.qp = qp;
-        zeros.qq = qq;
-        // Products of small numbers may be 0, those of large ones end below at the least finite
-        // one.
-        const FloatMask is_moderate = hn::And(hn::Gt(hn::Abs(determinant), float_number(0x1p-80)),
-                                              hn::Lt(size, float_number(0x1p120)));
-        zeros.known = hn::And(hn::And(is_moderate, hn::Gt(hn::Abs(determinant),
-                                                          hn::Mul(float_number(0x1p-10), size))),
-                              hn::And(hn::Lt(p_radius, unbounded), hn::Lt(q_radius, unbounded)));
-        const FloatMask beyond =
-            hn::Or(hn::Gt(hn::Sub(hn::Abs(zeros.p), p_radius), float_number(inner)),
-                   hn::Gt(hn::Sub(hn::Abs(zeros.q), q_radius), float_number(inner)));
-        zeros.none = hn::Or(beside, hn::And(zeros.known, beyond));
-        return zeros;
+    HWY_INLINE Zeros zeros(const SightLine<Floats>& ray) const {
+        const LinearG<Floats> g = linear_g(ray, c_, kp_, kq_, e_, distance_);
+        const Zeros2<Floats> of = zeros_of(divisor_of(g.slopes), g.middle);
+        const auto& [p, q] = of.x;
+        const Floats share = float_number(inner);
+        const FloatMask beyond = hn::Or(hn::Gt(hn::Sub(hn::Abs(p.middle), p.radius), share),
+                                        hn::Gt(hn::Sub(hn::Abs(q.middle), q.radius), share));
+        return {.none = hn::Or(g.misses(inner), hn::And(of.known, beyond)),
+                .known = of.known,
+                .p = p.middle,
+                .q = q.middle,
+                .radius = hn::Max(p.radius, q.radius),
+                .lost = of.lost,
+                .slopes = g.slopes};
     }
 
 private:
-    Place c_, kp_, kq_, e_;
+    InAxes<Floats> c_, kp_, kq_, e_;
     Floats distance_;
 };
 
