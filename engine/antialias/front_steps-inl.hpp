@@ -12,7 +12,7 @@
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/front_block.hpp"
 #include "engine/antialias/numbers-inl.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 #include <cstddef>
 #include <cstdint>

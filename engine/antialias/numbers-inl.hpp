@@ -1,4 +1,4 @@
-// Vectors of numbers, from and to columns of them.
+// Numbers of some lanes only, and flags as columns of numbers.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_NUMBERS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -8,20 +8,11 @@
 #define ZEROSET_NUMBERS_INL
 #endif
 
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-HWY_INLINE V<double> number(double value) { return hn::Set(d<double>, value); }
-template <class Real>
-HWY_INLINE V<Real> number(double value) {
-    return hn::Set(d<Real>, static_cast<Real>(value));
-}
-HWY_INLINE V<float> load(const float* from) { return hn::LoadU(d<float>, from); }
-HWY_INLINE V<double> load(const double* from) { return hn::LoadU(d<double>, from); }
-HWY_INLINE void store(V<float> numbers, float* to) { hn::StoreU(numbers, d<float>, to); }
-HWY_INLINE void store(V<double> numbers, double* to) { hn::StoreU(numbers, d<double>, to); }
 /// Stores numbers in some lanes.
 HWY_INLINE void store_in(M<double> lanes, V<double> numbers, double* to) {
     store(hn::IfThenElse(lanes, numbers, load(to)), to);

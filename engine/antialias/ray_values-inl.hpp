@@ -11,7 +11,7 @@
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/numbers-inl.hpp"
 #include "engine/kernel/batches.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/trace_frame.hpp"
 

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "engine/noise/noise_lanes.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
-#include "engine/real/double_vectors-inl.hpp"
+#include "engine/real/lane_carrier-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -16,25 +16,28 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// s and s' at t.
 struct Fade {
-    V value, slope;
+    V<double> value, slope;
 };
-HWY_INLINE Fade fade_at(V t) {
-    const V square = hn::Mul(t, t);
-    const V rest = hn::Sub(number(1), t);
-    const V inner = hn::Add(hn::Mul(t, hn::Sub(hn::Mul(number(6), t), number(15))), number(10));
+HWY_INLINE Fade fade_at(V<double> t) {
+    const V<double> square = hn::Mul(t, t);
+    const V<double> rest = hn::Sub(number(1), t);
+    const V<double> inner =
+        hn::Add(hn::Mul(t, hn::Sub(hn::Mul(number(6), t), number(15))), number(10));
     return {.value = hn::Mul(hn::Mul(square, t), inner),
             .slope = hn::Mul(number(30), hn::Mul(square, hn::Mul(rest, rest)))};
 }
 
-HWY_INLINE V mixed(V a, V b, V s) { return hn::Add(a, hn::Mul(s, hn::Sub(b, a))); }
+HWY_INLINE V<double> mixed(V<double> a, V<double> b, V<double> s) {
+    return hn::Add(a, hn::Mul(s, hn::Sub(b, a)));
+}
 
 /// The mean of numbers at the corners of a cell.
-HWY_INLINE V mean_of(const V (&at)[8], const Fade (&fades)[3]) {
-    V in_z[4];
+HWY_INLINE V<double> mean_of(const V<double> (&at)[8], const Fade (&fades)[3]) {
+    V<double> in_z[4];
     for (std::size_t c = 0; c < 4; ++c)
         in_z[c] = mixed(at[c], at[c + 4], fades[2].value);
-    const V near = mixed(in_z[0], in_z[2], fades[1].value);
-    const V far = mixed(in_z[1], in_z[3], fades[1].value);
+    const V<double> near = mixed(in_z[0], in_z[2], fades[1].value);
+    const V<double> far = mixed(in_z[1], in_z[3], fades[1].value);
     return mixed(near, far, fades[0].value);
 }
 
@@ -47,49 +50,50 @@ constexpr std::size_t near_corner(std::size_t n) {
 
 /// The mean of the differences of numbers along an axis.
 template <std::size_t axis>
-HWY_INLINE V mean_difference(const V (&at)[8], const Fade (&fades)[3]) {
+HWY_INLINE V<double> mean_difference(const V<double> (&at)[8], const Fade (&fades)[3]) {
     constexpr std::size_t step = std::size_t{1} << axis;
-    V apart[4];
+    V<double> apart[4];
     for (std::size_t n = 0; n < 4; ++n) {
         const std::size_t c = near_corner<axis>(n);
         apart[n] = hn::Sub(at[c + step], at[c]);
     }
-    const V upper = fades[axis == 2 ? 1 : 2].value;
-    const V lower = fades[axis == 0 ? 1 : 0].value;
+    const V<double> upper = fades[axis == 2 ? 1 : 2].value;
+    const V<double> lower = fades[axis == 0 ? 1 : 0].value;
     return mixed(mixed(apart[0], apart[2], upper), mixed(apart[1], apart[3], upper), lower);
 }
 
 template <std::size_t axis, class Lanes>
-HWY_INLINE void store_slope(NoisePoints& points, const Lanes& corners, const V (&functions)[8],
-                            const Fade (&fades)[3], bool has_gradients, std::size_t at) {
-    V slope = hn::Mul(fades[axis].slope, mean_difference<axis>(functions, fades));
+HWY_INLINE void store_slope(NoisePoints& points, const Lanes& corners,
+                            const V<double> (&functions)[8], const Fade (&fades)[3],
+                            bool has_gradients, std::size_t at) {
+    V<double> slope = hn::Mul(fades[axis].slope, mean_difference<axis>(functions, fades));
     if (has_gradients) {
-        V gradient[8];
+        V<double> gradient[8];
         for (std::size_t c = 0; c < 8; ++c)
-            gradient[c] = hn::Load(d, corners.gradient[axis][c] + at);
+            gradient[c] = hn::Load(d<double>, corners.gradient[axis][c] + at);
         slope = hn::Add(slope, mean_of(gradient, fades));
     }
-    hn::Store(slope, d, points.slope[axis] + at);
+    hn::Store(slope, d<double>, points.slope[axis] + at);
 }
 
 void mix_noise(NoisePoints& points, bool has_gradients) {
     const auto& corners = points.corners;
-    for (std::size_t at = 0; at < points.count; at += width) {
-        V share[3];
+    for (std::size_t at = 0; at < points.count; at += lanes<double>) {
+        V<double> share[3];
         Fade fades[3];
         for (std::size_t i = 0; i < 3; ++i) {
-            share[i] = hn::Load(d, points.share[i] + at);
+            share[i] = hn::Load(d<double>, points.share[i] + at);
             fades[i] = fade_at(share[i]);
         }
-        V functions[8];
+        V<double> functions[8];
         for (std::size_t c = 0; c < 8; ++c) {
-            functions[c] = hn::Load(d, corners.number[c] + at);
+            functions[c] = hn::Load(d<double>, corners.number[c] + at);
             for (std::size_t i = 0; has_gradients && i < 3; ++i) {
-                const V slope = hn::Load(d, corners.gradient[i][c] + at);
+                const V<double> slope = hn::Load(d<double>, corners.gradient[i][c] + at);
                 functions[c] = hn::Add(functions[c], hn::Mul(slope, share[i]));
             }
         }
-        hn::Store(mean_of(functions, fades), d, points.value + at);
+        hn::Store(mean_of(functions, fades), d<double>, points.value + at);
         store_slope<0>(points, corners, functions, fades, has_gradients, at);
         store_slope<1>(points, corners, functions, fades, has_gradients, at);
         store_slope<2>(points, corners, functions, fades, has_gradients, at);
@@ -97,15 +101,17 @@ void mix_noise(NoisePoints& points, bool has_gradients) {
 }
 
 struct Ends {
-    V lo, hi;
+    V<double> lo, hi;
 };
-HWY_INLINE Ends hull_of(V a, V b) { return {.lo = minimum(a, b), .hi = maximum(a, b)}; }
+HWY_INLINE Ends hull_of(V<double> a, V<double> b) {
+    return {.lo = minimum(a, b), .hi = maximum(a, b)};
+}
 
 /// s and s' from one end of a part to the other.
 struct FadeEnds {
     Ends value, slope;
 };
-HWY_INLINE FadeEnds fade_over(V from, V to) {
+HWY_INLINE FadeEnds fade_over(V<double> from, V<double> to) {
     const Fade first = fade_at(from);
     const Fade last = fade_at(to);
     FadeEnds ends{.value = {.lo = first.value, .hi = last.value},
@@ -117,25 +123,25 @@ HWY_INLINE FadeEnds fade_over(V from, V to) {
 
 /// The ends of the mean of `count` numbers along an axis: at the part's two ends of s.
 template <std::size_t count, std::size_t step>
-HWY_INLINE void narrow(V (&values)[count], const Ends& s) {
+HWY_INLINE void narrow(V<double> (&values)[count], const Ends& s) {
     for (std::size_t c = 0; c < count; ++c) {
         if ((c & step) != 0) continue;
-        const V a = values[c];
-        const V b = values[c | step];
+        const V<double> a = values[c];
+        const V<double> b = values[c | step];
         values[c] = mixed(a, b, s.lo);
         values[c | step] = mixed(a, b, s.hi);
     }
 }
 template <std::size_t count>
-HWY_INLINE V least_of(const V (&values)[count]) {
-    V least = values[0];
+HWY_INLINE V<double> least_of(const V<double> (&values)[count]) {
+    V<double> least = values[0];
     for (std::size_t c = 1; c < count; ++c)
         least = minimum(values[c], least);
     return least;
 }
 template <std::size_t count>
-HWY_INLINE V greatest_of(const V (&values)[count]) {
-    V greatest = values[0];
+HWY_INLINE V<double> greatest_of(const V<double> (&values)[count]) {
+    V<double> greatest = values[0];
     for (std::size_t c = 1; c < count; ++c)
         greatest = maximum(values[c], greatest);
     return greatest;
@@ -147,20 +153,20 @@ public:
     HWY_INLINE PartVector(NoiseParts& parts, bool has_gradients, std::size_t at)
         : parts_(parts), has_gradients_(has_gradients), at_(at) {
         for (std::size_t i = 0; i < 3; ++i) {
-            share_[i] = {.lo = hn::Load(d, parts.from[i] + at),
-                         .hi = hn::Load(d, parts.to[i] + at)};
+            share_[i] = {.lo = hn::Load(d<double>, parts.from[i] + at),
+                         .hi = hn::Load(d<double>, parts.to[i] + at)};
             fade_[i] = fade_over(share_[i].lo, share_[i].hi);
         }
         for (std::size_t c = 0; c < 8; ++c) {
-            number_[c] = hn::Load(d, parts.corners.number[c] + at);
+            number_[c] = hn::Load(d<double>, parts.corners.number[c] + at);
             for (std::size_t i = 0; has_gradients && i < 3; ++i)
-                gradient_[i][c] = hn::Load(d, parts.corners.gradient[i][c] + at);
+                gradient_[i][c] = hn::Load(d<double>, parts.corners.gradient[i][c] + at);
         }
     }
 
     HWY_INLINE void store_value() {
-        V lo[8];
-        V hi[8];
+        V<double> lo[8];
+        V<double> hi[8];
         for (std::size_t c = 0; c < 8; ++c) {
             lo[c] = hi[c] = number_[c];
             for (std::size_t i = 0; has_gradients_ && i < 3; ++i)
@@ -171,15 +177,15 @@ public:
             narrow<8, 2>(*values, fade_[1].value);
             narrow<8, 4>(*values, fade_[2].value);
         }
-        hn::Store(least_of(lo), d, parts_.lo + at_);
-        hn::Store(greatest_of(hi), d, parts_.hi + at_);
+        hn::Store(least_of(lo), d<double>, parts_.lo + at_);
+        hn::Store(greatest_of(hi), d<double>, parts_.hi + at_);
     }
 
     template <std::size_t axis>
     HWY_INLINE void store_slope() {
         constexpr std::size_t step = std::size_t{1} << axis;
-        V lo[4];
-        V hi[4];
+        V<double> lo[4];
+        V<double> hi[4];
         for (std::size_t n = 0; n < 4; ++n) {
             const std::size_t c = near_corner<axis>(n);
             lo[n] = hi[n] = hn::Sub(number_[c + step], number_[c]);
@@ -190,13 +196,13 @@ public:
             narrow<4, 1>(*values, fade_[axis == 0 ? 1 : 0].value);
             narrow<4, 2>(*values, fade_[axis == 2 ? 1 : 2].value);
         }
-        const V least = least_of(lo);
-        const V greatest = greatest_of(hi);
+        const V<double> least = least_of(lo);
+        const V<double> greatest = greatest_of(hi);
         const Ends& s = fade_[axis].slope;
         Ends slope{.lo = minimum(hn::Mul(least, s.lo), hn::Mul(least, s.hi)),
                    .hi = maximum(hn::Mul(greatest, s.lo), hn::Mul(greatest, s.hi))};
         if (has_gradients_) {
-            V own[8];
+            V<double> own[8];
             for (std::size_t c = 0; c < 8; ++c)
                 own[c] = gradient_[axis][c];
             narrow<8, 1>(own, fade_[0].value);
@@ -205,15 +211,15 @@ public:
             slope = {.lo = hn::Add(slope.lo, least_of(own)),
                      .hi = hn::Add(slope.hi, greatest_of(own))};
         }
-        hn::Store(slope.lo, d, parts_.slope_lo[axis] + at_);
-        hn::Store(slope.hi, d, parts_.slope_hi[axis] + at_);
+        hn::Store(slope.lo, d<double>, parts_.slope_lo[axis] + at_);
+        hn::Store(slope.hi, d<double>, parts_.slope_hi[axis] + at_);
     }
 
 private:
     /// Adds the range of a multiple of a share.
-    static HWY_INLINE void add(V slope, const Ends& share, V& lo, V& hi) {
-        const V a = hn::Mul(slope, share.lo);
-        const V b = hn::Mul(slope, share.hi);
+    static HWY_INLINE void add(V<double> slope, const Ends& share, V<double>& lo, V<double>& hi) {
+        const V<double> a = hn::Mul(slope, share.lo);
+        const V<double> b = hn::Mul(slope, share.hi);
         lo = hn::Add(lo, minimum(a, b));
         hi = hn::Add(hi, maximum(a, b));
     }
@@ -223,12 +229,12 @@ private:
     std::size_t at_;
     Ends share_[3];
     FadeEnds fade_[3];
-    V number_[8];
-    V gradient_[3][8];
+    V<double> number_[8];
+    V<double> gradient_[3][8];
 };
 
 void enclose_noise(NoiseParts& parts, bool has_gradients) {
-    for (std::size_t at = 0; at < parts.count; at += width) {
+    for (std::size_t at = 0; at < parts.count; at += lanes<double>) {
         PartVector part(parts, has_gradients, at);
         part.store_value();
         part.store_slope<0>();

@@ -8,6 +8,7 @@
 #define ZEROSET_LANE_CARRIER_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/real/scalar.hpp"
 
 #include <hwy/highway.h>
@@ -17,8 +18,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 using zeroset::both;
 using zeroset::either;
@@ -36,6 +35,7 @@ template <IsLanes Lanes>
 HWY_INLINE Lanes like(Lanes /*kind*/, double value) {
     return hn::Set(hn::DFromV<Lanes>(), static_cast<hn::TFromV<Lanes>>(value));
 }
+/// The second argument where both are equal or unordered, as of numbers.
 template <IsLanes Lanes>
 HWY_INLINE Lanes maximum(Lanes a, Lanes b) {
     return hn::Max(a, b);

@@ -9,7 +9,7 @@
 #endif
 
 #include "engine/kernel/patch_model.hpp"
-#include "engine/real/double_vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/taylor/series.hpp"
 
 #include <hwy/highway.h>
@@ -29,16 +29,16 @@ constexpr double underflow = 0x1p-1000;
 
 /// A function of (p, q): within `error` of the polynomial; NaN or +inf: not known.
 struct Model {
-    V terms[patch_terms];
-    V error;
+    V<double> terms[patch_terms];
+    V<double> error;
 };
 
 /// Sums of the sizes of the terms of each degree.
 struct Sizes {
-    V of[patch_degree + 1];
+    V<double> of[patch_degree + 1];
 
-    [[nodiscard]] HWY_INLINE V sum(int from) const {
-        V sum = number(0.0);
+    [[nodiscard]] HWY_INLINE V<double> sum(int from) const {
+        V<double> sum = number(0.0);
         for (int k = from; k <= patch_degree; ++k)
             sum = hn::Add(sum, of[k]);
         return sum;
@@ -56,9 +56,9 @@ HWY_INLINE Sizes sizes_of(const Model& a) {
 }
 
 /// The number `middle`, give or take `radius`.
-inline Model constant_model(V middle, V radius) {
+inline Model constant_model(V<double> middle, V<double> radius) {
     Model model;
-    for (V& term : model.terms)
+    for (V<double>& term : model.terms)
         term = number(0.0);
     model.terms[0] = middle;
     model.error = radius;
@@ -79,7 +79,7 @@ inline Model negated(const Model& a) {
 
 inline Model sum_of(const Model& a, const Model& b) {
     Model model;
-    V size = number(0.0);
+    V<double> size = number(0.0);
     for (std::size_t i = 0; i < patch_terms; ++i) {
         model.terms[i] = hn::Add(a.terms[i], b.terms[i]);
         size = hn::Add(size, hn::Abs(model.terms[i]));
@@ -90,13 +90,13 @@ inline Model sum_of(const Model& a, const Model& b) {
 }
 
 /// a times the number `middle`, give or take `radius`.
-inline Model scaled(const Model& a, V middle, V radius) {
+inline Model scaled(const Model& a, V<double> middle, V<double> radius) {
     Model model;
     for (std::size_t i = 0; i < patch_terms; ++i)
         model.terms[i] = hn::Mul(a.terms[i], middle);
-    const V size = sizes_of(a).sum(0);
-    const V most = hn::Add(hn::Abs(middle), radius);
-    V error = hn::MulAdd(most, a.error, number(underflow));
+    const V<double> size = sizes_of(a).sum(0);
+    const V<double> most = hn::Add(hn::Abs(middle), radius);
+    V<double> error = hn::MulAdd(most, a.error, number(underflow));
     error = hn::MulAdd(size, radius, error);
     model.error = hn::MulAdd(hn::Mul(size, hn::Abs(middle)), number(sum_rounding), error);
     return model;
@@ -104,13 +104,13 @@ inline Model scaled(const Model& a, V middle, V radius) {
 
 inline Model product_of(const Model& a, const Model& b) {
     Model model;
-    for (V& term : model.terms)
+    for (V<double>& term : model.terms)
         term = number(0.0);
     for (int m = 0; m <= patch_degree; ++m) {
         for (int n = 0; m + n <= patch_degree; ++n) {
             for (int i = 0; i <= m; ++i) {
                 for (int j = 0; j <= n; ++j) {
-                    V& term = model.terms[patch_term(m - i + n - j, i + j)];
+                    V<double>& term = model.terms[patch_term(m - i + n - j, i + j)];
                     term = hn::MulAdd(a.terms[patch_term(m - i, i)], b.terms[patch_term(n - j, j)],
                                       term);
                 }
@@ -120,11 +120,11 @@ inline Model product_of(const Model& a, const Model& b) {
     // The product's error: terms beyond the degree, the errors of the factors, and rounding.
     const Sizes a_sizes = sizes_of(a);
     const Sizes b_sizes = sizes_of(b);
-    V error = number(underflow);
+    V<double> error = number(underflow);
     for (int m = 1; m <= patch_degree; ++m)
         error = hn::MulAdd(a_sizes.of[m], b_sizes.sum(patch_degree + 1 - m), error);
-    const V a_size = a_sizes.sum(0);
-    const V b_size = b_sizes.sum(0);
+    const V<double> a_size = a_sizes.sum(0);
+    const V<double> b_size = b_sizes.sum(0);
     error = hn::MulAdd(a_size, b.error, error);
     error = hn::MulAdd(b_size, a.error, error);
     error = hn::MulAdd(a.error, b.error, error);
@@ -135,14 +135,14 @@ inline Model product_of(const Model& a, const Model& b) {
 /// The function with this series in each lane, of a; `series(lane, c, reach)` makes it.
 template <class MakeSeries>
 Model composed(const Model& a, MakeSeries make_series) {
-    const V reach = hn::Add(sizes_of(a).sum(1), a.error);
-    HWY_ALIGN double c[width];
-    HWY_ALIGN double reaches[width];
-    HWY_ALIGN double terms[patch_degree + 1][width];
-    HWY_ALIGN double errors[width];
-    hn::Store(a.terms[0], d, c);
-    hn::Store(reach, d, reaches);
-    for (std::size_t lane = 0; lane < width; ++lane) {
+    const V<double> reach = hn::Add(sizes_of(a).sum(1), a.error);
+    HWY_ALIGN double c[lanes<double>];
+    HWY_ALIGN double reaches[lanes<double>];
+    HWY_ALIGN double terms[patch_degree + 1][lanes<double>];
+    HWY_ALIGN double errors[lanes<double>];
+    hn::Store(a.terms[0], d<double>, c);
+    hn::Store(reach, d<double>, reaches);
+    for (std::size_t lane = 0; lane < lanes<double>; ++lane) {
         const Series series = make_series(c[lane], reaches[lane]);
         for (std::size_t k = 0; k <= patch_degree; ++k)
             terms[k][lane] = series.term[k];
@@ -150,19 +150,19 @@ Model composed(const Model& a, MakeSeries make_series) {
     }
     Model offset = a;
     offset.terms[0] = number(0.0);
-    Model model = constant_model(hn::Load(d, terms[patch_degree]), number(0.0));
+    Model model = constant_model(hn::Load(d<double>, terms[patch_degree]), number(0.0));
     for (int k = patch_degree - 1; k >= 0; --k) {
         model = product_of(model, offset);
-        const V sum = hn::Add(model.terms[0], hn::Load(d, terms[k]));
+        const V<double> sum = hn::Add(model.terms[0], hn::Load(d<double>, terms[k]));
         model.terms[0] = sum;
         model.error = hn::MulAdd(hn::Abs(sum), number(sum_rounding), model.error);
     }
-    model.error = hn::Add(model.error, hn::Load(d, errors));
+    model.error = hn::Add(model.error, hn::Load(d<double>, errors));
     return model;
 }
 
 /// The lanes' numbers where `condition` holds, else those of b.
-inline Model chosen(M condition, const Model& a, const Model& b) {
+inline Model chosen(M<double> condition, const Model& a, const Model& b) {
     Model model;
     for (std::size_t i = 0; i < patch_terms; ++i)
         model.terms[i] = hn::IfThenElse(condition, a.terms[i], b.terms[i]);
@@ -171,7 +171,7 @@ inline Model chosen(M condition, const Model& a, const Model& b) {
 }
 
 /// Where a is surely above 0.
-HWY_INLINE M is_positive(const Model& a) {
+HWY_INLINE M<double> is_positive(const Model& a) {
     return hn::Gt(a.terms[0], hn::Add(sizes_of(a).sum(1), a.error));
 }
 

@@ -48,15 +48,15 @@ inline std::array<double, 2> middle_of(double neg_lo, double hi) {
 
 /// Variable 0 or 1 over the boxes.
 inline Model variable_model(const UvBox* boxes, int variable) {
-    HWY_ALIGN double middles[width];
-    HWY_ALIGN double radii[width];
-    for (std::size_t lane = 0; lane < width; ++lane) {
+    HWY_ALIGN double middles[lanes<double>];
+    HWY_ALIGN double radii[lanes<double>];
+    for (std::size_t lane = 0; lane < lanes<double>; ++lane) {
         const UvBox& box = boxes[lane];
         middles[lane] = variable == 0 ? box.u : box.v;
         radii[lane] = variable == 0 ? box.u_radius : box.v_radius;
     }
-    Model model = constant_model(hn::Load(d, middles), number(0.0));
-    model.terms[variable == 0 ? patch_term(1, 0) : patch_term(0, 1)] = hn::Load(d, radii);
+    Model model = constant_model(hn::Load(d<double>, middles), number(0.0));
+    model.terms[variable == 0 ? patch_term(1, 0) : patch_term(0, 1)] = hn::Load(d<double>, radii);
     return model;
 }
 
@@ -130,16 +130,16 @@ inline void make_some(const PatchGraph& graph, const UvBox* boxes, const Uniform
         models[i] = is_leaf ? leaf_model(node, graph.facts[i], boxes, uniforms)
                             : operator_model(node, graph.facts, models);
     }
-    HWY_ALIGN double numbers[width];
+    HWY_ALIGN double numbers[lanes<double>];
     for (std::size_t k = 0; k < 3; ++k) {
         const Model& model = models[graph.roots[k]];
         for (std::size_t term = 0; term < patch_terms; ++term) {
-            hn::Store(model.terms[term], d, numbers);
-            for (std::size_t lane = 0; lane < width; ++lane)
+            hn::Store(model.terms[term], d<double>, numbers);
+            for (std::size_t lane = 0; lane < lanes<double>; ++lane)
                 out[lane].terms[k][term] = numbers[lane];
         }
-        hn::Store(model.error, d, numbers);
-        for (std::size_t lane = 0; lane < width; ++lane)
+        hn::Store(model.error, d<double>, numbers);
+        for (std::size_t lane = 0; lane < lanes<double>; ++lane)
             out[lane].error[k] = numbers[lane];
     }
 }
@@ -147,11 +147,11 @@ inline void make_some(const PatchGraph& graph, const UvBox* boxes, const Uniform
 void make_all(const PatchGraph& graph, std::span<const UvBox> boxes, const Uniforms& uniforms,
               std::span<PatchModel> out) {
     const auto models = hwy::AllocateAligned<Model>(graph.nodes.size());
-    std::array<UvBox, width> some;
-    std::array<PatchModel, width> made;
-    for (std::size_t first = 0; first < boxes.size(); first += width) {
-        const std::size_t count = std::min(width, boxes.size() - first);
-        for (std::size_t lane = 0; lane < width; ++lane)
+    std::array<UvBox, lanes<double>> some;
+    std::array<PatchModel, lanes<double>> made;
+    for (std::size_t first = 0; first < boxes.size(); first += lanes<double>) {
+        const std::size_t count = std::min(lanes<double>, boxes.size() - first);
+        for (std::size_t lane = 0; lane < lanes<double>; ++lane)
             some[lane] = boxes[first + std::min(lane, count - 1)];
         make_some(graph, some.data(), uniforms, models.get(), made.data());
         std::copy_n(made.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(first));

@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "papers/along_rays/ray_boxes.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -21,7 +21,7 @@ HWY_INLINE void store_upward(V<double> values, float* to) {
 template <class Real>
 void make_boxes(const RaySpanArrays& spans, std::size_t count, const std::array<Real*, 6>& ends) {
     // The product and the sum are off by less than 2^-52 (|s direction| + |s direction + origin|).
-    const V<double> unit = hn::Set(d<double>, 0x1p-50);
+    const V<double> unit = number(0x1p-50);
     for (std::size_t i = 0; i < count; i += lanes<double>) {
         const V<double> from = hn::LoadU(d<double>, spans.from + i);
         const V<double> to = hn::LoadU(d<double>, spans.to + i);

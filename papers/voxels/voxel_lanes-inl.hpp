@@ -12,7 +12,7 @@
 #define ZEROSET_VOXEL_LANES_INL
 #endif
 
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "papers/voxels/voxel_ray.hpp"
 
 #include <hwy/highway.h>

@@ -8,8 +8,8 @@
 #define ZEROSET_BEAM_CELLS_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/beam/cell_kernels.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 #include "engine/trace/tile.hpp"
 #include "engine/trace/tile_rays.hpp"
 

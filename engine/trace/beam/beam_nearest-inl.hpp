@@ -8,10 +8,10 @@
 #define ZEROSET_BEAM_NEAREST_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/real/scalar.hpp"
 #include "engine/trace/beam/cover_marks-inl.hpp"
 #include "engine/trace/simd/bit_bytes.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/tile_rays.hpp"
 

@@ -8,8 +8,8 @@
 #define ZEROSET_COVER_MARKS_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/real/scalar.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 #include "engine/trace/tile.hpp"
 #include "engine/trace/tile_hits.hpp"
 

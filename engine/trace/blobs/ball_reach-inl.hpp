@@ -9,8 +9,8 @@
 #define ZEROSET_BALL_REACH_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/blobs/ball_sums.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -24,39 +24,39 @@ namespace zeroset::HWY_NAMESPACE {
 /// Some cells of a bin, as many as there are lanes at most. In upward rounding.
 template <class Real>
 struct CellReach {
-    using Vector = V<Real>;
     using Lanes = Real[lanes<Real>];
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
 
     /// The way from a ball's middle to the cell's.
     struct Place {
-        Vector x, y, z;
+        V<Real> x, y, z;
     };
     /// Bounds of q, the square of the way from a ball times its per_square, on the cell.
     struct Squares {
-        Vector middle, lo, hi;
-        Vector linear_u, linear_v, linear_s;
-        Vector linear;  ///< at most
-        Vector rest;    ///< at most
-        Vector beside;  ///< the part of it that is not quadratic in the place, at most
-        Vector change;  ///< linear + rest
-        Vector turn;    ///< of how the rest changes with es, at most
+        V<Real> middle, lo, hi;
+        V<Real> linear_u, linear_v, linear_s;
+        V<Real> linear;  ///< at most
+        V<Real> rest;    ///< at most
+        V<Real> beside;  ///< the part of it that is not quadratic in the place, at most
+        V<Real> change;  ///< linear + rest
+        V<Real> turn;    ///< of how the rest changes with es, at most
     };
     // The cells' middles; how far cells reach to both sides of these; bounds of these ways and of
     // their products.
-    Vector u, v, at, start_x, start_y, w, way_u, way_v, way_s;
-    Vector off, half_x, half_y, half_z, square, beside, tilt_u, tilt_v;
-    Vector turn, turn_off, aside_x, aside_y, aside;
+    V<Real> u, v, at, start_x, start_y, w, way_u, way_v, way_s;
+    V<Real> off, half_x, half_y, half_z, square, beside, tilt_u, tilt_v;
+    V<Real> turn, turn_off, aside_x, aside_y, aside;
 
     CellReach(const BallForms& of, const BallBin& bin, const BallCells& cells, std::size_t first) {
         place(of, bin, cells, first);
         measure(of, bin, cells);
     }
-    static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
     /// A bound that is made of a few sums and products of bounds.
-    static HWY_INLINE Vector above(Vector bound) { return hn::Mul(bound, number(1 + 16 * unit)); }
-    HWY_INLINE Squares squares_of(const Place& from, Vector per_square) const {
-        const auto twice = [&](Vector a) { return hn::Mul(hn::Add(a, a), per_square); };
+    static HWY_INLINE V<Real> above(V<Real> bound) {
+        return hn::Mul(bound, number<Real>(1 + 16 * unit));
+    }
+    HWY_INLINE Squares squares_of(const Place& from, V<Real> per_square) const {
+        const auto twice = [&](V<Real> a) { return hn::Mul(hn::Add(a, a), per_square); };
         Squares q{};
         q.middle =
             hn::Mul(hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
@@ -65,27 +65,27 @@ struct CellReach {
         q.linear_u = hn::Mul(steep.x, way_u);
         q.linear_v = hn::Mul(steep.y, way_v);
         q.linear_s = hn::Mul(hn::MulAdd(steep.x, u, hn::MulAdd(steep.y, v, steep.z)), way_s);
-        const Vector size_x = hn::Abs(steep.x);
-        const Vector size_y = hn::Abs(steep.y);
-        const Vector sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
+        const V<Real> size_x = hn::Abs(steep.x);
+        const V<Real> size_y = hn::Abs(steep.y);
+        const V<Real> sizes = hn::Add(hn::Add(size_x, size_y), hn::Abs(steep.z));
         q.linear =
             hn::Mul(hn::Add(hn::Abs(q.linear_u), hn::Add(hn::Abs(q.linear_v), hn::Abs(q.linear_s))),
-                    number(1 + 16 * unit));
-        const Vector tilted = hn::MulAdd(size_x, tilt_u, hn::Mul(size_y, tilt_v));
-        const Vector moved = hn::Mul(sizes, off);
+                    number<Real>(1 + 16 * unit));
+        const V<Real> tilted = hn::MulAdd(size_x, tilt_u, hn::Mul(size_y, tilt_v));
+        const V<Real> moved = hn::Mul(sizes, off);
         q.beside = hn::MulAdd(per_square, beside, moved);
         q.rest = hn::MulAdd(square, per_square, hn::Add(tilted, moved));
         q.turn = hn::MulAdd(turn, per_square, tilted);
         q.change = hn::Add(q.linear, q.rest);
-        const auto gap = [&](Vector a, Vector half) {
+        const auto gap = [&](V<Real> a, V<Real> half) {
             return hn::Max(hn::Sub(hn::Abs(a), half), hn::Zero(d<Real>));
         };
         const Place gaps{gap(from.x, half_x), gap(from.y, half_y), gap(from.z, half_z)};
-        const Vector nearest =
+        const V<Real> nearest =
             hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
         // Differences of far larger numbers are known to the digits of these.
-        const Vector spare = hn::Mul(number(16 * unit), q.middle);
-        const Vector lo = hn::Sub(q.middle, hn::Add(q.linear, hn::Add(tilted, moved)));
+        const V<Real> spare = hn::Mul(number<Real>(16 * unit), q.middle);
+        const V<Real> lo = hn::Sub(q.middle, hn::Add(q.linear, hn::Add(tilted, moved)));
         q.lo =
             hn::Max(hn::Sub(hn::Max(hn::Mul(nearest, per_square), lo), spare), hn::Zero(d<Real>));
         q.hi = hn::Add(hn::Add(q.middle, q.change), spare);
@@ -117,25 +117,25 @@ private:
         start_y = lane(columns[4]);
         w = lane(columns[5]);
         way_s = lane(columns[6]);
-        way_u = hn::Mul(w, number(cells.u_radius));
-        way_v = hn::Mul(w, number(cells.v_radius));
+        way_u = hn::Mul(w, number<Real>(cells.u_radius));
+        way_v = hn::Mul(w, number<Real>(cells.v_radius));
     }
     /// Sets the bounds of each cell's reach.
     HWY_INLINE void measure(const BallForms& of, const BallBin& bin, const BallCells& cells) {
-        const auto sum3 = [](Vector a, Vector b, Vector c) { return hn::Add(hn::Add(a, b), c); };
-        const auto twice = [](Vector a) { return hn::Add(a, a); };
-        const Vector u_radius = number(cells.u_radius);
-        const Vector v_radius = number(cells.v_radius);
-        const Vector u_size = above(hn::Add(hn::Abs(u), u_radius));
-        const Vector v_size = above(hn::Add(hn::Abs(v), v_radius));
-        const Vector ways = above(hn::Add(hn::Abs(way_u), hn::Abs(way_v)));
-        const Vector sizes = sum3(u_size, v_size, number(1));
-        const Vector size = hn::MulAdd(sizes, way_s, ways);
-        const Vector places = sum3(hn::Add(hn::Abs(start_x), hn::Abs(start_y)), hn::Abs(at), size);
-        const Vector reach = hn::Add(number(bin.most_support), size);
-        off = above(hn::MulAdd(number(16 * unit),
-                               hn::MulAdd(hn::Add(sizes, number(1)), reach, places),
-                               number(of.place_error)));
+        const auto sum3 = [](V<Real> a, V<Real> b, V<Real> c) { return hn::Add(hn::Add(a, b), c); };
+        const auto twice = [](V<Real> a) { return hn::Add(a, a); };
+        const V<Real> u_radius = number<Real>(cells.u_radius);
+        const V<Real> v_radius = number<Real>(cells.v_radius);
+        const V<Real> u_size = above(hn::Add(hn::Abs(u), u_radius));
+        const V<Real> v_size = above(hn::Add(hn::Abs(v), v_radius));
+        const V<Real> ways = above(hn::Add(hn::Abs(way_u), hn::Abs(way_v)));
+        const V<Real> sizes = sum3(u_size, v_size, number<Real>(1));
+        const V<Real> size = hn::MulAdd(sizes, way_s, ways);
+        const V<Real> places = sum3(hn::Add(hn::Abs(start_x), hn::Abs(start_y)), hn::Abs(at), size);
+        const V<Real> reach = hn::Add(number<Real>(bin.most_support), size);
+        off = above(hn::MulAdd(number<Real>(16 * unit),
+                               hn::MulAdd(hn::Add(sizes, number<Real>(1)), reach, places),
+                               number<Real>(of.place_error)));
         half_x = above(sum3(hn::Abs(way_u), hn::Mul(u_size, way_s), off));
         half_y = above(sum3(hn::Abs(way_v), hn::Mul(v_size, way_s), off));
         half_z = above(hn::Add(way_s, off));
@@ -144,18 +144,18 @@ private:
         tilt_u = above(hn::Mul(u_radius, way_s));
         tilt_v = above(hn::Mul(v_radius, way_s));
         // Bound how far the way is from being linear in the place.
-        const Vector bent_x = hn::Add(tilt_u, off);
-        const Vector bent_y = hn::Add(tilt_v, off);
+        const V<Real> bent_x = hn::Add(tilt_u, off);
+        const V<Real> bent_y = hn::Add(tilt_v, off);
         beside = above(
             twice(sum3(hn::Mul(half_x, bent_x), hn::Mul(half_y, bent_y), hn::Mul(half_z, off))));
         aside = above(sum3(hn::Mul(u_size, half_x), hn::Mul(v_size, half_y), half_z));
         turn = above(twice(hn::Mul(way_s, aside)));
-        const Vector off_turn =
+        const V<Real> off_turn =
             hn::Add(sum3(hn::Mul(u_size, bent_x), hn::Mul(v_size, bent_y), off),
                     hn::Add(hn::Mul(u_radius, half_x), hn::Mul(v_radius, half_y)));
         turn_off = above(twice(hn::Mul(way_s, off_turn)));
-        aside_x = above(hn::MulAdd(number(16 * unit), u_size, u_radius));
-        aside_y = above(hn::MulAdd(number(16 * unit), v_size, v_radius));
+        aside_x = above(hn::MulAdd(number<Real>(16 * unit), u_size, u_radius));
+        aside_y = above(hn::MulAdd(number<Real>(16 * unit), v_size, v_radius));
     }
 };
 

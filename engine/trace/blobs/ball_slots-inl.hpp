@@ -8,8 +8,8 @@
 #define ZEROSET_BALL_SLOTS_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/blobs/ray_block.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,11 +134,10 @@ HWY_INLINE V<Real> safe_step(V<Real> clearance, V<Real> rise, V<Real> curve) {
     const M<Real> rises = hn::Ge(rise, hn::Zero(d<Real>));
     const V<Real> above = hn::IfThenElse(rises, twice, hn::Sub(root, rise));
     const V<Real> below = hn::IfThenElse(rises, hn::Add(rise, root), curve);
-    const V<Real> step =
-        hn::Mul(hn::Div(above, below), hn::Set(d<Real>, static_cast<Real>(1 - 0x1p-10)));
+    const V<Real> step = hn::Mul(hn::Div(above, below), number<Real>(1 - 0x1p-10));
     const M<Real> comes =
         hn::And(hn::Gt(below, hn::Zero(d<Real>)), hn::Ge(square, hn::Zero(d<Real>)));
-    return hn::IfThenElse(comes, step, hn::Set(d<Real>, static_cast<Real>(1e30)));
+    return hn::IfThenElse(comes, step, number<Real>(1e30));
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

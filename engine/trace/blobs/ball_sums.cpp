@@ -45,8 +45,6 @@ void double_forms(const BallForms& of, const BallBin& bin, const BallCells& cell
 
 template <BlobKind kind>
 void values_at(const BallForms& of, const BallBin& bin, BallPoints& points, std::size_t first) {
-    using Vector = V<double>;
-    const auto number = [](double a) { return hn::Set(d<double>, a); };
     const std::size_t some = std::min(lanes<double>, points.count - first);
     // A lane that has no number takes no balls from the others.
     double nearest = unbounded;
@@ -56,29 +54,29 @@ void values_at(const BallForms& of, const BallBin& bin, BallPoints& points, std:
         farthest = std::max(farthest, points.z[i]);
     }
     // Load the points, from the middle ray of the bin on.
-    const Vector z = hn::LoadU(d<double>, &points.z[first]);
-    const Vector at = hn::Sub(z, number(bin.depth));
-    const Vector w = hn::Add(z, number(of.distance));
-    const Vector right = hn::NegMulAdd(number(bin.u), w, hn::LoadU(d<double>, &points.x[first]));
-    const Vector up = hn::NegMulAdd(number(bin.v), w, hn::LoadU(d<double>, &points.y[first]));
-    const Vector reach = number(blob_facts(kind).reach);
-    Vector value = hn::Zero(d<double>);
-    Vector slope[3] = {value, value, value};
+    const V<double> z = hn::LoadU(d<double>, &points.z[first]);
+    const V<double> at = hn::Sub(z, number(bin.depth));
+    const V<double> w = hn::Add(z, number(of.distance));
+    const V<double> right = hn::NegMulAdd(number(bin.u), w, hn::LoadU(d<double>, &points.x[first]));
+    const V<double> up = hn::NegMulAdd(number(bin.v), w, hn::LoadU(d<double>, &points.y[first]));
+    const V<double> reach = number(blob_facts(kind).reach);
+    V<double> value = hn::Zero(d<double>);
+    V<double> slope[3] = {value, value, value};
     const BinColumns<double>& balls = bin.doubles;
     // Add the heights and slopes of the balls that may reach the points.
     each_ball_between(bin, nearest - bin.depth, farthest - bin.depth, [&](std::size_t i) {
-        const Vector dz = hn::Sub(at, number(balls.z[i]));
-        const Vector dx = hn::MulAdd(number(bin.u), dz, hn::Sub(right, number(balls.x[i])));
-        const Vector dy = hn::MulAdd(number(bin.v), dz, hn::Sub(up, number(balls.y[i])));
-        const Vector per_square = number(balls.per_square[i]);
-        const Vector square = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-        const Vector q = hn::Mul(square, per_square);
+        const V<double> dz = hn::Sub(at, number(balls.z[i]));
+        const V<double> dx = hn::MulAdd(number(bin.u), dz, hn::Sub(right, number(balls.x[i])));
+        const V<double> dy = hn::MulAdd(number(bin.v), dz, hn::Sub(up, number(balls.y[i])));
+        const V<double> per_square = number(balls.per_square[i]);
+        const V<double> square = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+        const V<double> q = hn::Mul(square, per_square);
         const M<double> inside = hn::Lt(q, reach);
         if (hn::AllFalse(d<double>, inside)) return;
         const auto h = height_at<kind, Rounds::Once>(d<double>, hn::Min(q, reach));
-        const Vector strength = hn::IfThenElseZero(inside, number(balls.strength[i]));
+        const V<double> strength = hn::IfThenElseZero(inside, number(balls.strength[i]));
         value = hn::MulAdd(strength, h.value, value);
-        const Vector steep = hn::Mul(hn::Mul(hn::Add(strength, strength), per_square), h.slope);
+        const V<double> steep = hn::Mul(hn::Mul(hn::Add(strength, strength), per_square), h.slope);
         slope[0] = hn::MulAdd(steep, dx, slope[0]);
         slope[1] = hn::MulAdd(steep, dy, slope[1]);
         slope[2] = hn::MulAdd(steep, dz, slope[2]);

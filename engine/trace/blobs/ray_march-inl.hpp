@@ -24,10 +24,10 @@
 #endif
 
 #include "engine/blobs/blob_heights-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/blobs/ball_bends-inl.hpp"
 #include "engine/trace/blobs/ball_slots-inl.hpp"
 #include "engine/trace/blobs/ray_block.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -49,8 +49,6 @@ template <class Real, BlobKind kind>
 class RayMarch {
 public:
     using Slot = SlotOf<Real>;
-    using Vector = V<Real>;
-    using Mask = M<Real>;
 
     /// The rays at some places of the block, at most as many as there are lanes.
     RayMarch(const BallQuestion& question, BallBlock& block, const MarchBounds<Real>& bounds,
@@ -80,13 +78,12 @@ private:
     /// f, its slope along the ray, and bounds of the slope's change, each by the direction's square
     /// but f.
     struct Sums {
-        Vector value, slope, curve;
-        Mask empty;  ///< no ball reaches
+        V<Real> value, slope, curve;
+        M<Real> empty;  ///< no ball reaches
     };
 
-    static HWY_INLINE Vector number(double x) { return hn::Set(d<Real>, static_cast<Real>(x)); }
-    static HWY_INLINE Vector same(Real x) { return hn::Set(d<Real>, x); }
-    static HWY_INLINE Vector zero() { return hn::Zero(d<Real>); }
+    static HWY_INLINE V<Real> same(Real x) { return hn::Set(d<Real>, x); }
+    static HWY_INLINE V<Real> zero() { return hn::Zero(d<Real>); }
 
     /// A number of this type at `at` or little before: what is skipped would never be looked at.
     static HWY_INLINE Real not_behind(double at) {
@@ -106,8 +103,8 @@ private:
         s_ = hn::Load(d<Real>, begins);
         stop_ = column_of<Real>(block_.stop, places_);
         side_ = hn::Load(d<Real>, sides);
-        window_ = hn::Max(bracket_, number(usual_));
-        level_ = number(question_.level);
+        window_ = hn::Max(bracket_, number<Real>(usual_));
+        level_ = number<Real>(question_.level);
         passed_ = sure_ = unsure_ = mask_of(d<Real>, 0);
         keep_sides();
     }
@@ -119,11 +116,11 @@ private:
 
     /// Takes in the balls that may reach rays between where they are and `end`, and leaves those
     /// that are behind all of them.
-    HWY_INLINE void gather(Vector end) {
-        const Mask reaches_next = hn::Ge(end, same(next_from_));
+    HWY_INLINE void gather(V<Real> end) {
+        const M<Real> reaches_next = hn::Ge(end, same(next_from_));
         if (hn::AllFalse(d<Real>, hn::And(open_, reaches_next))) return;
-        const Vector first = hn::IfThenElse(open_, s_, number(unbounded));
-        const Vector last = hn::IfThenElse(open_, end, number(-unbounded));
+        const V<Real> first = hn::IfThenElse(open_, s_, number<Real>(unbounded));
+        const V<Real> last = hn::IfThenElse(open_, end, number<Real>(-unbounded));
         take_between(static_cast<double>(hn::GetLane(hn::MinOfLanes(d<Real>, first))),
                      static_cast<double>(hn::GetLane(hn::MaxOfLanes(d<Real>, last))));
     }
@@ -162,24 +159,27 @@ private:
     HWY_INLINE void take(const ViewBall& ball) {
         const double off = bounds_.off(ball);
         const double support = ball.support * (1 + 0x1p-10) + 4 * off;
-        const Vector z = number(ball.z);
-        const Vector x = hn::NegMulAdd(rays_.tilt_x, z, hn::Sub(number(ball.x), rays_.start_x));
-        const Vector y = hn::NegMulAdd(rays_.tilt_y, z, hn::Sub(number(ball.y), rays_.start_y));
-        const Vector along = hn::MulAdd(rays_.u, x, hn::Mul(rays_.v, y));
-        const Vector behind = hn::Mul(along, rays_.per_square);
-        const Vector across = hn::MulAdd(x, x, hn::NegMulAdd(along, behind, hn::Mul(y, y)));
-        const Vector rest = hn::Sub(number(support * support), across);
-        const Mask meets = hn::And(open_, hn::Gt(rest, zero()));
+        const V<Real> z = number<Real>(ball.z);
+        const V<Real> x =
+            hn::NegMulAdd(rays_.tilt_x, z, hn::Sub(number<Real>(ball.x), rays_.start_x));
+        const V<Real> y =
+            hn::NegMulAdd(rays_.tilt_y, z, hn::Sub(number<Real>(ball.y), rays_.start_y));
+        const V<Real> along = hn::MulAdd(rays_.u, x, hn::Mul(rays_.v, y));
+        const V<Real> behind = hn::Mul(along, rays_.per_square);
+        const V<Real> across = hn::MulAdd(x, x, hn::NegMulAdd(along, behind, hn::Mul(y, y)));
+        const V<Real> rest = hn::Sub(number<Real>(support * support), across);
+        const M<Real> meets = hn::And(open_, hn::Gt(rest, zero()));
         if (hn::AllFalse(d<Real>, meets)) return;
         if (count_ == slots_.size()) slots_.resize(2 * count_ + 8);
         Slot& slot = slots_[count_++];
-        const Vector half = hn::Sqrt(hn::Mul(hn::Max(rest, zero()), rays_.per_square));
-        const Vector nearest = hn::Add(z, behind);
-        const Vector leave = hn::IfThenElse(meets, hn::Add(nearest, half), number(-unbounded));
-        const auto keep = [](const Vector& numbers, Real* to) { hn::Store(numbers, d<Real>, to); };
+        const V<Real> half = hn::Sqrt(hn::Mul(hn::Max(rest, zero()), rays_.per_square));
+        const V<Real> nearest = hn::Add(z, behind);
+        const V<Real> leave =
+            hn::IfThenElse(meets, hn::Add(nearest, half), number<Real>(-unbounded));
+        const auto keep = [](const V<Real>& numbers, Real* to) { hn::Store(numbers, d<Real>, to); };
         keep(nearest, slot.nearest);
-        keep(hn::Max(hn::Mul(across, number(ball.per_square)), zero()), slot.q);
-        keep(hn::IfThenElse(meets, hn::Sub(nearest, half), number(unbounded)), slot.enter);
+        keep(hn::Max(hn::Mul(across, number<Real>(ball.per_square)), zero()), slot.q);
+        keep(hn::IfThenElse(meets, hn::Sub(nearest, half), number<Real>(unbounded)), slot.enter);
         keep(leave, slot.leave);
         keep(x, slot.x);
         keep(y, slot.y);
@@ -188,43 +188,43 @@ private:
         usual_ = ball.radius / bounds_.length;
     }
 
-    static HWY_INLINE Vector reach() { return number(blob_facts(kind).reach); }
-    HWY_INLINE Vector q_at(const Slot& slot, Vector ds) const {
-        const Vector q = hn::MulAdd(hn::Mul(hn::Mul(ds, rays_.square), ds), same(slot.per_square),
-                                    hn::Load(d<Real>, slot.q));
+    static HWY_INLINE V<Real> reach() { return number<Real>(blob_facts(kind).reach); }
+    HWY_INLINE V<Real> q_at(const Slot& slot, V<Real> ds) const {
+        const V<Real> q = hn::MulAdd(hn::Mul(hn::Mul(ds, rays_.square), ds), same(slot.per_square),
+                                     hn::Load(d<Real>, slot.q));
         return hn::Min(q, reach());
     }
     /// A bound of how much a ball's slope towards the level changes where it reaches [s, end].
-    HWY_INLINE Vector curve_of(const Slot& slot, Vector ds, Vector q_here, Vector end) const {
-        const Vector ds_end = hn::Sub(end, hn::Load(d<Real>, slot.nearest));
-        const Vector q_end = q_at(slot, ds_end);
-        const Vector least = hn::Min(hn::Load(d<Real>, slot.q), reach());
-        const Mask passes = hn::And(hn::Le(ds, zero()), hn::Ge(ds_end, zero()));
-        const StretchOf<Vector> on{.from = hn::IfThenElse(passes, least, hn::Min(q_here, q_end)),
-                                   .to = hn::Max(q_here, q_end),
-                                   .least = least};
-        const Mask rises = slot.strength < 0 ? above_ : below_;
-        const Mask falls = slot.strength < 0 ? below_ : above_;
-        Vector curve = number(-unbounded);
+    HWY_INLINE V<Real> curve_of(const Slot& slot, V<Real> ds, V<Real> q_here, V<Real> end) const {
+        const V<Real> ds_end = hn::Sub(end, hn::Load(d<Real>, slot.nearest));
+        const V<Real> q_end = q_at(slot, ds_end);
+        const V<Real> least = hn::Min(hn::Load(d<Real>, slot.q), reach());
+        const M<Real> passes = hn::And(hn::Le(ds, zero()), hn::Ge(ds_end, zero()));
+        const StretchOf<V<Real>> on{.from = hn::IfThenElse(passes, least, hn::Min(q_here, q_end)),
+                                    .to = hn::Max(q_here, q_end),
+                                    .least = least};
+        const M<Real> rises = slot.strength < 0 ? above_ : below_;
+        const M<Real> falls = slot.strength < 0 ? below_ : above_;
+        V<Real> curve = number<Real>(-unbounded);
         if (!hn::AllTrue(d<Real>, falls)) curve = most_bend<kind>(d<Real>, on);
         if (!hn::AllTrue(d<Real>, rises)) {
-            const Vector down = hn::Neg(least_bend<kind>(d<Real>, on));
+            const V<Real> down = hn::Neg(least_bend<kind>(d<Real>, on));
             curve = hn::IfThenElse(rises, curve, hn::IfThenElse(falls, down, hn::Max(curve, down)));
         }
         return hn::Mul(hn::Add(curve, same(slot.spare)), same(slot.size));
     }
-    HWY_INLINE Sums sums_at(Vector end) const {
+    HWY_INLINE Sums sums_at(V<Real> end) const {
         Sums sums{.value = zero(), .slope = zero(), .curve = zero(), .empty = {}};
-        Mask some = mask_of(d<Real>, 0);
+        M<Real> some = mask_of(d<Real>, 0);
         for (std::size_t i = 0; i < count_; ++i) {
             const Slot& slot = slots_[i];
-            const Vector ds = hn::Sub(s_, hn::Load(d<Real>, slot.nearest));
-            const Vector q = q_at(slot, ds);
+            const V<Real> ds = hn::Sub(s_, hn::Load(d<Real>, slot.nearest));
+            const V<Real> q = q_at(slot, ds);
             const auto h = height_at<kind, Rounds::Once>(d<Real>, q);
             sums.value = hn::MulAdd(same(slot.strength), h.value, sums.value);
             sums.slope = hn::MulAdd(hn::Mul(ds, same(slot.weight)), h.slope, sums.slope);
-            const Mask reaches = hn::And(hn::Le(hn::Load(d<Real>, slot.enter), end),
-                                         hn::Ge(hn::Load(d<Real>, slot.leave), s_));
+            const M<Real> reaches = hn::And(hn::Le(hn::Load(d<Real>, slot.enter), end),
+                                            hn::Ge(hn::Load(d<Real>, slot.leave), s_));
             sums.curve =
                 hn::Add(sums.curve, hn::IfThenElseZero(reaches, curve_of(slot, ds, q, end)));
             some = hn::Or(some, reaches);
@@ -235,99 +235,99 @@ private:
         return sums;
     }
     /// Where the next ball after a depth may begin, at most.
-    HWY_INLINE Vector next_entry(Vector after) const {
-        Vector next = same(next_from_);
+    HWY_INLINE V<Real> next_entry(V<Real> after) const {
+        V<Real> next = same(next_from_);
         for (std::size_t i = 0; i < count_; ++i) {
-            const Vector enter = hn::Load(d<Real>, slots_[i].enter);
+            const V<Real> enter = hn::Load(d<Real>, slots_[i].enter);
             next = hn::Min(next, hn::IfThenElse(hn::Gt(enter, after), enter, next));
         }
         return next;
     }
 
     HWY_INLINE void advance() {
-        const Vector end = hn::Add(s_, window_);
+        const V<Real> end = hn::Add(s_, window_);
         gather(end);
         const Sums sums = sums_at(end);
         // f - level
-        const Vector f = hn::Sub(sums.value, level_);
+        const V<Real> f = hn::Sub(sums.value, level_);
         if (fresh_) choose_sides(f);
-        const Vector clearance = hn::Sub(hn::Mul(side_, f), number(error_));
-        const Vector rise = hn::Sub(number(slope_error_), hn::Mul(side_, sums.slope));
-        const Vector step = safe_step<Real>(clearance, rise, sums.curve);
-        const Mask empty = sums.empty;
-        Vector next = hn::Add(s_, hn::Min(step, window_));
-        const Mask has_clearance = hn::Gt(clearance, zero());
+        const V<Real> clearance = hn::Sub(hn::Mul(side_, f), number<Real>(error_));
+        const V<Real> rise = hn::Sub(number<Real>(slope_error_), hn::Mul(side_, sums.slope));
+        const V<Real> step = safe_step<Real>(clearance, rise, sums.curve);
+        const M<Real> empty = sums.empty;
+        V<Real> next = hn::Add(s_, hn::Min(step, window_));
+        const M<Real> has_clearance = hn::Gt(clearance, zero());
         if (!hn::AllFalse(d<Real>, hn::AndNot(hn::Not(open_), empty)))
             next = hn::IfThenElse(empty, hn::Max(end, next_entry(end)), next);
-        const Mask ends = hn::And(open_, hn::And(has_clearance, hn::Ge(next, stop_)));
+        const M<Real> ends = hn::And(open_, hn::And(has_clearance, hn::Ge(next, stop_)));
         passed_ = hn::Or(passed_, ends);
         open_ = hn::AndNot(ends, open_);
-        const Mask near = hn::And(open_, hn::Or(hn::Not(has_clearance), hn::Le(step, bracket_)));
+        const M<Real> near = hn::And(open_, hn::Or(hn::Not(has_clearance), hn::Le(step, bracket_)));
         if (tries_ && !hn::AllFalse(d<Real>, near))
             certify(near, hn::IfThenElseZero(has_clearance, step), clearance, rise);
         // In floats no more is known of what is nearer than some errors.
-        const Mask moves =
-            hn::And(hn::Gt(clearance, number(is_double ? 0 : 4 * error_)), hn::Gt(next, s_));
-        const Mask stuck = hn::AndNot(moves, open_);
+        const M<Real> moves =
+            hn::And(hn::Gt(clearance, number<Real>(is_double ? 0 : 4 * error_)), hn::Gt(next, s_));
+        const M<Real> stuck = hn::AndNot(moves, open_);
         if (!hn::AllFalse(d<Real>, stuck)) end_stuck(stuck);
         s_ = hn::IfThenElse(open_, next, s_);
-        const Vector wider = hn::Add(window_, window_);
-        const Vector narrower = hn::Mul(step, number(1.15));
-        window_ = hn::IfThenElse(empty, number(usual_), hn::Min(wider, narrower));
-        window_ = hn::Max(window_, hn::Max(bracket_, number(0x1p-7 * usual_)));
+        const V<Real> wider = hn::Add(window_, window_);
+        const V<Real> narrower = hn::Mul(step, number<Real>(1.15));
+        window_ = hn::IfThenElse(empty, number<Real>(usual_), hn::Min(wider, narrower));
+        window_ = hn::Max(window_, hn::Max(bracket_, number<Real>(0x1p-7 * usual_)));
     }
-    HWY_INLINE void choose_sides(Vector f) {
-        const Vector error = number(error_);
-        const Vector found =
-            hn::IfThenElse(hn::Gt(f, error), number(1),
-                           hn::IfThenElse(hn::Lt(f, hn::Neg(error)), number(-1), zero()));
+    HWY_INLINE void choose_sides(V<Real> f) {
+        const V<Real> error = number<Real>(error_);
+        const V<Real> found =
+            hn::IfThenElse(hn::Gt(f, error), number<Real>(1),
+                           hn::IfThenElse(hn::Lt(f, hn::Neg(error)), number<Real>(-1), zero()));
         side_ = hn::IfThenElse(hn::Eq(side_, zero()), found, side_);
         keep_sides();
     }
 
-    HWY_INLINE void certify(Mask near, Vector step, Vector clearance, Vector rise) {
-        const Vector widest = hn::Mul(number(0.98), bracket_);
+    HWY_INLINE void certify(M<Real> near, V<Real> step, V<Real> clearance, V<Real> rise) {
+        const V<Real> widest = hn::Mul(number<Real>(0.98), bracket_);
         certify(near, step, widest);
-        const Mask left = hn::And(near, open_);
+        const M<Real> left = hn::And(near, open_);
         if (!is_double || hn::AllFalse(d<Real>, left)) return;
         // f may come back within a bracket: looks where it is just far enough beyond the level.
-        const Vector wanted =
-            hn::MulAdd(number(4), hn::Max(clearance, zero()), number(16 * error_));
-        const Vector wide = hn::Div(wanted, hn::Max(rise, number(1e-30)));
+        const V<Real> wanted =
+            hn::MulAdd(number<Real>(4), hn::Max(clearance, zero()), number<Real>(16 * error_));
+        const V<Real> wide = hn::Div(wanted, hn::Max(rise, number<Real>(1e-30)));
         certify(left, step, hn::Min(wide, widest));
     }
     /// Looks at lanes further on, by no more than a bracket: f may be sure to be on the other side
     /// there.
-    HWY_INLINE void certify(Mask near, Vector step, Vector wide) {
-        const Vector to = hn::Min(hn::Add(s_, wide), stop_);
-        Vector value = zero();
-        Vector slope[3] = {zero(), zero(), zero()};
+    HWY_INLINE void certify(M<Real> near, V<Real> step, V<Real> wide) {
+        const V<Real> to = hn::Min(hn::Add(s_, wide), stop_);
+        V<Real> value = zero();
+        V<Real> slope[3] = {zero(), zero(), zero()};
         for (std::size_t i = 0; i < count_; ++i) {
             const Slot& slot = slots_[i];
-            const Vector ds = hn::Sub(to, hn::Load(d<Real>, slot.nearest));
+            const V<Real> ds = hn::Sub(to, hn::Load(d<Real>, slot.nearest));
             const auto h = height_at<kind, Rounds::Once>(d<Real>, q_at(slot, ds));
             value = hn::MulAdd(same(slot.strength), h.value, value);
-            const Vector steep = hn::Mul(same(slot.weight), h.slope);
-            const Vector x = hn::Load(d<Real>, slot.x);
-            const Vector y = hn::Load(d<Real>, slot.y);
+            const V<Real> steep = hn::Mul(same(slot.weight), h.slope);
+            const V<Real> x = hn::Load(d<Real>, slot.x);
+            const V<Real> y = hn::Load(d<Real>, slot.y);
             slope[0] = hn::NegMulAdd(steep, x, slope[0]);
             slope[1] = hn::NegMulAdd(steep, y, slope[1]);
             slope[2] = hn::MulAdd(steep, hn::Sub(to, same(slot.z)), slope[2]);
         }
         slope[0] = hn::MulAdd(rays_.u, slope[2], slope[0]);
         slope[1] = hn::MulAdd(rays_.v, slope[2], slope[1]);
-        const Vector beyond = hn::Mul(side_, hn::Sub(level_, value));
-        const Mask sure = hn::And(near, hn::Gt(beyond, number(error_)));
+        const V<Real> beyond = hn::Mul(side_, hn::Sub(level_, value));
+        const M<Real> sure = hn::And(near, hn::Gt(beyond, number<Real>(error_)));
         sure_ = hn::Or(sure_, sure);
         open_ = hn::AndNot(sure, open_);
-        const Vector depth = hn::Add(s_, hn::Min(step, hn::Sub(to, s_)));
+        const V<Real> depth = hn::Add(s_, hn::Min(step, hn::Sub(to, s_)));
         tell(sure, depth, to, slope);
         if (!is_double) return;
         last_slope_[0] = slope[0];
         last_slope_[1] = slope[1];
         last_slope_[2] = slope[2];
     }
-    HWY_INLINE void tell(Mask which, Vector depth, Vector to, const Vector* slope) {
+    HWY_INLINE void tell(M<Real> which, V<Real> depth, V<Real> to, const V<Real>* slope) {
         alignas(64) Real depths[width], ends[width], slopes[3][width];
         hn::Store(depth, d<Real>, depths);
         hn::Store(to, d<Real>, ends);
@@ -343,14 +343,14 @@ private:
         }
     }
     /// Ends lanes that cannot go on: in floats they are left open.
-    HWY_INLINE void end_stuck(Mask stuck) {
+    HWY_INLINE void end_stuck(M<Real> stuck) {
         if constexpr (is_double) {
             end_unsure(stuck);
         } else {
             open_ = hn::AndNot(stuck, open_);
         }
     }
-    HWY_INLINE void end_unsure(Mask unsure) {
+    HWY_INLINE void end_unsure(M<Real> unsure) {
         if (hn::AllFalse(d<Real>, unsure)) return;
         unsure_ = hn::Or(unsure_, unsure);
         open_ = hn::AndNot(unsure, open_);
@@ -387,12 +387,12 @@ private:
     bool fresh_ = false;
     /// Whether a bracket is wide enough for this type to prove anything in it.
     bool tries_ = is_double || question_.bracket > 16 * bounds_.place_error;
-    Vector bracket_ = number(question_.bracket);
-    Mask open_, passed_, sure_, unsure_, above_, below_;
+    V<Real> bracket_ = number<Real>(question_.bracket);
+    M<Real> open_, passed_, sure_, unsure_, above_, below_;
     VectorOfRays<Real> rays_ = {block_, places_};
-    Vector s_, stop_;
-    Vector side_, window_, level_;
-    Vector last_slope_[3] = {zero(), zero(), zero()};
+    V<Real> s_, stop_;
+    V<Real> side_, window_, level_;
+    V<Real> last_slope_[3] = {zero(), zero(), zero()};
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

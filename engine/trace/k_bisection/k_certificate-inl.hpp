@@ -136,7 +136,7 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
     const V<Real> to =
         hn::IfThenElse(certified, hn::Load(d<Real>, brackets.to), hn::Load(d<Real>, packet.hit_to));
     // Compute the points in the middle, and their distances.
-    const V<Real> half = hn::Set(d<Real>, static_cast<Real>(0.5));
+    const V<Real> half = number<Real>(0.5);
     const V<Real> k = hn::MulAdd(half, from, hn::Mul(half, to));
     alignas(vector_bytes<Real>) Real position[3][lanes<Real>];
     alignas(vector_bytes<Real>) Real depth[lanes<Real>];
@@ -151,7 +151,7 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
         hn::Store(axes.mirrored[i + 1] ? hn::Neg(u) : u, d<Real>, position[axes.world[i + 1]]);
     }
     const V<Real> along = hn::Sub(k, hn::Load(d<Real>, packet.k_start));
-    const V<Real> first = hn::Set(d<Real>, static_cast<Real>(axes.start_depth));
+    const V<Real> first = number<Real>(axes.start_depth);
     hn::Store(hn::MulAdd(along, hn::Load(d<Real>, packet.stretch), first), d<Real>, depth);
     // Push the hits; nothing is certified behind an unsettled cell.
     const unsigned settled = axes.certifies ? bits_of(d<Real>, certified) & ~packet.unsettled : 0;

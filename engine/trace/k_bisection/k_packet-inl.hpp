@@ -9,7 +9,7 @@
 #endif
 
 #include "engine/kernel/kernel.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
@@ -25,8 +25,6 @@ template <class Real>
 constexpr int block_cols = lanes<Real> <= 4 ? 2 : 4;
 template <class Real>
 constexpr int block_rows = static_cast<int>(lanes<Real>) / block_cols<Real>;
-template <class Real>
-constexpr unsigned all_lanes = (1U << lanes<Real>)-1U;
 
 constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the clip box wide
 constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray

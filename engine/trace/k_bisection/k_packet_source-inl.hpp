@@ -67,7 +67,7 @@ bool PacketSource<Real>::next_block() {
         row_ += rows;
     }
     if (row_ >= tile_.rows) return false;
-    pending_ = all_lanes<Real>;
+    pending_ = all_lanes<Tag<Real>>;
     if (col_ + cols > tile_.cols || row_ + rows > tile_.rows) {
         for (int lane = 0; lane < static_cast<int>(lanes<Real>); ++lane) {
             const bool inside = col_ + lane % cols < tile_.cols && row_ + lane / cols < tile_.rows;
@@ -141,7 +141,7 @@ HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
         limit[lane] = static_cast<Real>(tile_.limits[packet.pixel(static_cast<int>(lane)).index()]);
     }
     // Where the limit is along K: rounded upward, but for the stretch.
-    const V<Real> grow = hn::Set(d<Real>, static_cast<Real>(1.0 + 0x1p-20));
+    const V<Real> grow = number<Real>(1.0 + 0x1p-20);
     const V<Real> stretch = hn::Load(d<Real>, packet.stretch);
     const V<Real> distance =
         hn::Add(hn::Load(d<Real>, limit), hn::Set(d<Real>, above<Real>(-axes.start_depth)));
@@ -153,7 +153,7 @@ HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
     const V<Real> there =
         hn::Mul(along, hn::Set(d<Real>, static_cast<Real>(std::ldexp(1.0, -axes.near_shift))));
     const V<Real> slice = hn::Max(unit, hn::Min(there, widest));
-    const V<Real> spare = hn::Mul(hn::Set(d<Real>, static_cast<Real>(1 + extra_slices)), slice);
+    const V<Real> spare = hn::Mul(number<Real>(1 + extra_slices), slice);
     bound_lanes(packet, hn::MaskFromVec(hn::Load(d<Real>, packet.alive)),
                 hn::Load(d<Real>, packet.k_in),
                 hn::Min(hn::Load(d<Real>, packet.k_out), hn::Add(end, spare)));

@@ -63,7 +63,7 @@ struct PartRays {
     /// Bits of the rays for which the axes are good ones: K no shorter than a quarter of the
     /// others, none falling.
     [[nodiscard]] HWY_INLINE unsigned fitting() const {
-        const V<double> steepest = hn::Mul(hn::Set(d<double>, 4.0), direction[0]);
+        const V<double> steepest = hn::Mul(number(4.0), direction[0]);
         const auto shallow = hn::Le(hn::Max(direction[1], direction[2]), steepest);
         const auto rising = hn::Ge(hn::Min(direction[1], direction[2]), hn::Zero(d<double>));
         return bits_of(d<double>, hn::And(shallow, rising));
@@ -80,8 +80,8 @@ struct Slab {
 /// Ends the spans within the slab where some ray may be parallel to it.
 HWY_NOINLINE PartSpan clip_parallel(PartSpan span, const Slab& slab, V<double> direction) {
     const V<double> zero = hn::Zero(d<double>);
-    const V<double> tiny = hn::Set(d<double>, 1e-300);
-    const V<double> bound = hn::Set(d<double>, slab.error);
+    const V<double> tiny = number(1e-300);
+    const V<double> bound = number(slab.error);
     // Negative directions are of rays that do not fit.
     const V<double> fastest = hn::Max(hn::Add(direction, bound), tiny);
     const V<double> neg_difference = hn::Sub(bound, direction);
@@ -98,16 +98,16 @@ HWY_NOINLINE PartSpan clip_parallel(PartSpan span, const Slab& slab, V<double> d
 
 /// Ends the spans where the rays leave the slab. Returns 1 / (direction - error).
 HWY_INLINE V<double> clip(PartSpan& span, const Slab& slab, V<double> direction) {
-    const V<double> one = hn::Set(d<double>, 1.0);
-    const V<double> slowest = hn::Neg(hn::Sub(hn::Set(d<double>, slab.error), direction));
+    const V<double> one = number(1.0);
+    const V<double> slowest = hn::Neg(hn::Sub(number(slab.error), direction));
     if (HWY_UNLIKELY(!hn::AllTrue(d<double>, hn::Gt(slowest, hn::Zero(d<double>))))) {
         span = clip_parallel(span, slab, direction);
-        return hn::Div(one, hn::Max(slowest, hn::Set(d<double>, 1e-300)));
+        return hn::Div(one, hn::Max(slowest, number(1e-300)));
     }
     const V<double> longest = hn::Div(one, slowest);
     // The shortest is no less than longest (1 - 2 error longest), but for an ulp.
-    const V<double> neg_share = hn::MulAdd(hn::Set(d<double>, 2.0 * slab.error), longest,
-                                           hn::Set(d<double>, 0x1p-50 - 1.0));
+    const V<double> neg_share =
+        hn::MulAdd(number(2.0 * slab.error), longest, number(0x1p-50 - 1.0));
     const V<double> neg_shortest = hn::Mul(longest, neg_share);
     span.neg_in = hn::Min(span.neg_in, hn::Mul(hn::Neg(slab.from_lo), neg_shortest));
     span.out = hn::Min(span.out, hn::Mul(slab.to_hi, longest));
@@ -138,22 +138,21 @@ HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& start,
                             const glm::dvec3& direction, std::size_t first) {
     PartRays rays{};
     rays.span = {.neg_in = hn::Zero(d<double>),
-                 .out = hn::Set(d<double>, std::numeric_limits<double>::infinity())};
+                 .out = number(std::numeric_limits<double>::infinity())};
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         const double sign = axes.mirrored[i] ? -1.0 : 1.0;
         const V<double> offset = hn::Load(d<double>, axes.lane_offset[i] + first);
-        rays.start[i] = hn::Set(d<double>, sign * start[world]);
-        rays.direction[i] = hn::Set(d<double>, sign * direction[world]);
+        rays.start[i] = number(sign * start[world]);
+        rays.direction[i] = number(sign * direction[world]);
         V<double>& moves = axes.parallel ? rays.start[i] : rays.direction[i];
         moves = hn::Add(moves, offset);
-        const Slab slab{hn::Sub(rays.start[i], hn::Set(d<double>, axes.box_lo[i])),
-                        hn::Sub(hn::Set(d<double>, axes.box_hi[i]), rays.start[i]),
-                        axes.direction_error};
+        const Slab slab{hn::Sub(rays.start[i], number(axes.box_lo[i])),
+                        hn::Sub(number(axes.box_hi[i]), rays.start[i]), axes.direction_error};
         const V<double> inverse = clip(rays.span, slab, rays.direction[i]);
         if (i == 0) {
             // 1 / direction but for the square of the error.
-            const V<double> share = hn::Mul(hn::Set(d<double>, -axes.direction_error), inverse);
+            const V<double> share = hn::Mul(number(-axes.direction_error), inverse);
             rays.inverse_k = hn::MulAdd(inverse, share, inverse);
         }
     }
@@ -182,8 +181,8 @@ HWY_INLINE PartLine<float> line_of(const Axes<float>& axes, int i, const PartRay
     const PartOf<float> narrow = narrowed<float>(slope);
     const V<double> narrowing = hn::Sub(widened(narrow), slope);
     const V<double> of_direction =
-        hn::Mul(hn::Set(d<double>, axes.slope_error_share() * axes.k_reach), rays.inverse_k);
-    const V<double> error = hn::MulAdd(narrowing, hn::Set(d<double>, axes.k_size), of_direction);
+        hn::Mul(number(axes.slope_error_share() * axes.k_reach), rays.inverse_k);
+    const V<double> error = hn::MulAdd(narrowing, number(axes.k_size), of_direction);
     const V<double> neg_lo = hn::MulAdd(slope, k_start, hn::Neg(start));
     const V<double> hi = hn::MulAdd(slope, hn::Neg(k_start), start);
     return {.slope_lo = narrow,
@@ -196,7 +195,7 @@ HWY_INLINE PartLine<double> line_of(const Axes<double>& axes, int i, const PartR
     const V<double> k_start = rays.start[0];
     const V<double> start = rays.start[i];
     const V<double> slope = hn::Mul(rays.direction[i], rays.inverse_k);
-    const V<double> error = hn::Mul(hn::Set(d<double>, axes.slope_error_share()), rays.inverse_k);
+    const V<double> error = hn::Mul(number(axes.slope_error_share()), rays.inverse_k);
     const V<double> slope_hi = hn::Add(slope, error);
     const V<double> slope_lo = hn::Neg(hn::Sub(error, slope));
     return {.slope_lo = slope_lo,
@@ -211,7 +210,7 @@ HWY_INLINE void store_part(const PartRays& rays, std::size_t first, Packet<Real>
     const PartTag<Real> tag;
     const Axes<Real>& axes = *packet.axes;
     const V<double> k_start = rays.start[0];
-    const V<double> bound = hn::Set(d<double>, axes.direction_error);
+    const V<double> bound = number(axes.direction_error);
     const V<double> neg_slowest = hn::Sub(bound, rays.direction[0]);
     const V<double> fastest = hn::Add(bound, rays.direction[0]);
     const V<double> neg_k_in = hn::MulAdd(hn::Neg(rays.span.neg_in), neg_slowest, hn::Neg(k_start));

@@ -20,7 +20,7 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// A polynomial's value and slopes.
 struct FloatSlopes {
-    Floats value, by_p, by_q;
+    V<float> value, by_p, by_q;
 };
 
 /// The terms of a piece in float: of (a, b, s). Those below degree 2 are 0 in `terms`.
@@ -48,23 +48,26 @@ struct FloatTerms {
 
 /// The terms of a coordinate from a degree on, 2 or 3, and the slopes of all terms.
 template <int degree, int first = 2>
-HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Floats q) {
+HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, V<float> p, V<float> q) {
     const auto term = [&](int i, int j)
-                          HWY_ATTR { return hn::Set(df, f.terms[patch_term(i, j)][k]); };
+                          HWY_ATTR { return hn::Set(d<float>, f.terms[patch_term(i, j)][k]); };
     // The slopes of the terms below the first degree.
-    const auto low = [&](const float* linear, Floats square, Floats at, Floats other) HWY_ATTR {
-        const Floats by = hn::Set(df, linear[k]);
+    const auto low = [&](const float* linear, V<float> square, V<float> at,
+                         V<float> other) HWY_ATTR {
+        const V<float> by = hn::Set(d<float>, linear[k]);
         if constexpr (first == 2) return by;
         return hn::MulAdd(hn::Add(square, square), at, hn::MulAdd(term(1, 1), other, by));
     };
-    const Floats low_p = low(f.by_p, term(2, 0), p, q);
-    const Floats low_q = low(f.by_q, term(0, 2), q, p);
-    if constexpr (degree < first) return {.value = hn::Zero(df), .by_p = low_p, .by_q = low_q};
-    FloatSlopes all{.value = term(degree, 0), .by_p = hn::Zero(df), .by_q = hn::Zero(df)};
+    const V<float> low_p = low(f.by_p, term(2, 0), p, q);
+    const V<float> low_q = low(f.by_q, term(0, 2), q, p);
+    if constexpr (degree < first)
+        return {.value = hn::Zero(d<float>), .by_p = low_p, .by_q = low_q};
+    FloatSlopes all{
+        .value = term(degree, 0), .by_p = hn::Zero(d<float>), .by_q = hn::Zero(d<float>)};
     for (int i = degree - 1; i >= 0; --i) {
         // The terms with p^i, and their slope by q.
-        Floats row = term(i, degree - i);
-        Floats by_q = row;
+        V<float> row = term(i, degree - i);
+        V<float> by_q = row;
         const int lowest = std::max(0, first - i);
         for (int j = degree - i - 1; j >= 1; --j) {
             row = j >= lowest ? hn::MulAdd(row, q, term(i, j)) : hn::Mul(row, q);
@@ -82,16 +85,16 @@ HWY_INLINE FloatSlopes high_terms_of(const FloatTerms& f, int k, Floats p, Float
 
 /// A coordinate, but for its constant.
 template <int degree>
-HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, Floats p, Floats q) {
+HWY_INLINE FloatSlopes slopes_of(const FloatTerms& f, int k, V<float> p, V<float> q) {
     FloatSlopes all = high_terms_of<degree>(f, k, p, q);
-    const Floats by_q = hn::Mul(hn::Set(df, f.by_q[k]), q);
-    all.value = hn::Add(all.value, hn::MulAdd(hn::Set(df, f.by_p[k]), p, by_q));
+    const V<float> by_q = hn::Mul(hn::Set(d<float>, f.by_q[k]), q);
+    all.value = hn::Add(all.value, hn::MulAdd(hn::Set(d<float>, f.by_p[k]), p, by_q));
     return all;
 }
 
 /// (a, b, s) at a place, but for some terms, and its slopes.
 struct FloatPoint {
-    InAxes<Floats> value, by_p, by_q;
+    InAxes<V<float>> value, by_p, by_q;
 };
 /// The point of a polynomial for each coordinate, of(0) to of(2).
 template <class Polynomial>
@@ -104,39 +107,39 @@ HWY_INLINE FloatPoint point_of(Polynomial of) {
             .by_q = {.x = a.by_q, .y = b.by_q, .z = s.by_q}};
 }
 /// The derivatives of g there.
-HWY_INLINE Matrix2<Floats> slopes_of_g(const SightLine<Floats>& ray, const FloatPoint& at) {
-    const Vector2<Floats> by_p = ray.across(at.by_p);
-    const Vector2<Floats> by_q = ray.across(at.by_q);
+HWY_INLINE Matrix2<V<float>> slopes_of_g(const SightLine<V<float>>& ray, const FloatPoint& at) {
+    const Vector2<V<float>> by_p = ray.across(at.by_p);
+    const Vector2<V<float>> by_q = ray.across(at.by_q);
     return {.pp = by_p.p, .pq = by_q.p, .qp = by_p.q, .qq = by_q.q};
 }
 
 /// A matrix with 1 over its determinant, for steps whose errors are bounded elsewhere.
 struct Slopes2 {
-    Matrix2<Floats> m;
-    Floats inverse;
+    Matrix2<V<float>> m;
+    V<float> inverse;
 
-    explicit HWY_INLINE Slopes2(const Matrix2<Floats>& of) : m(of) {
-        const Floats determinant = hn::NegMulAdd(m.pq, m.qp, hn::Mul(m.pp, m.qq));
-        inverse = hn::Div(float_number(1.0), determinant);
+    explicit HWY_INLINE Slopes2(const Matrix2<V<float>>& of) : m(of) {
+        const V<float> determinant = hn::NegMulAdd(m.pq, m.qp, hn::Mul(m.pp, m.qq));
+        inverse = hn::Div(number<float>(1.0), determinant);
     }
-    [[nodiscard]] HWY_INLINE Matrix2<Floats> inverse_matrix() const {
+    [[nodiscard]] HWY_INLINE Matrix2<V<float>> inverse_matrix() const {
         return inverse_of(m, inverse);
     }
     /// Newton's step where the function with these derivatives is g.
-    [[nodiscard]] HWY_INLINE Vector2<Floats> step(const Vector2<Floats>& g) const {
-        const Vector2<Floats> by = zero_by_determinant(m, g);
+    [[nodiscard]] HWY_INLINE Vector2<V<float>> step(const Vector2<V<float>>& g) const {
+        const Vector2<V<float>> by = zero_by_determinant(m, g);
         return {.p = hn::Mul(by.p, inverse), .q = hn::Mul(by.q, inverse)};
     }
 };
 
-HWY_INLINE Floats clamped(Floats at, double limit) {
-    const Floats most = float_number(limit);
+HWY_INLINE V<float> clamped(V<float> at, double limit) {
+    const V<float> most = number<float>(limit);
     return hn::Min(hn::Max(at, hn::Neg(most)), most);
 }
 /// A step from `at` within |p|, |q| <= limit; none where it is not known.
-HWY_INLINE Vector2<Floats> moved(const Vector2<Floats>& at, const Vector2<Floats>& by,
-                                 double limit) {
-    const auto along = [&](Floats from, Floats step) HWY_ATTR {
+HWY_INLINE Vector2<V<float>> moved(const Vector2<V<float>>& at, const Vector2<V<float>>& by,
+                                   double limit) {
+    const auto along = [&](V<float> from, V<float> step) HWY_ATTR {
         return hn::IfThenElse(hn::IsNaN(step), from, clamped(hn::Add(from, step), limit));
     };
     return {.p = along(at.p, by.p), .q = along(at.q, by.q)};

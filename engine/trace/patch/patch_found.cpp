@@ -15,40 +15,42 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// TileRays::distance_at of some rays.
-HWY_INLINE Vector distances(const TileFound& tile, std::size_t at) {
-    const D d;
-    const Vector u = hn::LoadU(d, tile.u + at % tile_size);
-    const Vector v = number(tile.v[at / tile_size]);
-    const Vector slant = hn::Sqrt(hn::MulAdd(u, u, hn::MulAdd(v, v, number(1.0))));
-    return hn::Mul(hn::Add(number(tile.look_distance), hn::LoadU(d, tile.reach + at)), slant);
+HWY_INLINE V<double> distances(const TileFound& tile, std::size_t at) {
+    const V<double> u = hn::LoadU(d<double>, tile.u + at % tile_size);
+    const V<double> v = number(tile.v[at / tile_size]);
+    const V<double> slant = hn::Sqrt(hn::MulAdd(u, u, hn::MulAdd(v, v, number(1.0))));
+    return hn::Mul(hn::Add(number(tile.look_distance), hn::LoadU(d<double>, tile.reach + at)),
+                   slant);
 }
 
 /// The rays from `at` on, as many as a vector of floats has numbers.
 inline bool put_some(const TileFound& tile, std::size_t at, TileHits& hits) {
-    const hn::RebindToUnsigned<decltype(df)> dw;
-    Floats normal[3];
-    Floats state;
-    hn::LoadInterleaved4(df, tile.found[at].normal.data(), normal[0], normal[1], normal[2], state);
+    const hn::RebindToUnsigned<Tag<float>> dw;
+    V<float> normal[3];
+    V<float> state;
+    hn::LoadInterleaved4(d<float>, tile.found[at].normal.data(), normal[0], normal[1], normal[2],
+                         state);
     const auto states = hn::BitCast(dw, state);
     const auto is = [&](RayState one) HWY_ATTR {
         return hn::Eq(states, hn::Set(dw, static_cast<std::uint32_t>(one)));
     };
-    const auto proved = hn::RebindMask(df, is(RayState::Proved));
-    const auto hit = hn::Or(proved, hn::RebindMask(df, is(RayState::Drawn)));
-    const auto kept = hn::RebindMask(df, is(RayState::Kept));
+    const auto proved = hn::RebindMask(d<float>, is(RayState::Proved));
+    const auto hit = hn::Or(proved, hn::RebindMask(d<float>, is(RayState::Drawn)));
+    const auto kept = hn::RebindMask(d<float>, is(RayState::Kept));
     const bool are_others =
-        !hn::AllFalse(df, hn::Or(kept, hn::AndNot(hn::IsFinite(normal[0]), hit)));
-    if (hn::AllFalse(df, hit)) return are_others;
+        !hn::AllFalse(d<float>, hn::Or(kept, hn::AndNot(hn::IsFinite(normal[0]), hit)));
+    if (hn::AllFalse(d<float>, hit)) return are_others;
     hits.any = true;
-    const auto put = [&](Floats numbers, std::vector<float>& to) HWY_ATTR {
-        hn::StoreU(hn::IfThenElse(hit, numbers, hn::LoadU(df, to.data() + at)), df, to.data() + at);
+    const auto put = [&](V<float> numbers, std::vector<float>& to) HWY_ATTR {
+        hn::StoreU(hn::IfThenElse(hit, numbers, hn::LoadU(d<float>, to.data() + at)), d<float>,
+                   to.data() + at);
     };
-    put(floats_of(distances(tile, at), distances(tile, at + width)), hits.depth);
+    put(floats_of(distances(tile, at), distances(tile, at + lanes<double>)), hits.depth);
     for (std::size_t k = 0; k < 3; ++k)
         put(normal[k], hits.gradient[k]);
-    const LaneBits is_hit = bits_of(df, hit);
-    const LaneBits is_proved = bits_of(df, proved);
-    for (std::size_t lane = 0; lane < 2 * width; ++lane) {
+    const LaneBits is_hit = bits_of(d<float>, hit);
+    const LaneBits is_proved = bits_of(d<float>, proved);
+    for (std::size_t lane = 0; lane < lanes<float>; ++lane) {
         if ((is_hit >> lane & 1U) == 0) continue;
         hits.certificate[at + lane] =
             (is_proved >> lane & 1U) != 0 ? Certificate::Certified : Certificate::Undecided;
@@ -61,8 +63,8 @@ bool put_all(const TileFound& tile, TileHits& hits) {
     for (int row = 0; row < tile.rows; ++row) {
         const auto first = static_cast<std::size_t>(row) * tile_size;
         const std::uint64_t in_row = tile.blocks >> block_of(first);
-        for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += 2 * width) {
-            constexpr std::size_t wide = std::max<std::size_t>(2 * width / tile_block, 1);
+        for (std::size_t col = 0; col < static_cast<std::size_t>(tile.cols); col += lanes<float>) {
+            constexpr std::size_t wide = std::max<std::size_t>(lanes<float> / tile_block, 1);
             constexpr std::uint64_t some = (std::uint64_t{1} << wide) - 1;
             if ((in_row >> col / tile_block & some) == 0) continue;
             are_others = put_some(tile, first + col, hits) || are_others;
@@ -72,13 +74,13 @@ bool put_all(const TileFound& tile, TileHits& hits) {
 }
 
 double largest_of(const double* numbers) {
-    const hn::CappedTag<double, tile_block> d;
-    auto largest = hn::LoadU(d, numbers);
+    const hn::CappedTag<double, tile_block> in_block;
+    auto largest = hn::LoadU(in_block, numbers);
     for (std::size_t row = 0; row < tile_block; ++row) {
-        for (std::size_t col = 0; col < tile_block; col += hn::MaxLanes(d))
-            largest = hn::Max(largest, hn::LoadU(d, numbers + row * tile_size + col));
+        for (std::size_t col = 0; col < tile_block; col += hn::MaxLanes(in_block))
+            largest = hn::Max(largest, hn::LoadU(in_block, numbers + row * tile_size + col));
     }
-    return hn::GetLane(hn::MaxOfLanes(d, largest));
+    return hn::GetLane(hn::MaxOfLanes(in_block, largest));
 }
 
 void largest(const double* numbers, std::uint64_t blocks,

@@ -129,7 +129,7 @@ private:
     /// Takes those hits among twice as many rays as vectors have numbers, from `at` on, that count.
     void take_hits(const SolverEnd& end, std::size_t at, LaneBits real);
     /// The lanes whose places are in the box of what counts.
-    [[nodiscard]] Mask in_box(Vector u, Vector v, Vector s) const;
+    [[nodiscard]] M<double> in_box(V<double> u, V<double> v, V<double> s) const;
     void put_normals(const FloatPoint& at, LeafFound* found) const;
     /// Puts hits that count.
     void put_found(const LeafFound* found, const double* s, const std::int32_t* pixels,
@@ -148,17 +148,16 @@ private:
 
 template <int degree>
 std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const Range& rays) {
-    const D d;
     count_.evaluations += rays.count;
     std::size_t left = 0;
-    for (std::size_t first = 0; first < rays.count; first += 2 * width) {
+    for (std::size_t first = 0; first < rays.count; first += lanes<float>) {
         const std::size_t at = rays.first + first;
         // Load two vectors of rays, with the places where their search begins.
         SolverEnd end;
         const auto u = RayLists::pair(lists_.u(at));
         const auto v = RayLists::pair(lists_.v(at));
-        const auto p = doubles_of(hn::LoadU(df, lists_.p(at)));
-        const auto q = doubles_of(hn::LoadU(df, lists_.q(at)));
+        const auto p = doubles_of(hn::LoadU(d<float>, lists_.p(at)));
+        const auto q = doubles_of(hn::LoadU(d<float>, lists_.q(at)));
         for (std::size_t i = 0; i < 2; ++i) {
             end.halves[i].line = {.u = u[i], .v = v[i]};
             end.halves[i].place = {.p = p[i], .q = q[i]};
@@ -166,8 +165,8 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
         solver.solve<degree>(end);
         const LaneBits real = RayLists::first_bits(rays.count - first);
         const auto bits = [&](auto mask_of_half) HWY_ATTR {
-            return real & (lanes_of(d, mask_of_half(end.halves[0].test)) |
-                           lanes_of(d, mask_of_half(end.halves[1].test)) << width);
+            return real & (bits_of(d<double>, mask_of_half(end.halves[0].test)) |
+                           bits_of(d<double>, mask_of_half(end.halves[1].test)) << lanes<double>);
         };
         // Take the hits, and leave rays for which the model is too coarse.
         take_hits(end, at, real);
@@ -190,18 +189,19 @@ template <int degree, bool with_squares>
 std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
     count_.evaluations += rays.count;
     std::size_t left = 0;
-    for (std::size_t i = 0; i < rays.count; i += 2 * width) {
+    for (std::size_t i = 0; i < rays.count; i += lanes<float>) {
         const std::size_t at = rays.first + i;
         const RaysOnPiece some{.u = RayLists::pair(lists_.u(at)),
                                .v = RayLists::pair(lists_.v(at)),
-                               .p = hn::LoadU(df, lists_.p(at)),
-                               .q = hn::LoadU(df, lists_.q(at)),
-                               .spread = hn::LoadU(df, lists_.spread(at))};
+                               .p = hn::LoadU(d<float>, lists_.p(at)),
+                               .q = hn::LoadU(d<float>, lists_.q(at)),
+                               .spread = hn::LoadU(d<float>, lists_.spread(at))};
         const NewtonEnd end = newton.solve<degree, with_squares>(some);
         const LaneBits real = RayLists::first_bits(rays.count - i);
-        const LaneBits found = real & lanes_of(df, end.found);
+        const LaneBits found = real & bits_of(d<float>, end.found);
         if (found != 0) take_found(some, end, at, found);
-        for (LaneBits open = real & ~found & ~lanes_of(df, end.none); open != 0; open &= open - 1)
+        for (LaneBits open = real & ~found & ~bits_of(d<float>, end.none); open != 0;
+             open &= open - 1)
             lists_.copy(at + static_cast<std::size_t>(std::countr_zero(open)), rays.first + left++);
     }
     return left;
@@ -209,20 +209,19 @@ std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
 
 inline void LeafTracer::take_found(const RaysOnPiece& rays, const NewtonEnd& end, std::size_t at,
                                    LaneBits hits) {
-    const D d;
-    HWY_ALIGN double s[2 * width];
+    HWY_ALIGN double s[lanes<float>];
     // Drop hits behind the rays' reaches, or outside of the box.
     hits &= lists_.within_reach(at, end.s);
     for (std::size_t half = 0; half < 2; ++half) {
-        hn::Store(end.s[half], d, s + half * width);
+        hn::Store(end.s[half], d<double>, s + half * lanes<double>);
         if (clip_.window != LeafWindow::Box) continue;
-        const Mask in = in_box(rays.u[half], rays.v[half], end.s[half]);
-        hits &= ~(lanes_of(d, hn::Not(in)) << (half * width));
+        const M<double> in = in_box(rays.u[half], rays.v[half], end.s[half]);
+        hits &= ~(bits_of(d<double>, hn::Not(in)) << (half * lanes<double>));
     }
     if (hits == 0) return;
     count_.hits += static_cast<std::size_t>(std::popcount(hits));
     // Compute the normals; store the hits at once where none is to be judged.
-    LeafFound found[2 * width];
+    LeafFound found[lanes<float>];
     put_normals(end.at, found);
     if (clip_.window != LeafWindow::Judged && rays_.to == nullptr)
         return put_found(found, s, lists_.pixels_at(at), hits);
@@ -257,16 +256,16 @@ inline void LeafTracer::put_found(const LeafFound* found, const double* s,
     }
 }
 
-inline Mask LeafTracer::in_box(Vector u, Vector v, Vector s) const {
+inline M<double> LeafTracer::in_box(V<double> u, V<double> v, V<double> s) const {
     // Rounding may shift a place by this.
     const double spare = 8.0 * axes_.error;
-    const Vector along = hn::Add(s, number(axes_.distance));
-    Mask inside = hn::Ge(s, number(clip_.first));
+    const V<double> along = hn::Add(s, number(axes_.distance));
+    M<double> inside = hn::Ge(s, number(clip_.first));
     for (int k = 0; k < 3; ++k) {
-        const Vector across =
+        const V<double> across =
             hn::MulAdd(u, number(axes_.right[k]), hn::Mul(v, number(axes_.up[k])));
-        const Vector from = hn::MulAdd(s, number(axes_.forward[k]), number(axes_.base[k]));
-        const Vector at = hn::MulAdd(along, across, from);
+        const V<double> from = hn::MulAdd(s, number(axes_.forward[k]), number(axes_.base[k]));
+        const V<double> at = hn::MulAdd(along, across, from);
         inside = hn::And(inside, hn::And(hn::Ge(at, number(clip_.box.lo[k] - spare)),
                                          hn::Le(at, number(clip_.box.hi[k] + spare))));
     }
@@ -275,51 +274,50 @@ inline Mask LeafTracer::in_box(Vector u, Vector v, Vector s) const {
 
 /// dS/dp x dS/dq in the axes, then in the world.
 inline void LeafTracer::put_normals(const FloatPoint& at, LeafFound* found) const {
-    const Floats flip = hn::Set(df, flip_);
+    const V<float> flip = hn::Set(d<float>, flip_);
     const auto& [ap, bp, sp] = at.by_p;
     const auto& [aq, bq, sq] = at.by_q;
-    const auto cross = [&](Floats xp, Floats xq, Floats yp, Floats yq) HWY_ATTR {
+    const auto cross = [&](V<float> xp, V<float> xq, V<float> yp, V<float> yq) HWY_ATTR {
         return hn::Mul(flip, hn::NegMulAdd(yp, xq, hn::Mul(xp, yq)));
     };
-    const Floats a = cross(bp, bq, sp, sq);
-    const Floats b = cross(sp, sq, ap, aq);
-    const Floats c = cross(ap, aq, bp, bq);
-    const Floats most = hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c));
-    const Floats scale = hn::Div(float_number(1.0), most);
-    Floats world[3];
+    const V<float> a = cross(bp, bq, sp, sq);
+    const V<float> b = cross(sp, sq, ap, aq);
+    const V<float> c = cross(ap, aq, bp, bq);
+    const V<float> most = hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c));
+    const V<float> scale = hn::Div(number<float>(1.0), most);
+    V<float> world[3];
     for (int k = 0; k < 3; ++k) {
-        const Floats across =
-            hn::MulAdd(a, float_number(axes_.right[k]), hn::Mul(b, float_number(axes_.up[k])));
-        world[k] = hn::Mul(scale, hn::MulAdd(c, float_number(axes_.forward[k]), across));
+        const V<float> across =
+            hn::MulAdd(a, number<float>(axes_.right[k]), hn::Mul(b, number<float>(axes_.up[k])));
+        world[k] = hn::Mul(scale, hn::MulAdd(c, number<float>(axes_.forward[k]), across));
     }
-    const hn::RebindToUnsigned<decltype(df)> dw;
+    const hn::RebindToUnsigned<Tag<float>> dw;
     const auto state = hn::Set(dw, static_cast<std::uint32_t>(RayState::Proved));
-    hn::StoreInterleaved4(world[0], world[1], world[2], hn::BitCast(df, state), df,
+    hn::StoreInterleaved4(world[0], world[1], world[2], hn::BitCast(d<float>, state), d<float>,
                           found->normal.data());
 }
 
 inline void LeafTracer::take_hits(const SolverEnd& end, std::size_t at, LaneBits real) {
-    const D d;
-    HWY_ALIGN double s[2 * width];
-    HWY_ALIGN double s_radius[2 * width];
+    HWY_ALIGN double s[lanes<float>];
+    HWY_ALIGN double s_radius[lanes<float>];
     LaneBits hits = 0;
     LaneBits inside = 0;
     // Find the depths of the hits, and which of them count.
     for (std::size_t half = 0; half < 2; ++half) {
         const HalfRays& rays = end.halves[half];
         const Test& test = rays.test;
-        hn::Store(test.depth.middle, d, s + half * width);
-        hn::Store(test.depth.radius, d, s_radius + half * width);
-        Mask some = hn::AndNot(test.outside, test.found);
+        hn::Store(test.depth.middle, d<double>, s + half * lanes<double>);
+        hn::Store(test.depth.radius, d<double>, s_radius + half * lanes<double>);
+        M<double> some = hn::AndNot(test.outside, test.found);
         if (clip_.window == LeafWindow::Box)
             some = hn::And(some, in_box(rays.line.u, rays.line.v, test.depth.middle));
-        hits |= lanes_of(d, some) << (half * width);
-        inside |= lanes_of(d, test.inside) << (half * width);
+        hits |= bits_of(d<double>, some) << (half * lanes<double>);
+        inside |= bits_of(d<double>, test.inside) << (half * lanes<double>);
     }
     hits &= real;
     if (hits == 0) return;
     // Compute the normals, and store the hits that are nearer than the reach.
-    LeafFound found[2 * width];
+    LeafFound found[lanes<float>];
     put_normals(end.at, found);
     for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(hits));

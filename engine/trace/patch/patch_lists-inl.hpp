@@ -25,8 +25,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-constexpr std::size_t float_width = 2 * width;
-
 /// Some rays of the lists: from `first` on.
 struct Range {
     std::size_t first, count;
@@ -70,7 +68,7 @@ public:
         const std::size_t first = rays.first + rays.count;
         lists_.reserve(first, rays.count);
         std::size_t count = 0;
-        for (std::size_t i = 0; i < rays.count; i += float_width) {
+        for (std::size_t i = 0; i < rays.count; i += lanes<float>) {
             const std::size_t at = rays.first + i;
             const auto pixels = hn::LoadU(di, pixels_at(at));
             const LaneBits wanted = first_bits(rays.count - i) & nearer(near, pixels);
@@ -83,22 +81,21 @@ public:
 
     /// Rays that surround those of the list.
     SightRays bounds_of(const Range& rays) {
-        const D d;
-        Vector u_lo = hn::LoadU(d, u(rays.first));
-        Vector v_lo = hn::LoadU(d, v(rays.first));
-        Vector u_hi = u_lo;
-        Vector v_hi = v_lo;
-        for (std::size_t i = width; i < rays.count; i += width) {
-            const Vector us = hn::LoadU(d, u(rays.first + i));
-            const Vector vs = hn::LoadU(d, v(rays.first + i));
+        V<double> u_lo = hn::LoadU(d<double>, u(rays.first));
+        V<double> v_lo = hn::LoadU(d<double>, v(rays.first));
+        V<double> u_hi = u_lo;
+        V<double> v_hi = v_lo;
+        for (std::size_t i = lanes<double>; i < rays.count; i += lanes<double>) {
+            const V<double> us = hn::LoadU(d<double>, u(rays.first + i));
+            const V<double> vs = hn::LoadU(d<double>, v(rays.first + i));
             u_lo = hn::Min(u_lo, us);
             u_hi = hn::Max(u_hi, us);
             v_lo = hn::Min(v_lo, vs);
             v_hi = hn::Max(v_hi, vs);
         }
-        const auto range = [&](Vector lo, Vector hi) HWY_ATTR {
-            const double least = hn::GetLane(hn::MinOfLanes(d, lo));
-            const double most = hn::GetLane(hn::MaxOfLanes(d, hi));
+        const auto range = [&](V<double> lo, V<double> hi) HWY_ATTR {
+            const double least = hn::GetLane(hn::MinOfLanes(d<double>, lo));
+            const double most = hn::GetLane(hn::MaxOfLanes(d<double>, hi));
             const double middle = 0.5 * least + 0.5 * most;
             return std::array{middle, std::max(most - middle, middle - least)};
         };
@@ -118,7 +115,7 @@ public:
         return static_cast<std::size_t>(lists_.pixel[i]);
     }
     /// A bit for each of the listed rays from `at` on whose reach is not below its depth.
-    [[nodiscard]] LaneBits within_reach(std::size_t at, const std::array<Vector, 2>& depths) {
+    [[nodiscard]] LaneBits within_reach(std::size_t at, const std::array<V<double>, 2>& depths) {
         return nearer(depths, hn::LoadU(di, pixels_at(at)));
     }
     void copy(std::size_t from, std::size_t to) {
@@ -129,34 +126,31 @@ public:
         lists_.pixel[to] = lists_.pixel[from];
     }
     /// Numbers of as many rays as a vector of floats has.
-    static HWY_INLINE std::array<Vector, 2> pair(const double* from) {
-        const D d;
-        return {hn::LoadU(d, from), hn::LoadU(d, from + width)};
+    static HWY_INLINE std::array<V<double>, 2> pair(const double* from) {
+        return {hn::LoadU(d<double>, from), hn::LoadU(d<double>, from + lanes<double>)};
     }
     /// The bits of the first lanes, up to all.
-    static LaneBits first_bits(std::size_t lanes) {
-        return lanes >= float_width ? (LaneBits{1} << float_width) - 1 : (LaneBits{1} << lanes) - 1;
+    static LaneBits first_bits(std::size_t count) {
+        return count >= lanes<float> ? all_lanes<Tag<float>> : (LaneBits{1} << count) - 1;
     }
 
 private:
-    static constexpr hn::RebindToSigned<decltype(df)> di{};
-    using Pixels = hn::Vec<hn::RebindToSigned<decltype(df)>>;
+    static constexpr hn::RebindToSigned<Tag<float>> di{};
+    using Pixels = hn::Vec<hn::RebindToSigned<Tag<float>>>;
 
     /// The bits of two half vectors of lanes: those of call(0) below those of call(1).
     template <class Call>
     static HWY_INLINE LaneBits both_halves(Call call) {
-        const D d;
-        return lanes_of(d, call(0)) | lanes_of(d, call(1)) << width;
+        return bits_of(d<double>, call(0)) | bits_of(d<double>, call(1)) << lanes<double>;
     }
-    [[nodiscard]] HWY_INLINE LaneBits nearer(const std::array<Vector, 2>& depths,
+    [[nodiscard]] HWY_INLINE LaneBits nearer(const std::array<V<double>, 2>& depths,
                                              Pixels pixels) const {
-        const D d;
-        const hn::RebindToSigned<D> dl;
-        const hn::Rebind<std::int32_t, D> half;
+        const hn::RebindToSigned<Tag<double>> dl;
+        const hn::Rebind<std::int32_t, Tag<double>> half;
         const std::array at{hn::PromoteTo(dl, hn::LowerHalf(half, pixels)),
                             hn::PromoteTo(dl, hn::UpperHalf(half, pixels))};
         return both_halves([&](std::size_t i) HWY_ATTR {
-            return hn::Le(depths[i], hn::GatherIndex(d, rays_.reach, at[i]));
+            return hn::Le(depths[i], hn::GatherIndex(d<double>, rays_.reach, at[i]));
         });
     }
     [[nodiscard]] HWY_INLINE LaneBits nearer(double near, Pixels pixels) const {
@@ -168,12 +162,12 @@ private:
         const auto index = [](int at) { return static_cast<std::size_t>(at); };
         const std::size_t end_col = index(rect.end_col);
         const std::size_t end_row = index(rect.end_row);
-        const auto lanes = hn::Iota(di, 0);
+        const auto from_first = hn::Iota(di, 0);
         lists_.reserve(count, (end_row - index(rect.row)) * (end_col - index(rect.col)));
         for (std::size_t row = index(rect.row); row < end_row; ++row) {
-            for (std::size_t col = index(rect.col); col < end_col; col += float_width) {
+            for (std::size_t col = index(rect.col); col < end_col; col += lanes<float>) {
                 // No vector is read from behind the end of a row.
-                const std::size_t from = std::min(col, rays_.row_size - float_width);
+                const std::size_t from = std::min(col, rays_.row_size - lanes<float>);
                 const std::size_t at = row * rays_.row_size + from;
                 // List the rays whose reach is not before `near`, unless the form rejects them.
                 const auto reach = pair(rays_.reach + at);
@@ -182,7 +176,7 @@ private:
                                             return hn::Le(number(near), reach[i]);
                                         });
                 if (wanted == 0) continue;
-                const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
+                const auto pixels = hn::Add(from_first, hn::Set(di, static_cast<std::int32_t>(at)));
                 count += put(form, lists(), pair(rays_.u + at), pair(rays_.v + at), pixels, wanted,
                              count);
             }
@@ -196,24 +190,24 @@ private:
         if (rect.empty()) return count;
         const auto index = [](int at) { return static_cast<std::size_t>(at); };
         lists_.reserve(count, index(rect.end_row - rect.row) * index(rect.end_col - rect.col));
-        const auto lanes = hn::Iota(di, 0);
-        const Vector nearest = number(near);
+        const auto from_first = hn::Iota(di, 0);
+        const V<double> nearest = number(near);
         const Lists to = lists();
         const LeafRays from = rays_;
         for (int row = rect.row; row < rect.end_row; ++row) {
             const ColumnSpan span = outline.span(row, rect);
             if (span.empty()) continue;
-            const Vector v = number(from.v[row]);
+            const V<double> v = number(from.v[row]);
             const std::size_t end_col = index(span.end_col);
-            for (std::size_t col = index(span.col); col < end_col; col += float_width) {
+            for (std::size_t col = index(span.col); col < end_col; col += lanes<float>) {
                 // No vector is read from behind the end of a row.
-                const std::size_t first = std::min(col, from.row_size - float_width);
+                const std::size_t first = std::min(col, from.row_size - lanes<float>);
                 const std::size_t at = index(row) * from.row_size + first;
                 const auto reach = pair(from.reach + at);
                 const LaneBits wanted =
                     first_bits(end_col - first) & ~first_bits(col - first) &
                     both_halves([&](std::size_t i) HWY_ATTR { return hn::Le(nearest, reach[i]); });
-                const auto pixels = hn::Add(lanes, hn::Set(di, static_cast<std::int32_t>(at)));
+                const auto pixels = hn::Add(from_first, hn::Set(di, static_cast<std::int32_t>(at)));
                 to.put_of_row(pair(from.u + first), v, pixels, wanted, count);
                 count += static_cast<std::size_t>(std::popcount(wanted));
             }
@@ -226,7 +220,7 @@ private:
     std::size_t keep_met(const QuadraticForm& form, std::size_t rays) {
         const Lists to = lists();
         std::size_t count = 0;
-        for (std::size_t at = 0; at < rays; at += float_width)
+        for (std::size_t at = 0; at < rays; at += lanes<float>)
             count += put(form, to, pair(to.u + at), pair(to.v + at), hn::LoadU(di, to.pixel + at),
                          first_bits(rays - at), count);
         return count;
@@ -234,12 +228,12 @@ private:
 
     std::size_t list(const QuadraticForm& form, std::span<const std::size_t> pixels, double near,
                      std::size_t count) {
-        HWY_ALIGN std::int32_t indices[float_width] = {};
-        HWY_ALIGN double us[float_width] = {};
-        HWY_ALIGN double vs[float_width] = {};
+        HWY_ALIGN std::int32_t indices[lanes<float>] = {};
+        HWY_ALIGN double us[lanes<float>] = {};
+        HWY_ALIGN double vs[lanes<float>] = {};
         lists_.reserve(count, pixels.size());
-        for (std::size_t i = 0; i < pixels.size(); i += float_width) {
-            const std::size_t some = std::min(float_width, pixels.size() - i);
+        for (std::size_t i = 0; i < pixels.size(); i += lanes<float>) {
+            const std::size_t some = std::min(lanes<float>, pixels.size() - i);
             for (std::size_t lane = 0; lane < some; ++lane) {
                 const std::size_t pixel = pixels[i + lane];
                 indices[lane] = static_cast<std::int32_t>(pixel);
@@ -261,33 +255,35 @@ private:
         std::int32_t* pixel;
 
         /// Puts the rays of some lanes there.
-        HWY_INLINE void put(const std::array<Vector, 2>& us, const std::array<Vector, 2>& vs,
+        HWY_INLINE void put(const std::array<V<double>, 2>& us, const std::array<V<double>, 2>& vs,
                             Pixels pixels, LaneBits wanted, std::size_t to) const {
             put_pixels(pixels, wanted, to);
             put_halves(us, wanted, u + to);
             put_halves(vs, wanted, v + to);
         }
         /// Puts the rays of some lanes there, which all have the same v.
-        HWY_INLINE void put_of_row(const std::array<Vector, 2>& us, Vector v_of_all, Pixels pixels,
-                                   LaneBits wanted, std::size_t to) const {
+        HWY_INLINE void put_of_row(const std::array<V<double>, 2>& us, V<double> v_of_all,
+                                   Pixels pixels, LaneBits wanted, std::size_t to) const {
             put_pixels(pixels, wanted, to);
             put_halves(us, wanted, u + to);
-            hn::StoreU(v_of_all, D(), v + to);
-            hn::StoreU(v_of_all, D(), v + to + width);
+            hn::StoreU(v_of_all, d<double>, v + to);
+            hn::StoreU(v_of_all, d<double>, v + to + lanes<double>);
         }
 
     private:
         HWY_INLINE void put_pixels(Pixels pixels, LaneBits wanted, std::size_t to) const {
-            const Floats some = squeezed(hn::BitCast(df, pixels), lanes_at(df, wanted));
+            const V<float> some =
+                squeezed(hn::BitCast(d<float>, pixels), mask_of(d<float>, wanted));
             hn::StoreU(hn::BitCast(di, some), di, pixel + to);
         }
-        static HWY_INLINE void put_halves(const std::array<Vector, 2>& numbers, LaneBits wanted,
+        static HWY_INLINE void put_halves(const std::array<V<double>, 2>& numbers, LaneBits wanted,
                                           double* to) {
-            const D d;
-            constexpr LaneBits lower_bits = (LaneBits{1} << width) - 1;
+            constexpr LaneBits lower_bits = all_lanes<Tag<double>>;
             const auto lower = static_cast<std::size_t>(std::popcount(wanted & lower_bits));
-            hn::StoreU(squeezed(numbers[0], lanes_at(d, wanted & lower_bits)), d, to);
-            hn::StoreU(squeezed(numbers[1], lanes_at(d, wanted >> width)), d, to + lower);
+            hn::StoreU(squeezed(numbers[0], mask_of(d<double>, wanted & lower_bits)), d<double>,
+                       to);
+            hn::StoreU(squeezed(numbers[1], mask_of(d<double>, wanted >> lanes<double>)), d<double>,
+                       to + lower);
         }
     };
     [[nodiscard]] Lists lists() {
@@ -301,24 +297,24 @@ private:
 
     /// Puts those of some rays that are wanted and not rejected into the lists; returns how many.
     static HWY_INLINE std::size_t put(const QuadraticForm& form, const Lists& lists,
-                                      const std::array<Vector, 2>& us,
-                                      const std::array<Vector, 2>& vs, Pixels pixels,
+                                      const std::array<V<double>, 2>& us,
+                                      const std::array<V<double>, 2>& vs, Pixels pixels,
                                       LaneBits wanted, std::size_t to) {
         // Reject rays on which the form has no zero.
         const Zeros zeros =
             form.zeros({.u = floats_of(us[0], us[1]), .v = floats_of(vs[0], vs[1])});
-        const LaneBits left_bits = wanted & ~lanes_of(df, zeros.none);
+        const LaneBits left_bits = wanted & ~bits_of(d<float>, zeros.none);
         if (left_bits == 0) return 0;
-        const FloatMask left = lanes_at(df, left_bits);
-        const Floats zero = hn::Zero(df);
+        const M<float> left = mask_of(d<float>, left_bits);
+        const V<float> zero = hn::Zero(d<float>);
         // More than places lose as floats.
-        const Floats sizes =
-            hn::Add(float_number(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
-        const Floats spread = hn::MulAdd(sizes, float_number(0x1p-20), zeros.radius);
-        const Floats unbounded = float_number(std::numeric_limits<double>::infinity());
+        const V<float> sizes =
+            hn::Add(number<float>(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
+        const V<float> spread = hn::MulAdd(sizes, number<float>(0x1p-20), zeros.radius);
+        const V<float> unbounded = number<float>(std::numeric_limits<double>::infinity());
         // Pack the other rays, with where their zeros may be.
-        const auto store = [&](Floats numbers, float* at)
-                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), df, at + to); };
+        const auto store = [&](V<float> numbers, float* at)
+                               HWY_ATTR { hn::StoreU(squeezed(numbers, left), d<float>, at + to); };
         store(hn::IfThenElse(zeros.known, zeros.p, zero), lists.p);
         store(hn::IfThenElse(zeros.known, zeros.q, zero), lists.q);
         store(hn::IfThenElse(zeros.known, spread, unbounded), lists.spread);
@@ -329,15 +325,14 @@ private:
     /// Repeats the last ray in the lanes behind it.
     void repeat_last(std::size_t first, std::size_t count) {
         if (count == 0) return;
-        const D d;
         const std::size_t end = first + count;
         for (std::vector<double>* const numbers : {&lists_.u, &lists_.v}) {
-            const Vector last = number((*numbers)[end - 1]);
-            hn::StoreU(last, d, numbers->data() + end);
-            hn::StoreU(last, d, numbers->data() + end + width);
+            const V<double> last = number((*numbers)[end - 1]);
+            hn::StoreU(last, d<double>, numbers->data() + end);
+            hn::StoreU(last, d<double>, numbers->data() + end + lanes<double>);
         }
         for (std::vector<float>* const numbers : lists_.floats())
-            hn::StoreU(hn::Set(df, (*numbers)[end - 1]), df, numbers->data() + end);
+            hn::StoreU(hn::Set(d<float>, (*numbers)[end - 1]), d<float>, numbers->data() + end);
         hn::StoreU(hn::Set(di, lists_.pixel[end - 1]), di, pixels_at(end));
     }
 

@@ -38,16 +38,16 @@ constexpr double rounding_of_places = 0x1p-21;
 
 /// The rays that are solved at once, twice as many as vectors of doubles have numbers.
 struct RaysOnPiece {
-    std::array<Vector, 2> u, v;
-    Floats p, q;    ///< where the search begins
-    Floats spread;  ///< from where all zeros of the piece are within this
+    std::array<V<double>, 2> u, v;
+    V<float> p, q;    ///< where the search begins
+    V<float> spread;  ///< from where all zeros of the piece are within this
 };
 
 /// The result of Newton's method on RaysOnPiece.
 struct NewtonEnd {
-    FloatMask none;   ///< no zero within `inner`
-    FloatMask found;  ///< one, in the unit square, and its depth is known well enough
-    std::array<Vector, 2> s;
+    M<float> none;   ///< no zero within `inner`
+    M<float> found;  ///< one, in the unit square, and its depth is known well enough
+    std::array<V<double>, 2> s;
     FloatPoint at;  ///< where the search ended: terms of high degree, all slopes
 };
 
@@ -100,8 +100,8 @@ public:
     HWY_INLINE NewtonEnd solve(const RaysOnPiece& rays) const {
         // Add the terms that are constant on a ray in double: they are large.
         const auto& constant = piece_.terms[0];
-        const Vector far = number(distance_ + constant[2]);
-        const auto beside = [&](Vector along, double at)
+        const V<double> far = number(distance_ + constant[2]);
+        const auto beside = [&](V<double> along, double at)
                                 HWY_ATTR { return hn::NegMulAdd(along, far, number(at)); };
         const Search search{
             .rays = rays,
@@ -109,7 +109,8 @@ public:
             .first1 = {beside(rays.u[0], constant[0]), beside(rays.u[1], constant[0])},
             .first2 = {beside(rays.v[0], constant[1]), beside(rays.v[1], constant[1])}};
         // Take a first step with the terms of low degree alone.
-        Vector2<Floats> at{.p = clamped(rays.p, newton_limit), .q = clamped(rays.q, newton_limit)};
+        Vector2<V<float>> at{.p = clamped(rays.p, newton_limit),
+                             .q = clamped(rays.q, newton_limit)};
         at = moved(at, first_step<std::min(degree, 3)>(search, at), newton_limit);
         NewtonEnd end;
         constexpr int most_tests = 3;
@@ -123,12 +124,12 @@ public:
             Step by = step_from(search, at, low, slopes, end);
             // Test by bounds for all rays; where that is not enough, by each ray's own.
             Proof proof = test(by, at, end);
-            if (!hn::AllTrue(df, hn::Or(end.none, end.found))) {
+            if (!hn::AllTrue(d<float>, hn::Or(end.none, end.found))) {
                 bound_closely(search.line, slopes, by);
                 proof = test(by, at, end);
             }
             // Go on from the better place while that may settle a ray.
-            if (tests < most_tests && !hn::AllFalse(df, proof.may_help)) {
+            if (tests < most_tests && !hn::AllFalse(d<float>, proof.may_help)) {
                 at = moved(at, by.to, newton_limit);
                 continue;
             }
@@ -146,27 +147,27 @@ private:
     /// Rays and what is constant on them: g but for the other terms.
     struct Search {
         const RaysOnPiece& rays;
-        SightLine<Floats> line;
-        std::array<Vector, 2> first1, first2;
+        SightLine<V<float>> line;
+        std::array<V<double>, 2> first1, first2;
     };
     /// The terms of degree 1, or up to 2: of s, without the constant, and of g.
     struct Low {
-        std::array<Vector, 2> s, g1, g2;
+        std::array<V<double>, 2> s, g1, g2;
     };
     /// A step of Newton's method, and bounds of what it leaves.
     struct Step {
-        Vector2<Floats> to;  ///< from where it begins
-        Vector2<Floats> g;
-        Floats out;       ///< the larger size of where it begins
-        Floats lost;      ///< a bound of its error by errors of g
-        Floats flat;      ///< k0
-        Floats bend;      ///< K / 2
-        Floats far;       ///< R
-        FloatMask usual;  ///< the inverse of the slopes is no huge number
+        Vector2<V<float>> to;  ///< from where it begins
+        Vector2<V<float>> g;
+        V<float> out;    ///< the larger size of where it begins
+        V<float> lost;   ///< a bound of its error by errors of g
+        V<float> flat;   ///< k0
+        V<float> bend;   ///< K / 2
+        V<float> far;    ///< R
+        M<float> usual;  ///< the inverse of the slopes is no huge number
     };
     struct Proof {
-        FloatMask may_help;  ///< a better place may settle a ray that is open
-        Floats radius;       ///< of all zeros about where the step leads
+        M<float> may_help;  ///< a better place may settle a ray that is open
+        V<float> radius;    ///< of all zeros about where the step leads
     };
 
     static bool needs_squares(const Piece& piece, double tolerance) {
@@ -176,40 +177,41 @@ private:
 
     /// A float that is not below a number, in upward rounding.
     static float float_above(double number) { return static_cast<float>(number * (1.0 + 0x1p-22)); }
-    static HWY_INLINE Floats set(float number) { return hn::Set(df, number); }
+    static HWY_INLINE V<float> set(float number) { return hn::Set(d<float>, number); }
 
     /// A step with the terms up to a degree.
     template <int degree>
-    HWY_INLINE Vector2<Floats> first_step(const Search& search, const Vector2<Floats>& at) const {
+    HWY_INLINE Vector2<V<float>> first_step(const Search& search,
+                                            const Vector2<V<float>>& at) const {
         const FloatPoint point =
             point_of([&](int k) HWY_ATTR { return slopes_of<degree>(floats_, k, at.p, at.q); });
-        const Floats c1 = floats_of(search.first1[0], search.first1[1]);
-        const Floats c2 = floats_of(search.first2[0], search.first2[1]);
+        const V<float> c1 = floats_of(search.first1[0], search.first1[1]);
+        const V<float> c2 = floats_of(search.first2[0], search.first2[1]);
         const auto& [a, b, s] = point.value;
-        const Vector2<Floats> g =
+        const Vector2<V<float>> g =
             search.line.across({.x = hn::Add(c1, a), .y = hn::Add(c2, b), .z = s});
         return Slopes2(slopes_of_g(search.line, point)).step(g);
     }
 
     template <bool with_squares>
-    HWY_INLINE Low low_terms(const Search& search, const Vector2<Floats>& at) const {
+    HWY_INLINE Low low_terms(const Search& search, const Vector2<V<float>>& at) const {
         const auto ps = doubles_of(at.p);
         const auto qs = doubles_of(at.q);
         Low low{};
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto sum = [&](std::size_t k, Vector from) HWY_ATTR {
+            const auto sum = [&](std::size_t k, V<double> from) HWY_ATTR {
                 const auto term = [&](int by_p, int by_q) HWY_ATTR {
                     return number(piece_.terms[patch_term(by_p, by_q)][k]);
                 };
-                const Vector p = ps[i];
-                const Vector q = qs[i];
+                const V<double> p = ps[i];
+                const V<double> q = qs[i];
                 if constexpr (!with_squares)
                     return hn::MulAdd(term(1, 0), p, hn::MulAdd(term(0, 1), q, from));
-                const Vector by_p = hn::MulAdd(term(1, 1), q, term(1, 0));
-                const Vector by_q = hn::MulAdd(term(0, 2), q, term(0, 1));
+                const V<double> by_p = hn::MulAdd(term(1, 1), q, term(1, 0));
+                const V<double> by_q = hn::MulAdd(term(0, 2), q, term(0, 1));
                 return hn::MulAdd(hn::MulAdd(term(2, 0), p, by_p), p, hn::MulAdd(by_q, q, from));
             };
-            low.s[i] = sum(2, hn::Zero(D()));
+            low.s[i] = sum(2, hn::Zero(d<double>));
             low.g1[i] = hn::NegMulAdd(search.rays.u[i], low.s[i], sum(0, search.first1[i]));
             low.g2[i] = hn::NegMulAdd(search.rays.v[i], low.s[i], sum(1, search.first2[i]));
         }
@@ -217,58 +219,58 @@ private:
     }
 
     /// Newton's step from a place, with bounds by one norm of Y and bounds for all rays.
-    HWY_INLINE Step step_from(const Search& search, const Vector2<Floats>& at, const Low& low,
+    HWY_INLINE Step step_from(const Search& search, const Vector2<V<float>>& at, const Low& low,
                               const Slopes2& slopes, const NewtonEnd& end) const {
-        const Matrix2<Floats> y = slopes.inverse_matrix();
-        const Floats one = float_number(1.0);
-        const Floats tiny = float_number(rounding_of_places);
-        const Vector2<Floats> high = search.line.across(end.at.value);
+        const Matrix2<V<float>> y = slopes.inverse_matrix();
+        const V<float> one = number<float>(1.0);
+        const V<float> tiny = number<float>(rounding_of_places);
+        const Vector2<V<float>> high = search.line.across(end.at.value);
         Step by{};
         by.g = {.p = hn::Add(floats_of(low.g1[0], low.g1[1]), high.p),
                 .q = hn::Add(floats_of(low.g2[0], low.g2[1]), high.q)};
         by.out = size_of(at);
         // Beyond, rounding upward makes a finite number of an infinite one below 0.
-        by.usual = hn::Lt(hn::Abs(slopes.inverse), float_number(0x1p120));
-        const Vector2<Floats> back = y * by.g;
+        by.usual = hn::Lt(hn::Abs(slopes.inverse), number<float>(0x1p120));
+        const Vector2<V<float>> back = y * by.g;
         by.to = {.p = hn::Neg(back.p), .q = hn::Neg(back.q)};
-        const Floats norm = norm_of(y);
+        const V<float> norm = norm_of(y);
         by.lost =
             outside_more(by.out, hn::Mul(norm, hn::MulAdd(size_of(by.g), tiny, set(lost_.all))));
         by.flat = hn::Mul(norm, set(flat_.all));
         by.bend = hn::Mul(norm, set(bend_.all));
-        const Floats moved_by =
+        const V<float> moved_by =
             hn::Max(hn::Abs(hn::Sub(at.p, search.rays.p)), hn::Abs(hn::Sub(at.q, search.rays.q)));
         by.far = hn::Min(hn::Add(search.rays.spread, hn::MulAdd(moved_by, tiny, moved_by)),
                          hn::Add(one, by.out));
         return by;
     }
     /// A rounding error, enlarged where the place is outside of the box.
-    static HWY_INLINE Floats outside_more(Floats out, Floats lost) {
+    static HWY_INLINE V<float> outside_more(V<float> out, V<float> lost) {
         constexpr double most_power = 2.3;  // newton_limit^patch_degree
-        return hn::IfThenElse(hn::Gt(out, float_number(1.0)),
-                              hn::Mul(lost, float_number(most_power)), lost);
+        return hn::IfThenElse(hn::Gt(out, number<float>(1.0)),
+                              hn::Mul(lost, number<float>(most_power)), lost);
     }
 
     /// Sets the bounds of a step by Y itself and what is known of each ray.
-    HWY_INLINE void bound_closely(const SightLine<Floats>& line, const Slopes2& slopes,
+    HWY_INLINE void bound_closely(const SightLine<V<float>>& line, const Slopes2& slopes,
                                   Step& by) const {
-        const Matrix2<Floats> y = slopes.inverse_matrix();
-        const Matrix2<Floats> sizes = sizes_of(y);
+        const Matrix2<V<float>> y = slopes.inverse_matrix();
+        const Matrix2<V<float>> sizes = sizes_of(y);
         const auto most = [&](const Bounds& of) HWY_ATTR {
             return line.most({.x = set(of.by[0]), .y = set(of.by[1]), .z = set(of.by[2])});
         };
-        const Floats tiny = float_number(rounding_of_places);
-        const Vector2<Floats> g = sizes_of(by.g);
-        const Vector2<Floats> lost = most(lost_);
-        const Vector2<Floats> errors{.p = hn::MulAdd(g.p, tiny, lost.p),
-                                     .q = hn::MulAdd(g.q, tiny, lost.q)};
+        const V<float> tiny = number<float>(rounding_of_places);
+        const Vector2<V<float>> g = sizes_of(by.g);
+        const Vector2<V<float>> lost = most(lost_);
+        const Vector2<V<float>> errors{.p = hn::MulAdd(g.p, tiny, lost.p),
+                                       .q = hn::MulAdd(g.q, tiny, lost.q)};
         by.lost = outside_more(by.out, larger(sizes * errors));
         by.flat = larger(sizes * most(flat_));
         // g'' of the terms of degree 2 is known with its sign.
-        Vector2<Floats> bend = sizes * most(bend_);
+        Vector2<V<float>> bend = sizes * most(bend_);
         for (const std::size_t i : {patch_term(2, 0), patch_term(1, 1), patch_term(0, 2)}) {
             const float* const term = floats_.terms[i];
-            const Vector2<Floats> more = sizes_of(
+            const Vector2<V<float>> more = sizes_of(
                 y * line.across({.x = set(term[0]), .y = set(term[1]), .z = set(term[2])}));
             bend = {.p = hn::Add(bend.p, more.p), .q = hn::Add(bend.q, more.q)};
         }
@@ -276,29 +278,29 @@ private:
     }
 
     /// Tests what a step proves of the zeros, and sets end.none and end.found.
-    HWY_INLINE Proof test(const Step& by, const Vector2<Floats>& at, NewtonEnd& end) const {
-        const Floats one = float_number(1.0);
-        const Floats size = size_of(by.to);
+    HWY_INLINE Proof test(const Step& by, const Vector2<V<float>>& at, NewtonEnd& end) const {
+        const V<float> one = number<float>(1.0);
+        const V<float> size = size_of(by.to);
         // 1 - k, rounded downward.
-        const Floats rest = hn::Neg(hn::Sub(hn::MulAdd(by.bend, by.far, by.flat), one));
-        const Floats reach = hn::Div(hn::Add(size, by.lost), rest);
-        const FloatMask is_known = hn::And(by.usual, hn::Gt(rest, float_number(0x1p-4)));
-        const Floats within = hn::MulAdd(
-            hn::Add(hn::MulAdd(by.bend, reach, by.flat), float_number(0x1p-20)), reach, by.lost);
+        const V<float> rest = hn::Neg(hn::Sub(hn::MulAdd(by.bend, by.far, by.flat), one));
+        const V<float> reach = hn::Div(hn::Add(size, by.lost), rest);
+        const M<float> is_known = hn::And(by.usual, hn::Gt(rest, number<float>(0x1p-4)));
+        const V<float> within = hn::MulAdd(
+            hn::Add(hn::MulAdd(by.bend, reach, by.flat), number<float>(0x1p-20)), reach, by.lost);
         Proof proof{};
-        proof.radius = hn::Add(within, float_number(rounding_of_places));
-        const Floats limit = hn::Add(proof.radius, float_number(inner));
-        const Floats to =
-            size_of(Vector2<Floats>{.p = hn::Add(at.p, by.to.p), .q = hn::Add(at.q, by.to.q)});
+        proof.radius = hn::Add(within, number<float>(rounding_of_places));
+        const V<float> limit = hn::Add(proof.radius, number<float>(inner));
+        const V<float> to =
+            size_of(Vector2<V<float>>{.p = hn::Add(at.p, by.to.p), .q = hn::Add(at.q, by.to.q)});
         // Mark rays that have no zero in the box's own share.
         end.none = hn::And(is_known, hn::Gt(to, limit));
         // Mark rays that have one zero, whose depth is known well enough.
-        const FloatMask is_one =
+        const M<float> is_one =
             hn::And(hn::And(is_known, hn::Le(reach, by.far)), hn::Le(hn::Add(by.out, reach), one));
-        const Floats slope = hn::Add(hn::Abs(end.at.by_p.z), hn::Abs(end.at.by_q.z));
-        const Floats s_radius = hn::MulAdd(hn::MulAdd(reach, set(s_bend_), set(flat_.by[2])), reach,
-                                           hn::MulAdd(slope, within, set(s_lost_)));
-        const FloatMask narrow = hn::Le(hn::Add(s_radius, s_radius), set(tolerance_));
+        const V<float> slope = hn::Add(hn::Abs(end.at.by_p.z), hn::Abs(end.at.by_q.z));
+        const V<float> s_radius = hn::MulAdd(hn::MulAdd(reach, set(s_bend_), set(flat_.by[2])),
+                                             reach, hn::MulAdd(slope, within, set(s_lost_)));
+        const M<float> narrow = hn::Le(hn::Add(s_radius, s_radius), set(tolerance_));
         end.found = hn::And(hn::AndNot(end.none, is_one), narrow);
         // A better place may help where the step is what makes the radius.
         proof.may_help =
@@ -306,13 +308,13 @@ private:
         return proof;
     }
 
-    HWY_INLINE void finish(const Step& by, const Vector2<Floats>& at, const Low& low,
+    HWY_INLINE void finish(const Step& by, const Vector2<V<float>>& at, const Low& low,
                            const Proof& proof, NewtonEnd& end) const {
         if (!is_within_) {
             const UvBox& box = piece_.box;
-            const FloatMask in_p =
+            const M<float> in_p =
                 in_unit(hn::Add(at.p, by.to.p), proof.radius, box.u, box.u_radius);
-            const FloatMask in_q =
+            const M<float> in_q =
                 in_unit(hn::Add(at.q, by.to.q), proof.radius, box.v, box.v_radius);
             end.found = hn::And(end.found, hn::And(in_p, in_q));
         }
@@ -323,14 +325,14 @@ private:
     }
 
     /// Whether places are surely in [0, 1].
-    static HWY_INLINE FloatMask in_unit(Floats place, Floats radius, double middle,
-                                        double box_radius) {
+    static HWY_INLINE M<float> in_unit(V<float> place, V<float> radius, double middle,
+                                       double box_radius) {
         const double lo = -middle / box_radius;
         const double hi = (1.0 - middle) / box_radius;
         // More than rounding may take from these, and from the middles of halves.
         const auto most = [&](double at) { return 0x1p-22 * std::abs(at) + 0x1p-48 / box_radius; };
-        return hn::And(hn::Ge(hn::Sub(place, radius), float_number(lo + most(lo))),
-                       hn::Le(hn::Add(place, radius), float_number(hi - most(hi))));
+        return hn::And(hn::Ge(hn::Sub(place, radius), number<float>(lo + most(lo))),
+                       hn::Le(hn::Add(place, radius), number<float>(hi - most(hi))));
     }
 
     const Piece& piece_;

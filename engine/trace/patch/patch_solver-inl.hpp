@@ -21,17 +21,18 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// (a, b, s) at places.
 template <int degree>
-HWY_INLINE InAxes<Vector> values_of(const SightTerms& terms, Vector p, Vector q) {
+HWY_INLINE InAxes<V<double>> values_of(const SightTerms& terms, V<double> p, V<double> q) {
     const auto term = [&](int i, int j, int k) HWY_ATTR {
         return number(terms[patch_term(i, j)][static_cast<std::size_t>(k)]);
     };
     const auto row_of = [&](int i, int k) HWY_ATTR {
-        Vector row = term(i, degree - i, k);
+        V<double> row = term(i, degree - i, k);
         for (int j = degree - i - 1; j >= 0; --j)
             row = hn::MulAdd(row, q, term(i, j, k));
         return row;
     };
-    InAxes<Vector> all{.x = term(degree, 0, 0), .y = term(degree, 0, 1), .z = term(degree, 0, 2)};
+    InAxes<V<double>> all{
+        .x = term(degree, 0, 0), .y = term(degree, 0, 1), .z = term(degree, 0, 2)};
     for (int i = degree - 1; i >= 0; --i) {
         all.x = hn::MulAdd(all.x, p, row_of(i, 0));
         all.y = hn::MulAdd(all.y, p, row_of(i, 1));
@@ -42,30 +43,30 @@ HWY_INLINE InAxes<Vector> values_of(const SightTerms& terms, Vector p, Vector q)
 
 /// The results of zero_test for a vector of rays at (p, q).
 struct Test {
-    Mask none;             ///< no zero within `inner`
-    Mask found;            ///< one, and its depth is known well enough
-    Mask wide;             ///< one, but that is not
-    Mask inside, outside;  ///< of the unit square, the places of the zeros
-    RealBall<Vector> depth;
+    M<double> none;             ///< no zero within `inner`
+    M<double> found;            ///< one, and its depth is known well enough
+    M<double> wide;             ///< one, but that is not
+    M<double> inside, outside;  ///< of the unit square, the places of the zeros
+    RealBall<V<double>> depth;
 
     /// Whether nothing is to be learnt from a better place.
-    [[nodiscard]] HWY_INLINE Mask settled() const {
+    [[nodiscard]] HWY_INLINE M<double> settled() const {
         return hn::Or(hn::Or(none, wide), hn::And(found, hn::Or(inside, outside)));
     }
 };
 
 /// The rays of one vector of doubles, half of a vector of floats.
 struct HalfRays {
-    SightLine<Vector> line;
-    Vector2<Vector> place;
-    Vector2<Vector> g;
+    SightLine<V<double>> line;
+    Vector2<V<double>> place;
+    Vector2<V<double>> g;
     Test test;
 };
 
 /// The rays of a vector of floats, with the slopes by (p, q) where Newton's method ended.
 struct SolverEnd {
     std::array<HalfRays, 2> halves;
-    SightLine<Floats> line;
+    SightLine<V<float>> line;
     FloatPoint at;
 };
 
@@ -85,14 +86,13 @@ public:
     /// `end`: with u, v and where the search begins of each half.
     template <int degree>
     HWY_INLINE void solve(SolverEnd& end) const {
-        const D d;
         find<degree>(end);
         constexpr int most_tests = 3;
         for (int test = 1;; ++test) {
             bool is_settled = true;
             for (HalfRays& half : end.halves) {
                 test_at<degree>(half);
-                is_settled = is_settled && hn::AllTrue(d, half.test.settled());
+                is_settled = is_settled && hn::AllTrue(d<double>, half.test.settled());
             }
             if (is_settled || test == most_tests) return;
             improve(end);
@@ -104,33 +104,33 @@ private:
     template <int degree>
     HWY_INLINE void find(SolverEnd& end) const {
         const auto& [lower, upper] = end.halves;
-        Vector2<Floats> at{.p = clamped(floats_of(lower.place.p, upper.place.p), 1.0),
-                           .q = clamped(floats_of(lower.place.q, upper.place.q), 1.0)};
+        Vector2<V<float>> at{.p = clamped(floats_of(lower.place.p, upper.place.p), 1.0),
+                             .q = clamped(floats_of(lower.place.q, upper.place.q), 1.0)};
         end.line = {.u = floats_of(lower.line.u, upper.line.u),
                     .v = floats_of(lower.line.v, upper.line.v)};
         // Add the terms that are constant on a ray in double: they are large.
         const auto& constant = piece_.terms[0];
-        const Vector far = number(axes_.distance + constant[2]);
-        const auto beside = [&](Vector along, double from)
+        const V<double> far = number(axes_.distance + constant[2]);
+        const auto beside = [&](V<double> along, double from)
                                 HWY_ATTR { return hn::NegMulAdd(along, far, number(from)); };
-        const Floats first1 =
+        const V<float> first1 =
             floats_of(beside(lower.line.u, constant[0]), beside(upper.line.u, constant[0]));
-        const Floats first2 =
+        const V<float> first2 =
             floats_of(beside(lower.line.v, constant[1]), beside(upper.line.v, constant[1]));
         constexpr int most_steps = 5;
         for (int step = 1;; ++step) {
             end.at =
                 point_of([&](int k) HWY_ATTR { return slopes_of<degree>(floats_, k, at.p, at.q); });
             const auto& [a, b, s] = end.at.value;
-            const Vector2<Floats> g =
+            const Vector2<V<float>> g =
                 end.line.across({.x = hn::Add(first1, a), .y = hn::Add(first2, b), .z = s});
             const Slopes2 by(slopes_of_g(end.line, end.at));
-            const Vector2<Floats> next = moved(at, by.step(g), 1.0);
-            const Floats small = float_number(0x1p-11);
+            const Vector2<V<float>> next = moved(at, by.step(g), 1.0);
+            const V<float> small = number<float>(0x1p-11);
             const auto is_small = hn::And(hn::Le(hn::Abs(hn::Sub(next.p, at.p)), small),
                                           hn::Le(hn::Abs(hn::Sub(next.q, at.q)), small));
             at = next;
-            if (step == most_steps || hn::AllTrue(df, is_small)) break;
+            if (step == most_steps || hn::AllTrue(d<float>, is_small)) break;
         }
         const auto ps = doubles_of(at.p);
         const auto qs = doubles_of(at.q);
@@ -146,15 +146,15 @@ private:
         const auto qp = doubles_of(by.m.qp);
         const auto qq = doubles_of(by.m.qq);
         const auto inverse = doubles_of(by.inverse);
-        const Vector one = number(1.0);
+        const V<double> one = number(1.0);
         for (std::size_t i = 0; i < 2; ++i) {
             HalfRays& half = end.halves[i];
-            const Matrix2<Vector> slopes{pp[i], pq[i], qp[i], qq[i]};
-            const Vector2<Vector> step = zero_by_determinant(slopes, half.g);
-            const Mask settled = half.test.settled();
-            const auto moved = [&](Vector at, Vector by_determinant) HWY_ATTR {
-                const Vector by_step = hn::Mul(by_determinant, inverse[i]);
-                const Vector to = hn::Min(hn::Max(hn::Add(at, by_step), hn::Neg(one)), one);
+            const Matrix2<V<double>> slopes{.pp = pp[i], .pq = pq[i], .qp = qp[i], .qq = qq[i]};
+            const Vector2<V<double>> step = zero_by_determinant(slopes, half.g);
+            const M<double> settled = half.test.settled();
+            const auto moved = [&](V<double> at, V<double> by_determinant) HWY_ATTR {
+                const V<double> by_step = hn::Mul(by_determinant, inverse[i]);
+                const V<double> to = hn::Min(hn::Max(hn::Add(at, by_step), hn::Neg(one)), one);
                 return hn::IfThenElse(hn::Or(settled, hn::IsNaN(by_step)), at, to);
             };
             half.place = {.p = moved(half.place.p, step.p), .q = moved(half.place.q, step.q)};
@@ -166,25 +166,26 @@ private:
         Test& test = rays.test;
         // Take Krawczyk's step from the places.
         const auto& [p, q] = rays.place;
-        const InAxes<Vector> at = values_of<degree>(piece_.terms, p, q);
+        const InAxes<V<double>> at = values_of<degree>(piece_.terms, p, q);
         const auto g = rays.line.g(at, number(axes_.distance), number(piece_.sight.value_error));
         rays.g = {.p = g.p.middle, .q = g.q.middle};
-        const KrawczykStep<Vector> step =
+        const KrawczykStep<V<double>> step =
             krawczyk_step(piece_.contraction, piece_.sight, g, rays.place, at.z);
         test.depth = step.depth;
-        const Vector to_p = hn::Add(p, step.by.p);
-        const Vector to_q = hn::Add(q, step.by.q);
+        const V<double> to_p = hn::Add(p, step.by.p);
+        const V<double> to_q = hn::Add(q, step.by.q);
         // Mark rays with no zero in the share, and with one that is known well enough.
-        const auto beyond = [&](Vector to) HWY_ATTR {
+        const auto beyond = [&](V<double> to) HWY_ATTR {
             return hn::Gt(hn::Sub(hn::Abs(to), step.radius), number(inner));
         };
         test.none = hn::And(step.known, hn::Or(beyond(to_p), beyond(to_q)));
-        const Mask one =
+        const M<double> one =
             hn::And(step.known, hn::Le(hn::Add(size_of(rays.place), step.reach), number(1.0)));
-        const Mask narrow = hn::Le(hn::Mul(number(2.0), test.depth.radius), number(tolerance_));
+        const M<double> narrow =
+            hn::Le(hn::Mul(number(2.0), test.depth.radius), number(tolerance_));
         test.found = hn::AndNot(test.none, hn::And(one, narrow));
         // More steps do not help where most of it is the model's error.
-        const Mask settled = hn::Le(size_of(step.by), hn::Mul(number(4.0), step.lost));
+        const M<double> settled = hn::Le(size_of(step.by), hn::Mul(number(4.0), step.lost));
         test.wide = hn::And(hn::AndNot(hn::Or(test.none, narrow), one), settled);
         // Tell zeros inside of the unit square from those outside.
         test.inside = hn::Eq(number(0.0), number(0.0));
@@ -198,16 +199,17 @@ private:
 
     /// Where places are in [0, 1].
     struct Side {
-        Mask inside, outside;
+        M<double> inside, outside;
     };
-    static HWY_INLINE Side side_of(Vector place, Vector radius, double middle, double box_radius) {
-        const Vector at = hn::MulAdd(place, number(box_radius), number(middle));
+    static HWY_INLINE Side side_of(V<double> place, V<double> radius, double middle,
+                                   double box_radius) {
+        const V<double> at = hn::MulAdd(place, number(box_radius), number(middle));
         // Middles of halves are rounded.
-        const Vector error = hn::MulAdd(radius, number(box_radius), number(0x1p-48));
-        const Vector lo = hn::Sub(at, error);
-        const Vector hi = hn::Add(at, error);
-        const Vector zero = number(0.0);
-        const Vector one = number(1.0);
+        const V<double> error = hn::MulAdd(radius, number(box_radius), number(0x1p-48));
+        const V<double> lo = hn::Sub(at, error);
+        const V<double> hi = hn::Add(at, error);
+        const V<double> zero = number(0.0);
+        const V<double> one = number(1.0);
         return {.inside = hn::And(hn::Ge(lo, zero), hn::Le(hi, one)),
                 .outside = hn::Or(hn::Lt(hi, zero), hn::Gt(lo, one))};
     }

@@ -36,29 +36,29 @@ public:
         const glm::dvec3 pp = term(2, 0);
         const glm::dvec3 pq = term(1, 1);
         const glm::dvec3 qq = term(0, 2);
-        by_pp_ = in_axes<Floats>(pp);
-        by_pq_ = in_axes<Floats>(pq);
-        by_qq_ = in_axes<Floats>(qq);
+        by_pp_ = in_axes<V<float>>(pp);
+        by_pq_ = in_axes<V<float>>(pq);
+        by_qq_ = in_axes<V<float>>(qq);
         const glm::dvec3 squares = glm::abs(pp) + glm::abs(qq);
         const glm::dvec3 sizes = glm::abs(sight.c) + glm::abs(sight.kp) + glm::abs(sight.kq) +
                                  squares + glm::abs(pq) + glm::dvec3(0.0, 0.0, axes.distance);
         // Take half of each square and all of p q, known here, from the linear form's error.
-        rest_ = in_axes<Floats>((sight.e - 0.5 * squares - glm::abs(pq)) +
-                                LinearForm::float_rounding * sizes);
-        squares_ = in_axes<Floats>((squares + glm::abs(pq)) * (1.0 + 0x1p-20));
+        rest_ = in_axes<V<float>>((sight.e - 0.5 * squares - glm::abs(pq)) +
+                                  LinearForm::float_rounding * sizes);
+        squares_ = in_axes<V<float>>((squares + glm::abs(pq)) * (1.0 + 0x1p-20));
     }
 
     /// The zeros by the linear form, or by a step with the squares where that is better.
-    HWY_INLINE Zeros zeros(const SightLine<Floats>& ray) const {
+    HWY_INLINE Zeros zeros(const SightLine<V<float>>& ray) const {
         Zeros zeros = linear_.zeros(ray);
         const Step to = step(ray, zeros);
-        const Floats better = radius(ray, zeros, to);
-        const FloatMask is_better = hn::And(to.is_safe, hn::Lt(better, zeros.radius));
+        const V<float> better = radius(ray, zeros, to);
+        const M<float> is_better = hn::And(to.is_safe, hn::Lt(better, zeros.radius));
         zeros.p = hn::IfThenElse(is_better, to.p, zeros.p);
         zeros.q = hn::IfThenElse(is_better, to.q, zeros.q);
         zeros.radius = hn::IfThenElse(is_better, better, zeros.radius);
-        const Floats limit = hn::Add(zeros.radius, float_number(inner));
-        const FloatMask beyond = hn::Gt(hn::Max(hn::Abs(zeros.p), hn::Abs(zeros.q)), limit);
+        const V<float> limit = hn::Add(zeros.radius, number<float>(inner));
+        const M<float> beyond = hn::Gt(hn::Max(hn::Abs(zeros.p), hn::Abs(zeros.q)), limit);
         zeros.none = hn::Or(zeros.none, hn::And(is_better, beyond));
         return zeros;
     }
@@ -66,30 +66,31 @@ public:
 private:
     /// Where a step leads.
     struct Step {
-        Floats p, q;
-        Floats g;           ///< the larger size of g where it begins
-        Floats norm;        ///< M
-        Floats lost;        ///< a bound of the error of the determinant, relative to it
-        FloatMask is_safe;  ///< the inverse is known to 2^-9
+        V<float> p, q;
+        V<float> g;        ///< the larger size of g where it begins
+        V<float> norm;     ///< M
+        V<float> lost;     ///< a bound of the error of the determinant, relative to it
+        M<float> is_safe;  ///< the inverse is known to 2^-9
     };
     /// The terms of degree 2 of g, about the middle of what p^2 and q^2 are.
     struct Squares {
-        Vector2<Floats> pp, pq, qq;
+        Vector2<V<float>> pp, pq, qq;
 
-        HWY_INLINE Vector2<Floats> value(Floats p, Floats q) const {
-            const Floats half = float_number(0.5);
-            const Floats p2 = hn::Sub(hn::Mul(p, p), half);
-            const Floats q2 = hn::Sub(hn::Mul(q, q), half);
-            const Floats product = hn::Mul(p, q);
-            const auto sum = [&](Floats by_p, Floats by_pq, Floats by_q) HWY_ATTR {
+        HWY_INLINE Vector2<V<float>> value(V<float> p, V<float> q) const {
+            const V<float> half = number<float>(0.5);
+            const V<float> p2 = hn::Sub(hn::Mul(p, p), half);
+            const V<float> q2 = hn::Sub(hn::Mul(q, q), half);
+            const V<float> product = hn::Mul(p, q);
+            const auto sum = [&](V<float> by_p, V<float> by_pq, V<float> by_q) HWY_ATTR {
                 return hn::MulAdd(by_p, p2, hn::MulAdd(by_pq, product, hn::Mul(by_q, q2)));
             };
             return {.p = sum(pp.p, pq.p, qq.p), .q = sum(pp.q, pq.q, qq.q)};
         }
         /// The slopes of g at a place.
-        HWY_INLINE Matrix2<Floats> slopes(Floats p, Floats q, const Matrix2<Floats>& linear) const {
-            const auto slope = [](Floats square, Floats at, Floats mixed, Floats other,
-                                  Floats by) HWY_ATTR {
+        HWY_INLINE Matrix2<V<float>> slopes(V<float> p, V<float> q,
+                                            const Matrix2<V<float>>& linear) const {
+            const auto slope = [](V<float> square, V<float> at, V<float> mixed, V<float> other,
+                                  V<float> by) HWY_ATTR {
                 return hn::MulAdd(hn::Add(square, square), at, hn::MulAdd(mixed, other, by));
             };
             return {.pp = slope(pp.p, p, pq.p, q, linear.pp),
@@ -99,14 +100,16 @@ private:
         }
     };
 
-    static HWY_INLINE Floats sum(Floats a, Floats b) { return hn::Add(hn::Abs(a), hn::Abs(b)); }
+    static HWY_INLINE V<float> sum(V<float> a, V<float> b) {
+        return hn::Add(hn::Abs(a), hn::Abs(b));
+    }
 
-    HWY_INLINE Step step(const SightLine<Floats>& ray, const Zeros& at) const {
+    HWY_INLINE Step step(const SightLine<V<float>>& ray, const Zeros& at) const {
         const Squares squares{
             .pp = ray.across(by_pp_), .pq = ray.across(by_pq_), .qq = ray.across(by_qq_)};
-        const Vector2<Floats> g = squares.value(at.p, at.q);
-        const Divisor2<Floats> by = divisor_of(squares.slopes(at.p, at.q, at.slopes));
-        const Vector2<Floats> to = zero_by_determinant(by.m, g);
+        const Vector2<V<float>> g = squares.value(at.p, at.q);
+        const Divisor2<V<float>> by = divisor_of(squares.slopes(at.p, at.q, at.slopes));
+        const Vector2<V<float>> to = zero_by_determinant(by.m, g);
         return {.p = hn::MulAdd(to.p, by.inverse, at.p),
                 .q = hn::MulAdd(to.q, by.inverse, at.q),
                 .g = size_of(g),
@@ -116,18 +119,18 @@ private:
     }
 
     /// How far zeros are from where a step leads at most.
-    HWY_INLINE Floats radius(const SightLine<Floats>& ray, const Zeros& from,
-                             const Step& to) const {
-        const Floats squares = larger(ray.most(squares_));
-        const Floats linear = norm_of(from.slopes);
-        const Floats out = hn::Add(float_number(1.0), sum(from.p, from.q));
+    HWY_INLINE V<float> radius(const SightLine<V<float>>& ray, const Zeros& from,
+                               const Step& to) const {
+        const V<float> squares = larger(ray.most(squares_));
+        const V<float> linear = norm_of(from.slopes);
+        const V<float> out = hn::Add(number<float>(1.0), sum(from.p, from.q));
         // A generous bound of the rounding errors of the place, the slopes and the step.
-        const Floats sizes =
-            hn::MulAdd(hn::MulAdd(float_number(4.0), hn::Mul(squares, out), linear), from.radius,
+        const V<float> sizes =
+            hn::MulAdd(hn::MulAdd(number<float>(4.0), hn::Mul(squares, out), linear), from.radius,
                        hn::Mul(hn::Mul(hn::Add(squares, squares), out), out));
-        const Floats tiny = float_number(LinearForm::float_rounding);
-        const Floats rounded = hn::MulAdd(linear, from.lost, hn::Mul(tiny, sizes));
-        const Floats terms = hn::MulAdd(
+        const V<float> tiny = number<float>(LinearForm::float_rounding);
+        const V<float> rounded = hn::MulAdd(linear, from.lost, hn::Mul(tiny, sizes));
+        const V<float> terms = hn::MulAdd(
             to.lost, to.g,
             hn::MulAdd(hn::Mul(squares, from.radius), from.radius, larger(ray.most(rest_))));
         return hn::MulAdd(to.norm, hn::Add(terms, rounded),
@@ -135,8 +138,8 @@ private:
     }
 
     LinearForm linear_;
-    InAxes<Floats> by_pp_, by_pq_, by_qq_;
-    InAxes<Floats> rest_, squares_;  ///< bounds: of all other terms, of these
+    InAxes<V<float>> by_pp_, by_pq_, by_qq_;
+    InAxes<V<float>> rest_, squares_;  ///< bounds: of all other terms, of these
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

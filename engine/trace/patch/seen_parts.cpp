@@ -15,7 +15,7 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// A vector in the world, or in the axes of a view.
 struct Triple {
-    Vector at[3];
+    V<double> at[3];
 };
 
 class PartsInView {
@@ -24,18 +24,19 @@ public:
         : forms_(forms), window_(window), seen_(seen) {}
 
     /// The lanes of the parts from `first` on that may be met.
-    HWY_INLINE Mask see(std::size_t first) {
+    HWY_INLINE M<double> see(std::size_t first) {
         const Triple c = load(forms_.c, first);
         const Triple ku = load(forms_.ku, first);
         const Triple kv = load(forms_.kv, first);
         const Triple e = load(forms_.e, first);
         const SightAxes& axes = window_.axes;
         Triple offset;
-        Vector most = number(0.0);
-        Mask out = hn::Ne(most, most);
+        V<double> most = number(0.0);
+        M<double> out = hn::Ne(most, most);
         // Mark parts outside of the clip box.
         for (int k = 0; k < 3; ++k) {
-            const Vector spread = hn::Add(hn::Add(hn::Abs(ku.at[k]), hn::Abs(kv.at[k])), e.at[k]);
+            const V<double> spread =
+                hn::Add(hn::Add(hn::Abs(ku.at[k]), hn::Abs(kv.at[k])), e.at[k]);
             const double lo = window_.clip.lo[k];
             const double hi = window_.clip.hi[k];
             // More than rounding may move the ends of a clip box.
@@ -46,20 +47,21 @@ public:
             most = hn::Max(most, hn::Add(hn::Abs(offset.at[k]), spread));
         }
         // Turn the forms into the axes of the view, and store them.
-        const Vector lost = hn::MulAdd(most, number(rounding), number(axes.error));
+        const V<double> lost = hn::MulAdd(most, number(rounding), number(axes.error));
         const Triple place = turned(offset);
         const Triple kp = turned(ku);
         const Triple kq = turned(kv);
         Triple error = turned_size(e);
-        for (Vector& of : error.at)
+        for (V<double>& of : error.at)
             of = hn::Add(of, lost);
-        hn::StoreU(lost, D(), seen_.value_error.data() + first);
+        hn::StoreU(lost, d<double>, seen_.value_error.data() + first);
         store(place, seen_.c, first);
         store(kp, seen_.kp, first);
         store(kq, seen_.kq, first);
         store(error, seen_.e, first);
         // Mark parts outside of the depths.
-        const Vector radius = hn::Add(hn::Add(hn::Abs(kp.at[2]), hn::Abs(kq.at[2])), error.at[2]);
+        const V<double> radius =
+            hn::Add(hn::Add(hn::Abs(kp.at[2]), hn::Abs(kq.at[2])), error.at[2]);
         out = hn::Or(out, hn::Gt(hn::Sub(place.at[2], radius), number(window_.depths.far)));
         out = hn::Or(out, hn::Lt(hn::Add(place.at[2], radius), number(window_.depths.near)));
         // Mark parts beside the planes through the eye that bound the rays.
@@ -67,11 +69,11 @@ public:
             const auto across = [&](const Triple& by) HWY_ATTR {
                 return hn::NegMulAdd(number(edge), by.at[2], by.at[axis]);
             };
-            const Vector spread =
+            const V<double> spread =
                 hn::Add(hn::Add(hn::Abs(across(kp)), hn::Abs(across(kq))),
                         hn::MulAdd(number(std::abs(edge)), error.at[2], error.at[axis]));
-            const Vector middle = hn::Sub(hn::Sub(place.at[axis], number(edge * axes.distance)),
-                                          hn::Mul(number(edge), place.at[2]));
+            const V<double> middle = hn::Sub(hn::Sub(place.at[axis], number(edge * axes.distance)),
+                                             hn::Mul(number(edge), place.at[2]));
             return hn::Gt(hn::Mul(number(sign), middle), hn::Mul(spread, number(1.0 + 0x1p-40)));
         };
         const RayBounds& rays = window_.rays;
@@ -86,12 +88,12 @@ private:
     static HWY_INLINE Triple load(const Numbers& numbers, std::size_t first) {
         Triple all;
         for (std::size_t k = 0; k < 3; ++k)
-            all.at[k] = hn::LoadU(D(), numbers[k].data() + first);
+            all.at[k] = hn::LoadU(d<double>, numbers[k].data() + first);
         return all;
     }
     static HWY_INLINE void store(const Triple& all, Numbers& numbers, std::size_t first) {
         for (std::size_t k = 0; k < 3; ++k)
-            hn::StoreU(all.at[k], D(), numbers[k].data() + first);
+            hn::StoreU(all.at[k], d<double>, numbers[k].data() + first);
     }
     [[nodiscard]] HWY_INLINE Triple turned(const Triple& way) const {
         const SightAxes& axes = window_.axes;
@@ -125,8 +127,8 @@ std::uint32_t see_all(const PartForms& forms, const PartWindow& window, SeenPart
     PartsInView parts(forms, window, seen);
     std::uint32_t bits = 0;
     // Lanes behind the last known part are not of use.
-    for (std::size_t first = 0; forms.known >> first != 0; first += width)
-        bits |= bits_of(D(), parts.see(first)) << first;
+    for (std::size_t first = 0; forms.known >> first != 0; first += lanes<double>)
+        bits |= bits_of(d<double>, parts.see(first)) << first;
     return bits & forms.known;
 }
 

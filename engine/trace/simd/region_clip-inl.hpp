@@ -8,14 +8,13 @@
 #define ZEROSET_REGION_CLIP_INL
 #endif
 
+#include "engine/real/lanes-inl.hpp"
 #include "engine/scene/region.hpp"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 /// Some rays: the points origin + t direction. D: doubles.
 template <class D>

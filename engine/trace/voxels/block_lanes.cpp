@@ -13,7 +13,7 @@
 #define HWY_TARGET_INCLUDE "engine/trace/voxels/block_lanes.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/voxels/cell_lanes-inl.hpp"
 
 #include <hwy/highway.h>

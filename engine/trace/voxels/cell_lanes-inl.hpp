@@ -8,7 +8,7 @@
 #define ZEROSET_CELL_LANES_INL
 #endif
 
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/trace/voxels/slab_lanes.hpp"
 
 #include <hwy/highway.h>
