@@ -9,7 +9,7 @@
 #endif
 
 #include "engine/kernel/form_cells.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "engine/light/encode.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 #include <hwy/highway.h>
 

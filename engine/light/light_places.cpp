@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "engine/light/light_places.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 #include <hwy/highway.h>
 

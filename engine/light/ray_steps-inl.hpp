@@ -10,7 +10,7 @@
 
 #include "engine/kernel/form_cells.hpp"
 #include "engine/light/cell_verdicts-inl.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/real/lanes-inl.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -9,8 +9,8 @@
 #endif
 
 #include "engine/light/shade.hpp"
+#include "engine/real/lanes-inl.hpp"
 #include "engine/scene/palette.hpp"
-#include "engine/trace/simd/vectors-inl.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,2 +1,0 @@
-// Left until engine/light includes lanes-inl.hpp itself.
-#include "engine/real/lanes-inl.hpp"
