@@ -50,13 +50,6 @@ public:
 
 private:
     bool written(Draws draws) {
-        const auto take = [&](std::optional<CommandArguments> behind) {
-            if (behind) behind_ = std::move(*behind);
-            return behind.has_value();
-        };
-        const auto from = [&](std::size_t first) {
-            return Parts(all_).subspan(std::min(first, all_.size()));
-        };
         switch (draws) {
             case Draws::Equations: return take(ranges_and_options(from(1))) && equations();
             case Draws::Heights: return take(ranges_and_options(from(1))) && heights(all_[0]);
@@ -65,32 +58,45 @@ private:
             case Draws::Spherical: return take(ranges_and_options(from(1))) && spherical(1, 0);
             case Draws::AroundFirst: return take(ranges_and_options(from(1))) && spherical(0, 1);
             case Draws::Turned: return take(ranges_and_options(from(1))) && turned();
-            case Draws::Listed: {
-                const auto inside = in_brackets(all_[0]);
-                if (!inside) return take(flat_ranges(from(3))) && first_three();
-                return take(flat_ranges(from(1))) && point(split_outside(*inside, ','));
-            }
+            case Draws::Listed: return listed();
             case Draws::FlatZeros: return take(flat_ranges(from(1))) && equations();
             case Draws::FlatHeights: return take(flat_ranges(from(1))) && heights(all_[0]);
-            case Draws::Zeros: {
-                const auto function = unnamed_function(all_[0]);
-                const Parts names = function ? Parts(function->names) : Parts(axis_names);
-                return names.size() == 3 && take(interval_ranges(intervals(1), names)) &&
-                       equations();
-            }
-            case Draws::Sheet: {
-                const bool has_three =
-                    all_.size() >= 3 && (unnamed_function(all_[2]) || rows_.is_function(all_[2]));
-                if (has_three) return functions(2);
-                const auto function = unnamed_function(all_[0]);
-                const Parts names = function ? Parts(function->names) : Parts(axis_names).first(2);
-                if (names.size() != 2 || !take(interval_ranges(intervals(1), names))) return false;
-                return heights(function ? function->body : in_quotes(all_[0]).value_or(all_[0]));
-            }
+            case Draws::Zeros: return zeros();
+            case Draws::Sheet: return sheet();
             case Draws::Track: return functions(1);
             case Draws::Commands: return commands();
         }
         return false;
+    }
+
+    /// The arguments from `first` on.
+    [[nodiscard]] Parts from(std::size_t first) const {
+        return Parts(all_).subspan(std::min(first, all_.size()));
+    }
+    /// Keeps what stands behind the formulas; false: it was not understood.
+    bool take(std::optional<CommandArguments> behind) {
+        if (behind) behind_ = std::move(*behind);
+        return behind.has_value();
+    }
+
+    bool listed() {
+        const auto inside = in_brackets(all_[0]);
+        if (!inside) return take(flat_ranges(from(3))) && first_three();
+        return take(flat_ranges(from(1))) && point(split_outside(*inside, ','));
+    }
+    bool zeros() {
+        const auto function = unnamed_function(all_[0]);
+        const Parts names = function ? Parts(function->names) : Parts(axis_names);
+        return names.size() == 3 && take(interval_ranges(intervals(1), names)) && equations();
+    }
+    bool sheet() {
+        const bool has_three =
+            all_.size() >= 3 && (unnamed_function(all_[2]) || rows_.is_function(all_[2]));
+        if (has_three) return functions(2);
+        const auto function = unnamed_function(all_[0]);
+        const Parts names = function ? Parts(function->names) : Parts(axis_names).first(2);
+        if (names.size() != 2 || !take(interval_ranges(intervals(1), names))) return false;
+        return heights(function ? function->body : in_quotes(all_[0]).value_or(all_[0]));
     }
 
     /// The arguments from `first` on; the name of an interval is its value: ends = [-1 1].
@@ -178,7 +184,7 @@ private:
         const bool defines = equals != Words::npos && is_word(left) &&
                              std::ranges::find(axis_names, left) == axis_names.end();
         if (defines)
-            add({"(", f.substr(equals + 2), ") = ", left});
+            add({"(", f.substr(equals + 2), ") - (", left, ") = 0"});
         else
             add({f, call});
     }
@@ -287,37 +293,38 @@ private:
         if (count == 1) add({", 0 < ", turn, " < 2 pi"});
         return true;
     }
-    /// Writes three functions without a name as a point over their variables.
+    /// Writes three functions, without a name or by their names, as a point over their variables.
     bool functions(std::size_t variables) {
+        if (all_.size() < 3) return false;
         std::vector<Words> names;
-        std::vector<Words> bodies;
-        for (std::size_t i = 0; i < 3 && i < all_.size(); ++i) {
-            const auto function = unnamed_function(all_[i]);
-            if (!function && is_word(all_[i]) && rows_.is_function(all_[i])) {
-                bodies.push_back(all_[i]);
-                continue;
-            }
-            if (!function || function->names.size() != variables) return false;
+        for (const Words argument : Parts(all_).first(3)) {
+            const auto function = unnamed_function(argument);
+            if (!function && !rows_.is_function(argument)) return false;
+            if (!function) continue;
             if (!names.empty() && function->names != names) return false;
             names = function->names;
-            bodies.push_back(function->body);
         }
-        if (bodies.size() != 3) return false;
-        if (names.empty())
-            names = variables == 1 ? std::vector<Words>{"t"} : std::vector<Words>{"u", "v"};
-        auto behind = interval_ranges(intervals(3), names);
-        if (!behind) return false;
-        behind_ = std::move(*behind);
+        if (names.empty()) names = {variables == 1 ? "t" : "u", "v"};
+        names.resize(std::min(names.size(), variables));
+        if (names.size() != variables || !take(interval_ranges(intervals(3), names))) return false;
         begin_row();
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            add({i == 0 ? "(" : ", ", bodies[i]});
-            if (is_word(bodies[i]) && rows_.is_function(bodies[i]))
-                add({"(", names[0], variables == 2 ? ", " : "", variables == 2 ? names[1] : "",
-                     ")"});
+        for (std::size_t i = 0; i < 3; ++i) {
+            add({i == 0 ? "(" : ", "});
+            add_value(all_[i], names);
         }
         add({")"});
         add_ranges();
         return true;
+    }
+    /// Writes the body of a function, or a call of one by its name.
+    void add_value(Words function, const std::vector<Words>& names) {
+        if (const auto unnamed = unnamed_function(function)) return add({unnamed->body});
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (i == 0) add({function, "("});
+            if (i > 0) add({", "});
+            add({names[i]});
+        }
+        add({")"});
     }
 
     /// Writes the commands among the arguments; others are options.

@@ -39,6 +39,8 @@ public:
         }
         if (!is_foreign()) return std::nullopt;
         ExpressionWriter writer(result_.text);
+        if (program_ == "Mathematica") writer.read_lists();
+        if (draws_) writer.rename_always(names_of_axes());
         Grids grids(writer, result_.box);
         for (std::size_t at = 0; at < typed_.size();) {
             at = keep_blanks(at);
@@ -55,23 +57,24 @@ public:
     }
 
 private:
-    /// Whether there is anything here that the language does not read itself.
+    /// Whether there is anything here that the language does not read itself. Finds whose it is.
     [[nodiscard]] bool is_foreign() {
-        if (has_foreign_expression(typed_)) return true;
+        bool is_foreign = has_foreign_expression(typed_);
         for (std::size_t at = 0; at < typed_.size();) {
             at = behind_prompt(behind_blanks(at));
             const std::size_t end = end_of_statement(typed_, at);
             const Words row = trimmed(typed_.substr(at, end - at));
             const auto call = call_in(row);
             const bool has_grid = Grids::makes_grid(row);
-            if (call || has_grid || loads_library(row) || row.starts_with("splot ") ||
-                end_of_function(at)) {
-                assigns_ = has_grid || loads_library(row) || (call && assigns(*call));
-                return true;
-            }
+            draws_ = draws_ || call || has_grid;
+            if (call) program_ = program_of_command(call->name);
+            assigns_ = assigns_ || has_grid || loads_library(row) || (call && assigns(*call));
+            is_foreign = is_foreign || draws_ || assigns_ || row.starts_with("splot ") ||
+                         end_of_function(at);
+            if (call) return true;
             at = std::max(end, at + 1);
         }
-        return false;
+        return is_foreign;
     }
 
     /// Whether the program of a command assigns by "=", and compares by "==".
@@ -95,6 +98,32 @@ private:
             length = rest.find("]:=") + 3;
         if (rest.starts_with("(%i") && rest.find(')') < longest_prompt) length = rest.find(')') + 1;
         return length == 0 ? at : at + length + blank_length(rest.substr(length));
+    }
+    /// Names of their own for x, y and z where a program gives them values, which a command asks
+    /// for later: x = u*cos(v); plot3d([x, y, z], ...).
+    [[nodiscard]] ExpressionWriter::Names names_of_axes() const {
+        constexpr std::array<std::pair<Words, Words>, 3> own{
+            {{"x", "x_value"}, {"y", "y_value"}, {"z", "z_value"}}};
+        ExpressionWriter::Names names;
+        for (std::size_t at = 0; at < typed_.size();) {
+            at = behind_prompt(behind_blanks(at));
+            const std::size_t end = end_of_statement(typed_, at);
+            const Words row = trimmed(typed_.substr(at, end - at));
+            at = std::max(end, at + 1);
+            const auto* const axis = std::ranges::find(own, row.substr(0, word_length(row)),
+                                                       &std::pair<Words, Words>::first);
+            if (axis != own.end() && gives_value(trimmed(row.substr(1)))) names.push_back(*axis);
+        }
+        return names;
+    }
+    /// Whether `= value` stands behind a name, and the value is no grid's line and no symbol.
+    [[nodiscard]] bool gives_value(Words behind) const {
+        const bool is_certain = behind.starts_with(":=");
+        const bool is_plain = assigns_ && behind.starts_with('=') && !behind.starts_with("==");
+        if (!is_certain && !is_plain) return false;
+        Words value = trimmed(behind.substr(is_certain ? 2 : 1));
+        if (value.ends_with(':')) value.remove_suffix(1);  // Maple's end of a statement
+        return !loads_library(behind) && !Grids::is_line(value);
     }
     /// Whether a line is what a program answered: it has no prompt, as others have.
     [[nodiscard]] bool is_output(std::size_t at) const {
@@ -138,7 +167,7 @@ private:
 
     /// Writes a statement that is neither a command nor a function. Where programs assign by "=",
     /// it defines, several names at once, too.
-    void other_statement(Words text, ExpressionWriter& writer) {
+    void other_statement(Words text, ExpressionWriter& writer) const {
         const Words row = trimmed(text);
         const std::size_t equals = assigns_ ? find_outside(row, "=") : Words::npos;
         const bool compares = equals == Words::npos || row.substr(equals).starts_with("==") ||
@@ -147,16 +176,16 @@ private:
             compares ? std::vector<Words>() : split_outside(row.substr(0, equals), ',');
         const auto values = compares ? names : split_outside(row.substr(equals + 1), ',');
         const bool defines = !names.empty() && names.size() == values.size() &&
-                             std::ranges::all_of(names, [](Words name) {
-                                 return is_word(name) && name != "x" && name != "y" && name != "z";
-                             });
-        if (!defines) return writer.write(text);
+                             std::ranges::all_of(names, [](Words name) { return is_word(name); });
+        const bool is_axis = !names.empty() && writer.other_name(names[0]).empty() &&
+                             std::ranges::find(axis_names, names[0]) != axis_names.end();
+        if (!defines || is_axis) return writer.write(text);
         const auto list = in_brackets(values[0]);
         const bool is_row_of_numbers = list && values[0].starts_with('[') && !list->contains(',');
         if (is_row_of_numbers) return;  // ends for a command, as MATLAB has them
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (i > 0) writer.put("; ", names[i]);
-            result_.text.keep(names[i]);
+            writer.write(names[i]);
             writer.put(" := ", values[i]);
             writer.write(values[i]);
         }
@@ -279,7 +308,9 @@ private:
     Words typed_;
     DialectText result_;
     std::optional<ParseError> error_;
+    Words program_;             ///< whose command the text begins with
     std::vector<Words> plots_;  ///< names that commands are given
+    bool draws_ = false;        ///< there is a command, or a grid to draw on
     bool assigns_ = false;      ///< "=" gives a name its value, and is no equation
     int commands_ = 0;
     int failed_functions_ = 0;  ///< statements that might have been one

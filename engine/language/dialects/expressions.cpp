@@ -71,8 +71,9 @@ bool is_true(Words condition) {
     return condition == "True" || condition == "true" || condition == "otherwise";
 }
 
-/// The length of what is no word: of a number with its letters, as 1e5, or of one sign.
+/// The length of a word, of a number with its letters, as 1e5, or of one sign.
 std::size_t other_length(Words text) {
+    if (const std::size_t word = word_length(text); word > 0) return word;
     const std::size_t digits = text.find_first_not_of("0123456789.eE");
     return std::clamp<std::size_t>(digits, 1, text.size());
 }
@@ -84,6 +85,40 @@ bool is_constant_of_maxima(Words text, std::size_t at) {
     const Words before = trimmed(text.substr(0, at));
     return (name == "pi" || name == "e" || name == "phi") &&
            (before.empty() || Words("+-*/^(,=<>").contains(before.back()));
+}
+
+/// Conditions and values; the last one may have no condition, or neither: 0.
+using Cases = std::vector<std::pair<Words, Words>>;
+
+/// The cases of piecewise(c, a, d, b, e).
+Cases cases_of_maple(Words inside) {
+    const auto parts = split_outside(inside, ',');
+    Cases cases;
+    for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
+        cases.emplace_back(parts[i], parts[i + 1]);
+    if (parts.size() % 2 == 1) cases.emplace_back(Words(), parts.back());
+    return cases;
+}
+
+/// The cases of {{a, c}, {b, d}}, e or of (a, c), (e, True); none where it is neither.
+Cases cases_of_pairs(Words inside) {
+    auto pairs = split_outside(inside, ',');
+    const bool is_list = inside.starts_with('{');
+    const Words otherwise = is_list && pairs.size() == 2 ? pairs[1] : Words();
+    if (is_list) {
+        const auto list = in_brackets(pairs[0]);
+        if (!list || pairs.size() > 2) return {};
+        pairs = split_outside(*list, ',');
+    }
+    Cases cases;
+    for (const Words pair : pairs) {
+        const auto of = in_brackets(pair);
+        const auto both = of ? split_outside(*of, ',') : std::vector<Words>();
+        if (both.size() != 2) return {};
+        cases.emplace_back(is_true(both[1]) ? Words() : both[1], both[0]);
+    }
+    if (is_list) cases.emplace_back(Words(), otherwise);
+    return cases;
 }
 
 /// Whether a name gets a function's head in a text behind `at`: f = @(, f = lambda, f := (x) ->,
@@ -141,63 +176,59 @@ std::string_view ExpressionWriter::value_of(std::string_view name) const {
 
 void ExpressionWriter::write(std::string_view expression) {
     if (write_choice(expression)) return;
-    std::size_t kept = 0;
+    std::size_t kept = 0;  // what is before it has been written
     for (std::size_t at = 0; at < expression.size();) {
-        const std::string_view rest = expression.substr(at);
-        const std::size_t remark = rest.starts_with("(*") ? rest.find("*)", 2) : Words::npos;
-        if (remark != Words::npos) {
-            text_.keep(expression.substr(kept, at - kept));
-            at += remark + 2;
-            kept = at;
-            continue;
-        }
-        if (rest.starts_with("\\[") && rest.find(']') < longest_sign) {  // Mathematica's \[Pi]
-            text_.keep(expression.substr(kept, at - kept));
-            const std::size_t end = rest.find(']');
-            put(lower_case(rest.substr(2, end - 2)), rest);
-            at += end + 1;
-            kept = at;
-            continue;
-        }
-        if (is_constant_of_maxima(expression, at)) {
-            text_.keep(expression.substr(kept, at - kept));
-            kept = ++at;
-            continue;
-        }
-        const std::size_t length = word_length(rest);
-        if (length == 0) {
-            at += other_length(rest);
-            continue;
-        }
-        const std::string_view word = rest.substr(0, length);
-        const auto other = std::ranges::find(renamed_, word,
-                                             &std::pair<std::string_view, std::string_view>::first);
-        if (other != renamed_.end()) {
-            text_.keep(expression.substr(kept, at - kept));
-            put(other->second, word);
+        const auto flush = [&] { text_.keep(expression.substr(kept, at - kept)); };
+        if (const std::size_t length = write_other(expression, at, flush); length > 0) {
             at += length;
             kept = at;
-            continue;
+        } else {
+            at += other_length(expression.substr(at));
         }
-        const std::size_t opener = length + blank_length(rest.substr(length));
-        const bool may_call = depth_ < most_nested_calls && opener < rest.size() &&
-                              (rest[opener] == '(' || rest[opener] == '[');
-        const bool is_known = may_call && has_foreign_expression(rest.substr(0, opener + 1));
-        const auto closer =
-            is_known ? closing_bracket(rest.substr(opener, longest_rewritten)) : std::nullopt;
-        unclosed_ += is_known && !closer ? 1 : 0;
-        if (closer) {
-            text_.keep(expression.substr(kept, at - kept));
-            kept = at;
-            if (write_call(word, rest.substr(opener + 1, *closer - 1))) {
-                at += opener + *closer + 1;
-                kept = at;
-                continue;
-            }
-        }
-        at += length;
     }
     text_.keep(expression.substr(kept));
+}
+
+/// Writes what stands at `at` where the language writes it otherwise, and returns its length; 0: it
+/// is kept. `flush` writes what is before it.
+std::size_t ExpressionWriter::write_other(std::string_view expression, std::size_t at,
+                                          const std::function<void()>& flush) {
+    const std::string_view rest = expression.substr(at);
+    const std::size_t remark = rest.starts_with("(*") ? rest.find("*)", 2) : Words::npos;
+    const bool is_sign = rest.starts_with("\\[") && rest.find(']') < longest_sign;
+    if (remark != Words::npos || is_constant_of_maxima(expression, at)) {
+        flush();
+        return remark != Words::npos ? remark + 2 : 1;
+    }
+    if (is_sign) {  // Mathematica's \[Pi]
+        flush();
+        put(lower_case(rest.substr(2, rest.find(']') - 2)), rest);
+        return rest.find(']') + 1;
+    }
+    if (reads_lists_ && rest.starts_with('{')) {
+        const std::string_view before = trimmed(expression.substr(0, at));
+        const bool is_factor = !before.empty() && !Words("+-*/^(,=<>{[").contains(before.back());
+        return write_list(rest, is_factor ? "*(" : "(", flush);
+    }
+    const std::size_t length = word_length(rest);
+    if (length == 0) return 0;
+    const std::string_view word = rest.substr(0, length);
+    if (const Words other = other_name(word); !other.empty()) {
+        flush();
+        put(other, word);
+        return length;
+    }
+    const std::size_t opener = length + blank_length(rest.substr(length));
+    const bool may_call = depth_ < most_nested_calls && unclosed_ < most_unclosed &&
+                          has_foreign_expression(rest.substr(0, opener + 1));
+    if (!may_call) return 0;
+    const auto closer = closing_bracket(rest.substr(opener, longest_rewritten));
+    unclosed_ += closer ? 0 : 1;
+    const auto inside = closer ? rest.substr(opener + 1, *closer - 1) : Words();
+    if (!closer || !may_write_call(word, inside)) return 0;
+    flush();
+    write_call(word, inside);
+    return opener + *closer + 1;
 }
 
 bool has_foreign_expression(std::string_view text) {
@@ -217,6 +248,41 @@ bool has_foreign_expression(std::string_view text) {
             return true;
     }
     return false;
+}
+
+std::string_view ExpressionWriter::other_name(std::string_view word) const {
+    for (const Names* const names : {&renamed_, &always_renamed_}) {
+        const auto other = std::ranges::find(*names, word, &std::pair<Words, Words>::first);
+        if (other != names->end()) return other->second;
+    }
+    return {};
+}
+
+/// Writes {a, b} as (a, b), and returns its length; 0: it is no list of several.
+std::size_t ExpressionWriter::write_list(std::string_view text, std::string_view opener,
+                                         const std::function<void()>& flush) {
+    const auto closer = closing_bracket(text.substr(0, longest_rewritten));
+    const auto parts = closer && depth_ < most_nested_calls
+                           ? split_outside(text.substr(1, *closer - 1), ',')
+                           : std::vector<Words>();
+    if (parts.size() < 2) return 0;
+    flush();
+    ++depth_;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        put(i == 0 ? opener : ", ", parts[i]);
+        write(parts[i]);
+    }
+    --depth_;
+    put(")", text.substr(*closer));
+    return *closer + 1;
+}
+
+/// Whether `write_call` writes a call.
+bool ExpressionWriter::may_write_call(std::string_view word, std::string_view inside) const {
+    SourceText scratch(text_.typed());
+    ExpressionWriter trial(scratch);
+    trial.depth_ = most_nested_calls;  // calls within it are not looked at
+    return trial.write_call(word, inside);
 }
 
 /// Writes a call that the language writes otherwise; false: it is kept as it is.
@@ -297,30 +363,11 @@ bool ExpressionWriter::write_sum(std::string_view word, std::string_view inside)
 /// Writes Piecewise[{{a, c}, {b, d}}, e], Piecewise((a, c), (e, True)) and piecewise(c, a, d, b, e)
 /// as {c: a, d: b, e}.
 bool ExpressionWriter::write_cases(std::string_view word, std::string_view inside) {
-    const auto parts = split_outside(inside, ',');
-    std::vector<std::pair<Words, Words>> cases;  // condition and value; a last one has no condition
-    if (word == "piecewise") {
-        for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
-            cases.emplace_back(parts[i], parts[i + 1]);
-        if (parts.size() % 2 == 1) cases.emplace_back(Words(), parts.back());
-    } else {
-        const bool is_list = inside.starts_with('{');
-        const auto list = is_list ? in_brackets(parts[0]) : std::nullopt;
-        if (is_list && (!list || parts.size() > 2)) return false;
-        const auto pairs = is_list ? split_outside(*list, ',') : parts;
-        for (const Words pair : pairs) {
-            const auto of = in_brackets(pair);
-            const auto both = of ? split_outside(*of, ',') : std::vector<Words>();
-            if (both.size() != 2) return false;
-            cases.emplace_back(is_true(both[1]) ? Words() : both[1], both[0]);
-        }
-        if (is_list && parts.size() == 2) cases.emplace_back(Words(), parts[1]);
-        if (is_list && parts.size() == 1) cases.emplace_back(Words(), Words());
-    }
-    put("{", word);
+    const auto cases = word == "piecewise" ? cases_of_maple(inside) : cases_of_pairs(inside);
+    if (cases.empty()) return false;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto& [condition, value] = cases[i];
-        if (i > 0) put(", ", value.empty() ? word : value);
+        put(i == 0 ? "{" : ", ", value.empty() ? word : value);
         if (!condition.empty()) {
             write(condition);
             put(": ", value);

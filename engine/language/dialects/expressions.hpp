@@ -4,6 +4,7 @@
 #include "engine/language/dialects/parts.hpp"
 #include "engine/language/dialects/source_text.hpp"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,13 +30,23 @@ public:
     [[nodiscard]] bool is_function(std::string_view name) const;
     /// The list in brackets that the typed text gives a name: ends = [-1 1]; empty: none.
     [[nodiscard]] std::string_view value_of(std::string_view name) const;
+    using Names = std::vector<std::pair<std::string_view, std::string_view>>;
     /// Puts other names in place of these, until it is told otherwise.
-    void rename(std::vector<std::pair<std::string_view, std::string_view>> names) {
-        renamed_ = std::move(names);
-    }
+    void rename(Names names) { renamed_ = std::move(names); }
+    /// Puts other names in place of these, where `rename` says nothing of them.
+    void rename_always(Names names) { always_renamed_ = std::move(names); }
+    /// The name that stands in place of a word; empty: itself.
+    [[nodiscard]] std::string_view other_name(std::string_view word) const;
+    /// Reads {a, b, c} as a vector, as Mathematica does.
+    void read_lists() { reads_lists_ = true; }
     [[nodiscard]] SourceText& text() { return text_; }
 
 private:
+    std::size_t write_other(std::string_view expression, std::size_t at,
+                            const std::function<void()>& flush);
+    [[nodiscard]] bool may_write_call(std::string_view word, std::string_view inside) const;
+    std::size_t write_list(std::string_view text, std::string_view opener,
+                           const std::function<void()>& flush);
     bool write_call(std::string_view word, std::string_view inside);
     bool write_sum(std::string_view word, std::string_view inside);
     bool write_cases(std::string_view word, std::string_view inside);
@@ -44,7 +55,8 @@ private:
     bool write_choice(std::string_view expression);
 
     SourceText& text_;
-    std::vector<std::pair<std::string_view, std::string_view>> renamed_;
+    Names renamed_, always_renamed_;
+    bool reads_lists_ = false;
     int depth_ = 0;     ///< calls within calls
     int unclosed_ = 0;  ///< calls without an end
 };

@@ -261,7 +261,7 @@ private:
                                             "persistent"};
         const bool is_idle = std::ranges::find(idle, cursor_.word()) != idle.end();
         const bool returns = cursor_.take_word("return") || cursor_.take_word("RETURN");
-        std::size_t end = end_of_statement(cursor_.text(), cursor_.at());
+        const std::size_t end = end_of_statement(cursor_.text(), cursor_.at());
         Words row = cursor_.text().substr(cursor_.at(), end - cursor_.at());
         for (const Words word : {"elif", "elseif", "else", "end", "fi"})
             row = row.substr(0, std::min(find_outside(row, word), row.size()));

@@ -52,6 +52,13 @@ bool Grids::has_grid_ahead() const {
     return typed.contains("meshgrid") || typed.contains("ndgrid") || typed.contains("mgrid");
 }
 
+bool Grids::is_line(std::string_view value) {
+    const auto call = call_of(value);
+    if (call && (call->name == "linspace" || call->name == "arange" || is_grid(call->name)))
+        return true;
+    return find_outside(in_brackets(value).value_or(value), ":") != Words::npos;
+}
+
 bool Grids::write(std::string_view row) {
     if (write_surface(row)) return true;
     const auto parts = assignment(row);
@@ -152,33 +159,41 @@ bool Grids::write_surface(std::string_view row) {
     if (call && call->name == "patch" && !call->arguments.empty())
         call = call_of(call->arguments[0]);
     if (!call) return false;
-    const std::size_t count = call->arguments.size();
-    const bool is_level = call->name == "isosurface" || call->name == "marching_cubes";
+    const GridArguments& arguments = call->arguments;
     const bool is_height = call->name == "surf" || call->name == "mesh" ||
                            call->name == "plot_surface" || call->name == "surfc";
-    const bool is_marching = call->name == "marching_cubes" && count >= 2;
-    if (is_marching || (is_level && (count == 2 || count == 5))) {
-        const std::size_t at = is_marching ? 1 : count - 1;
-        const Words level = call->arguments[at];
-        const std::size_t equals = level.find('=');
-        writer_.write(call->arguments[at - 1]);
-        writer_.put(" - (", level);
-        writer_.write(equals == Words::npos ? level : level.substr(equals + 1));
-        writer_.put(") = 0", level);
-    } else if (is_height && count >= 3 && !parameters_.empty()) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            writer_.put(i == 0 ? "(" : ", ", call->arguments[i]);
-            writer_.write(call->arguments[i]);
-        }
-        writer_.put(")" + parameters_, call->arguments[0]);
-    } else if (is_height && count >= 3) {
-        writer_.put("z = ", call->arguments[2]);
-        writer_.write(call->arguments[2]);
+    if (call->name == "marching_cubes" && arguments.size() >= 2) {
+        write_level(arguments[0], arguments[1]);
+    } else if (call->name == "isosurface" && (arguments.size() == 2 || arguments.size() == 5)) {
+        write_level(arguments[arguments.size() - 2], arguments.back());
+    } else if (is_height && arguments.size() >= 3) {
+        write_heights(arguments);
     } else {
         return false;
     }
     writer_.put(";", row.substr(row.size()));
     return true;
+}
+
+void Grids::write_level(std::string_view values, std::string_view level) {
+    const std::size_t equals = level.find('=');  // marching_cubes(V, level=0)
+    writer_.write(values);
+    writer_.put(" - (", level);
+    writer_.write(equals == Words::npos ? level : level.substr(equals + 1));
+    writer_.put(") = 0", level);
+}
+
+/// Writes heights over the grid, or points over the parameters that it is of.
+void Grids::write_heights(const GridArguments& places) {
+    if (parameters_.empty()) {
+        writer_.put("z = ", places[2]);
+        return writer_.write(places[2]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        writer_.put(i == 0 ? "(" : ", ", places[i]);
+        writer_.write(places[i]);
+    }
+    writer_.put(")" + parameters_, places[0]);
 }
 
 }  // namespace zeroset

@@ -20,16 +20,20 @@ public:
 
     /// Whether a statement makes a grid, so that its text is a program's.
     static bool makes_grid(std::string_view row);
+    /// Whether a value is points on a line: -2:0.1:2, np.linspace(-2, 2, 50).
+    static bool is_line(std::string_view value);
     /// Writes what a statement says of grids; false: nothing.
     bool write(std::string_view row);
 
 private:
     using Ends = AskedRange;
+    using GridArguments = std::vector<std::string_view>;
 
     [[nodiscard]] std::optional<Ends> ends_of(std::string_view argument) const;
     bool write_grid(std::string_view names, std::string_view call);
     bool write_surface(std::string_view row);
-    using GridArguments = std::vector<std::string_view>;
+    void write_level(std::string_view values, std::string_view level);
+    void write_heights(const GridArguments& places);
     [[nodiscard]] bool has_grid_ahead() const;
     [[nodiscard]] bool draws_points(const std::vector<std::string_view>& grid) const;
     bool write_parameters(const std::vector<std::string_view>& grid, const GridArguments& of);

@@ -86,6 +86,13 @@ std::optional<BigSign> big_sign_at(Words text) {
     return sign;
 }
 
+/// Whether a command ends the product that a sum is of.
+bool ends_summand(Words command) {
+    return command == "end" || std::ranges::any_of(relations, [&](Words relation) {
+               return relation.starts_with('\\') && relation.substr(1) == command;
+           });
+}
+
 /// The length of the product that a sum is of: up to a sign outside brackets that ends it.
 std::size_t summand_length(Words text) {
     int depth = 0;
@@ -93,22 +100,18 @@ std::size_t summand_length(Words text) {
     for (std::size_t at = 0; at < text.size();) {
         const Words rest = text.substr(at);
         const Words command = command_at(rest);
-        if (rest.starts_with("\\\\") && depth == 0) return at;
-        if (command == "left" || command == "right") {
-            at += 1 + command.size();
-            continue;
-        }
-        if (!command.empty() && depth == 0 &&
-            (command == "end" || std::ranges::any_of(relations, [&](Words relation) {
-                 return relation.starts_with('\\') && relation.substr(1) == command;
-             })))
-            return at;
-        if (Words("([{").contains(rest.front())) ++depth;
-        if (Words(")]}").contains(rest.front()) && depth-- == 0) return at;
-        if (depth == 0 && has_factor && Words("+-").contains(rest.front())) return at;
-        if (depth == 0 && Words("=<>&,;\n\v").contains(rest.front())) return at;
-        has_factor = has_factor || !Words(" \t+-").contains(rest.front());
-        at += command.empty() ? (rest.starts_with('\\') ? 2 : 1) : 1 + command.size();
+        const char sign = rest.front();
+        const bool is_delimiter = command == "left" || command == "right";
+        const bool closes = Words(")]}").contains(sign);
+        const bool ends = rest.starts_with("\\\\") || (!command.empty() && ends_summand(command)) ||
+                          closes || (has_factor && Words("+-").contains(sign)) ||
+                          Words("=<>&,;\n\v").contains(sign);
+        if (depth == 0 && ends) return at;
+        if (Words("([{").contains(sign)) ++depth;
+        if (closes) --depth;
+        has_factor = has_factor || (!is_delimiter && !Words(" \t+-").contains(sign));
+        const std::size_t escape = sign == '\\' ? 2 : 1;
+        at += command.empty() ? escape : 1 + command.size();
     }
     return text.size();
 }

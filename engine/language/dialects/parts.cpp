@@ -31,27 +31,31 @@ public:
     }
 
 private:
-    /// Skips what is in quotation marks, and remarks.
+    /// Skips quotations and remarks.
     void skip() {
-        while (at_ < text_.size()) {
-            const std::string_view rest = text_.substr(at_);
-            if (rest.front() == '"' || (rest.front() == '\'' && !is_behind_value())) {
-                const std::size_t end =
-                    rest.find_first_of(rest.front() == '"' ? "\"\n\v" : "'\n\v", 1);
-                if (end == std::string_view::npos || rest[end] != rest.front()) return;
-                at_ += end + 1;
-            } else if (rest.starts_with("(*") || rest.starts_with("/*")) {
-                const std::size_t end = has_ends_ ? rest.find(rest.front() == '(' ? "*)" : "*/", 2)
-                                                  : std::string_view::npos;
-                has_ends_ = end != std::string_view::npos;
-                if (!has_ends_) return;
-                at_ += end + 2;
-            } else if (rest.starts_with("//") || (rest.front() == '#' && !rest.starts_with("#d"))) {
-                at_ += std::min(rest.find_first_of(line_ends), rest.size());
-            } else {
-                return;
-            }
-        }
+        while (const std::size_t length = skipped_length())
+            at_ += length;
+    }
+    /// The length of a quotation or a remark that begins here; 0: none.
+    std::size_t skipped_length() {
+        const std::string_view rest = text_.substr(at_);
+        if (rest.empty()) return 0;
+        if (rest.front() == '"' || (rest.front() == '\'' && !is_behind_value()))
+            return quotation_length(rest);
+        if (rest.starts_with("(*") || rest.starts_with("/*")) return remark_length(rest);
+        const bool is_rest =
+            rest.starts_with("//") || (rest.front() == '#' && !rest.starts_with("#d"));
+        return is_rest ? std::min(rest.find_first_of(line_ends), rest.size()) : 0;
+    }
+    static std::size_t quotation_length(std::string_view text) {
+        const std::size_t end = text.find_first_of(text.front() == '"' ? "\"\n\v" : "'\n\v", 1);
+        return end != std::string_view::npos && text[end] == text.front() ? end + 1 : 0;
+    }
+    std::size_t remark_length(std::string_view text) {
+        if (!has_ends_) return 0;
+        const std::size_t end = text.find(text.front() == '(' ? "*)" : "*/", 2);
+        has_ends_ = end != std::string_view::npos;
+        return has_ends_ ? end + 2 : 0;
     }
     /// Whether a ' is a transposition or a derivative.
     [[nodiscard]] bool is_behind_value() const {
