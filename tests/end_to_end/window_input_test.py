@@ -96,6 +96,19 @@ class InputTest(RealWindowTest):
         self.rest(lambda image: self.surface(image) > 0.02, "the ball in the usual box")
         self.assertEqual(self.document()["box"], [-2, 2] * 3)
 
+    def test_a_pasted_command_brings_its_box(self):
+        self.start(BALL)
+        plain = self.document()["box"]
+        self.display.xdotool("key", "Tab")
+        self.rest(lambda _: True, "rest")
+        self.set_clipboard("ContourPlot3D[x^2 + y^2 == z, {x, -1, 1}, {y, -1, 1}, {z, 0, 1}]")
+        self.display.xdotool("key", "ctrl+a", "ctrl+v")
+        self.rest(lambda _: True, "rest")
+        self.assertEqual(self.document()["box"], [-1, 1, -1, 1, 0, 1])
+        self.display.xdotool("key", "ctrl+z")
+        self.rest(lambda _: True, "rest")
+        self.assertEqual(self.document()["box"], plain)
+
     def test_a_decimal_comma_is_read(self):
         """In the value of a slider, which is typed after a double click."""
         self.start("x^2+y^2+z^2=a")

@@ -32,8 +32,9 @@ bool take(const Option& option, CommandArguments& arguments) {
     const std::string name = lower_case(option.name);
     if (name == "contours" || name == "contour") {
         const auto list = in_brackets(option.value);
-        // A number alone is how many levels there are in Mathematica, not which.
-        const bool is_count = !list && name == "contours";
+        // A whole number alone is how many levels there are in Mathematica, not which.
+        const bool is_count = !list && name == "contours" &&
+                              option.value.find_first_not_of("0123456789") == Words::npos;
         if (is_count)
             arguments.left_out.push_back(option.name);
         else

@@ -69,8 +69,8 @@ private:
             draws_ = draws_ || call || has_grid;
             if (call) program_ = program_of_command(call->name);
             assigns_ = assigns_ || has_grid || loads_library(row) || (call && assigns(*call));
-            is_foreign = is_foreign || draws_ || assigns_ || row.starts_with("splot ") ||
-                         end_of_function(at);
+            is_foreign = is_foreign || draws_ || assigns_ || level_in(row) ||
+                         row.starts_with("splot ") || end_of_function(at);
             if (call) return true;
             at = std::max(end, at + 1);
         }
@@ -87,6 +87,16 @@ private:
     [[nodiscard]] std::size_t behind_blanks(std::size_t at) const {
         return std::min(typed_.find_first_not_of(" \t\n\v\r;", at), typed_.size());
     }
+    /// The length of Maple's `with(plots):` or `restart:`, behind which more may stand.
+    static std::size_t maple_length(Words text) {
+        if (text.starts_with("restart:")) return 8;
+        const bool loads =
+            text.starts_with("with") && text.substr(0, longest_prompt * 3).contains(':');
+        if (!loads) return 0;
+        const std::size_t colon = text.find(':');
+        const auto inside = in_brackets(text.substr(4, colon - 4));
+        return inside && is_word(*inside) ? colon + 1 : 0;
+    }
     /// The offset behind the prompt of a program, if there is one.
     [[nodiscard]] std::size_t behind_prompt(std::size_t at) const {
         const Words rest = typed_.substr(at);
@@ -97,6 +107,10 @@ private:
         if (rest.starts_with("In[") && rest.find("]:=") < longest_prompt)
             length = rest.find("]:=") + 3;
         if (rest.starts_with("(%i") && rest.find(')') < longest_prompt) length = rest.find(')') + 1;
+        while (const std::size_t further = maple_length(rest.substr(length))) {
+            length += further;
+            length += blank_length(rest.substr(length));
+        }
         return length == 0 ? at : at + length + blank_length(rest.substr(length));
     }
     /// Names of their own for x, y and z where a program gives them values, which a command asks
@@ -159,10 +173,39 @@ private:
             at = end;
             return command(*call, row, writer);
         }
+        if (const auto level = level_in(row)) {
+            const auto& [call, value, constant] = *level;
+            result_.text.keep(call);
+            writer.put(" := ", value);
+            writer.write(value);
+            writer.put("; ", constant);
+            result_.text.keep(call);
+            writer.put(" = ", constant);
+            writer.write(constant);
+            at = end;
+            return true;
+        }
         const bool shows_plot = std::ranges::find(plots_, row) != plots_.end();
         if (!is_idle(row) && !shows_plot) other_statement(typed_.substr(at, end - at), writer);
         at = end;
         return true;
+    }
+
+    /// The parts of F(x, y, z) = x^2 + y^2 + z^2 - 1 = 0, as papers have it.
+    static std::optional<std::array<Words, 3>> level_in(Words row) {
+        const std::size_t name = word_length(row);
+        if (name == 0 || !row.substr(name).starts_with('(')) return std::nullopt;
+        const std::size_t first = find_outside(row, "=");
+        if (first == Words::npos || row.substr(first).starts_with("==")) return std::nullopt;
+        const Words call = trimmed(row.substr(0, first));
+        const Words behind = row.substr(first + 1);
+        const std::size_t second = find_outside(behind, "=");
+        if (second == Words::npos || second == 0 || behind.substr(second).starts_with("==") ||
+            Words("<>!:").contains(behind[second - 1]) || !in_brackets(call.substr(name)))
+            return std::nullopt;
+        const Words constant = trimmed(behind.substr(second + 1));
+        if (constant.empty() || find_outside(constant, "=") != Words::npos) return std::nullopt;
+        return std::array{call, trimmed(behind.substr(0, second)), constant};
     }
 
     /// Writes a statement that is neither a command nor a function. Where programs assign by "=",
