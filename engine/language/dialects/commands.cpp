@@ -93,6 +93,7 @@ private:
         const bool has_three =
             all_.size() >= 3 && (unnamed_function(all_[2]) || rows_.is_function(all_[2]));
         if (has_three) return functions(2);
+        if (all_.size() >= 3 && in_quotes(all_[0]) && in_quotes(all_[1])) return false;
         const auto function = unnamed_function(all_[0]);
         const Parts names = function ? Parts(function->names) : Parts(axis_names).first(2);
         if (names.size() != 2 || !take(interval_ranges(intervals(1), names))) return false;
@@ -203,7 +204,7 @@ private:
             list && !all.starts_with('(') ? split_outside(*list, ',') : std::vector{all};
         const Words a = behind_.ranges[0].name;
         const Words b = behind_.ranges[1].name;
-        const bool over_axes = a == "x" && b == "y";
+        const bool over_axes = (a == "x" && b == "y") || (a == "y" && b == "x");
         // In Mathematica a list holds heights.
         if (values.size() == 3 && (!over_axes || call_.name != "Plot3D")) return point(values);
         for (const Words value : values) {
@@ -271,9 +272,11 @@ private:
         const Words tilt = behind_.ranges[tilted].name;
         const Words r = all_[0];
         begin_row();
+        rename_parameters();
         add({"((", r, ")*sin(", tilt, ")*cos(", turn, "), (", r, ")*sin(", tilt, ")*sin(", turn,
              "), (", r, ")*cos(", tilt, "))"});
         add_ranges();
+        rows_.rename({});
         return true;
     }
     /// Writes a height over the distance from the z axis, or a distance and a height, turned around
@@ -287,10 +290,12 @@ private:
         if (parts.size() != 2) return false;
         const Words turn = count == 2 ? behind_.ranges[1].name : own == "s" ? Words("t") : "s";
         begin_row();
+        rename_parameters();
         add({"((", parts[0], ")*cos(", turn, "), (", parts[0], ")*sin(", turn, "), ", parts[1],
              ")"});
         add_ranges();
         if (count == 1) add({", 0 < ", turn, " < 2 pi"});
+        rows_.rename({});
         return true;
     }
     /// Writes three functions, without a name or by their names, as a point over their variables.

@@ -10,6 +10,8 @@
 #include "engine/language/dialects/grids.hpp"
 #include "engine/language/dialects/idle_lines.hpp"
 #include "engine/language/dialects/latex.hpp"
+#include "engine/language/dialects/prompts.hpp"
+#include "engine/language/vocabulary/words_vocabulary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +26,7 @@ using Words = std::string_view;
 
 constexpr std::size_t longest_call = 20'000;  // bytes of a command with its arguments
 constexpr int most_commands = 200;
-constexpr std::size_t longest_prompt = 12;  // bytes
+constexpr int most_unclosed_calls = 100;
 
 /// Reads a text statement by statement.
 class DialectReader {
@@ -38,6 +40,7 @@ public:
             return std::move(result_);
         }
         if (!is_foreign()) return std::nullopt;
+        if (error_) return std::unexpected(*error_);
         ExpressionWriter writer(result_.text);
         if (program_ == "Mathematica") writer.read_lists();
         if (draws_) writer.rename_always(names_of_axes());
@@ -46,7 +49,7 @@ public:
             at = keep_blanks(at);
             if (at == typed_.size()) break;
             const std::size_t begin = at;
-            if (is_output(at))
+            if (prompts_.is_output(at))
                 at = end_of_statement(typed_, at);
             else if (!statement(at, writer, grids))
                 return std::unexpected(*error_);
@@ -59,11 +62,12 @@ public:
 private:
     /// Whether there is anything here that the language does not read itself. Finds whose it is.
     [[nodiscard]] bool is_foreign() {
-        bool is_foreign = has_foreign_expression(typed_);
+        bool is_foreign = has_foreign_expression(typed_) && rewrites();
         for (std::size_t at = 0; at < typed_.size();) {
-            at = behind_prompt(behind_blanks(at));
+            at = prompts_.behind(behind_blanks(at));
             const std::size_t end = end_of_statement(typed_, at);
             const Words row = trimmed(typed_.substr(at, end - at));
+            if (refuse_matrix(row)) return true;
             const auto call = call_in(row);
             const bool has_grid = Grids::makes_grid(row);
             draws_ = draws_ || call || has_grid;
@@ -77,6 +81,30 @@ private:
         return is_foreign;
     }
 
+    /// Whether expressions of the text are written otherwise.
+    [[nodiscard]] bool rewrites() const {
+        SourceText scratch(typed_);
+        ExpressionWriter(scratch).write(typed_);
+        return scratch.words() != typed_;
+    }
+
+    /// Refuses M = {{2, 0}, {0, 1}} and M = [2 0; 0 1].
+    bool refuse_matrix(Words row) {
+        const Words name = row.substr(0, word_length(row));
+        Words value = trimmed(row.substr(name.size()));
+        if (name.empty() || !(value.starts_with('=') || value.starts_with(":="))) return false;
+        value = trimmed(value.substr(value.find('=') + 1));
+        const auto inside = in_brackets(value);
+        const bool is_matrix = inside && (value.starts_with("{{") ||
+                                          (value.starts_with('[') && inside->contains(';')));
+        if (!is_matrix) return false;
+        error_ = {
+            .offset = result_.text.offset_of(value),
+            .reason = filled(tr("matrices are not read: {0}"), {"'" + std::string(name) + "'"}),
+            .hint = tr("to turn a point type rotate(p, axis, angle)")};
+        return true;
+    }
+
     /// Whether the program of a command assigns by "=", and compares by "==".
     static bool assigns(const CommandCall& call) {
         const Words program = program_of_command(call.name);
@@ -87,32 +115,6 @@ private:
     [[nodiscard]] std::size_t behind_blanks(std::size_t at) const {
         return std::min(typed_.find_first_not_of(" \t\n\v\r;", at), typed_.size());
     }
-    /// The length of Maple's `with(plots):` or `restart:`, behind which more may stand.
-    static std::size_t maple_length(Words text) {
-        if (text.starts_with("restart:")) return 8;
-        const bool loads =
-            text.starts_with("with") && text.substr(0, longest_prompt * 3).contains(':');
-        if (!loads) return 0;
-        const std::size_t colon = text.find(':');
-        const auto inside = in_brackets(text.substr(4, colon - 4));
-        return inside && is_word(*inside) ? colon + 1 : 0;
-    }
-    /// The offset behind the prompt of a program, if there is one.
-    [[nodiscard]] std::size_t behind_prompt(std::size_t at) const {
-        const Words rest = typed_.substr(at);
-        std::size_t length = 0;
-        for (const Words prompt : {"sage:", ">>>", ">>", "> ", "....:"}) {
-            if (length == 0 && rest.starts_with(prompt)) length = prompt.size();
-        }
-        if (rest.starts_with("In[") && rest.find("]:=") < longest_prompt)
-            length = rest.find("]:=") + 3;
-        if (rest.starts_with("(%i") && rest.find(')') < longest_prompt) length = rest.find(')') + 1;
-        while (const std::size_t further = maple_length(rest.substr(length))) {
-            length += further;
-            length += blank_length(rest.substr(length));
-        }
-        return length == 0 ? at : at + length + blank_length(rest.substr(length));
-    }
     /// Names of their own for x, y and z where a program gives them values, which a command asks
     /// for later: x = u*cos(v); plot3d([x, y, z], ...).
     [[nodiscard]] ExpressionWriter::Names names_of_axes() const {
@@ -120,7 +122,7 @@ private:
             {{"x", "x_value"}, {"y", "y_value"}, {"z", "z_value"}}};
         ExpressionWriter::Names names;
         for (std::size_t at = 0; at < typed_.size();) {
-            at = behind_prompt(behind_blanks(at));
+            at = prompts_.behind(behind_blanks(at));
             const std::size_t end = end_of_statement(typed_, at);
             const Words row = trimmed(typed_.substr(at, end - at));
             at = std::max(end, at + 1);
@@ -139,18 +141,11 @@ private:
         if (value.ends_with(':')) value.remove_suffix(1);  // Maple's end of a statement
         return !loads_library(behind) && !Grids::is_line(value);
     }
-    /// Whether a line is what a program answered: it has no prompt, as others have.
-    [[nodiscard]] bool is_output(std::size_t at) const {
-        const std::size_t line = typed_.substr(0, at).find_last_of(line_ends);
-        const Words row = typed_.substr(line == Words::npos ? 0 : line + 1);
-        const bool has_prompt = row.starts_with("sage:") || row.starts_with("....:");
-        return !has_prompt && typed_.starts_with("sage:");
-    }
     /// Keeps blanks and line ends, but no prompt; returns the offset behind them.
     std::size_t keep_blanks(std::size_t at) {
         const std::size_t end = behind_blanks(at);
         result_.text.keep(typed_.substr(at, end - at));
-        return behind_prompt(end);
+        return prompts_.behind(end);
     }
 
     /// Writes the statement at `at` and goes behind it; false is an error.
@@ -193,19 +188,19 @@ private:
 
     /// The parts of F(x, y, z) = x^2 + y^2 + z^2 - 1 = 0, as papers have it.
     static std::optional<std::array<Words, 3>> level_in(Words row) {
-        const std::size_t name = word_length(row);
-        if (name == 0 || !row.substr(name).starts_with('(')) return std::nullopt;
+        const Words name = row.substr(0, word_length(row));
         const std::size_t first = find_outside(row, "=");
-        if (first == Words::npos || row.substr(first).starts_with("==")) return std::nullopt;
+        if (name.empty() || first == Words::npos || is_built_in(name)) return std::nullopt;
         const Words call = trimmed(row.substr(0, first));
-        const Words behind = row.substr(first + 1);
-        const std::size_t second = find_outside(behind, "=");
-        if (second == Words::npos || second == 0 || behind.substr(second).starts_with("==") ||
-            Words("<>!:").contains(behind[second - 1]) || !in_brackets(call.substr(name)))
-            return std::nullopt;
-        const Words constant = trimmed(behind.substr(second + 1));
-        if (constant.empty() || find_outside(constant, "=") != Words::npos) return std::nullopt;
-        return std::array{call, trimmed(behind.substr(0, second)), constant};
+        const auto arguments = in_brackets(call.substr(name.size()));
+        const auto parts = split_outside(row.substr(first + 1), '=');
+        const bool is_plain =
+            parts.size() == 2 && row.find_first_of("<>!:?,|&", first) == Words::npos &&
+            find_outside(row, "or") == Words::npos && find_outside(row, "and") == Words::npos;
+        if (!arguments || !is_plain || parts[0].empty() || parts[1].empty()) return std::nullopt;
+        const auto names = split_outside(*arguments, ',');
+        if (!std::ranges::all_of(names, is_word)) return std::nullopt;
+        return std::array{call, parts[0], parts[1]};
     }
 
     /// Writes a statement that is neither a command nor a function. Where programs assign by "=",
@@ -252,7 +247,7 @@ private:
     }
 
     /// The plotting command that a whole statement is, perhaps given a name.
-    [[nodiscard]] std::optional<CommandCall> call_in(Words row) const {
+    [[nodiscard]] std::optional<CommandCall> call_in(Words row) {
         std::size_t length = word_length(row);
         const Words behind = trimmed(row.substr(length));
         for (const Words sign : {":=", "=", "<-"}) {
@@ -275,8 +270,9 @@ private:
         if (known_command(name) == nullptr) return std::nullopt;
         const std::size_t opener = length + blank_length(row.substr(length));
         const bool calls = opener < row.size() && (row[opener] == '(' || row[opener] == '[');
-        const auto closer =
-            calls ? closing_bracket(row.substr(opener, longest_call)) : std::nullopt;
+        if (!calls || unclosed_calls_ > most_unclosed_calls) return std::nullopt;
+        const auto closer = closing_bracket(row.substr(opener, longest_call));
+        unclosed_calls_ += closer ? 0 : 1;
         if (!closer) return std::nullopt;
         const Words rest = trimmed(row.substr(opener + *closer + 1));
         const bool ends = rest.empty() || rest == ":" || rest == "$" ||
@@ -300,17 +296,9 @@ private:
     }
 
     bool command(const CommandCall& call, Words row, ExpressionWriter& writer) {
-        const auto refuse = [&] {
-            error_ = {.offset = result_.text.offset_of(call.name),
-                      .reason = filled(tr("{0} is a command of another program"),
-                                       {"'" + std::string(call.name) + "'"}),
-                      .hint = tr("type only the equation in it")};
-            return false;
-        };
-        if (++commands_ > most_commands) return refuse();
         SourceText scratch(typed_);
         ExpressionWriter trial(scratch);
-        if (!write_command(call, trial)) return refuse();
+        if (++commands_ > most_commands || !write_command(call, trial)) return refuse(call.name);
         const auto outcome = write_command(call, writer);
         writer.put(";", row.substr(row.size()));
         if (const std::size_t name = word_length(row); row.data() != call.name.data())
@@ -318,6 +306,13 @@ private:
         note(call, *outcome);
         take(outcome->box, result_.text.offset_of(call.name));
         return true;
+    }
+    bool refuse(Words command) {
+        error_ = {.offset = result_.text.offset_of(command),
+                  .reason = filled(tr("{0} is a command of another program"),
+                                   {"'" + std::string(command) + "'"}),
+                  .hint = tr("type only the equation in it")};
+        return false;
     }
     void note(const CommandCall& call, const CommandOutcome& outcome) {
         const std::size_t offset = result_.text.offset_of(call.name);
@@ -342,6 +337,7 @@ private:
     }
 
     bool splot(Words row, ExpressionWriter& writer) {
+        if (++commands_ > most_commands) return refuse(row.substr(0, word_length(row)));
         take(write_splot(row, writer), result_.text.offset_of(row));
         result_.notes.add(result_.text.offset_of(row),
                           filled(tr("this is read as {0}'s {1}"), {"gnuplot", "splot"}));
@@ -349,6 +345,7 @@ private:
     }
 
     Words typed_;
+    Prompts prompts_{typed_};
     DialectText result_;
     std::optional<ParseError> error_;
     Words program_;             ///< whose command the text begins with
@@ -356,6 +353,7 @@ private:
     bool draws_ = false;        ///< there is a command, or a grid to draw on
     bool assigns_ = false;      ///< "=" gives a name its value, and is no equation
     int commands_ = 0;
+    int unclosed_calls_ = 0;
     int failed_functions_ = 0;  ///< statements that might have been one
 };
 

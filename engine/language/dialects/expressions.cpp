@@ -1,6 +1,7 @@
 #include "engine/language/dialects/expressions.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/language/dialects/names_in_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -121,57 +122,20 @@ Cases cases_of_pairs(Words inside) {
     return cases;
 }
 
-/// Whether a name gets a function's head in a text behind `at`: f = @(, f = lambda, f := (x) ->,
-/// f(x) =, f[x_] :=.
-bool gets_function(Words behind) {
-    behind = trimmed(behind);
-    for (const Words sign : {":=", "=", "<-"}) {
-        if (!behind.starts_with(sign)) continue;
-        const Words body = trimmed(behind.substr(sign.size()));
-        const Words row = body.substr(0, body.find_first_of("\n;"));
-        return row.starts_with("function") || row.starts_with("proc") ||
-               unnamed_function(row).has_value();
-    }
-    if (!behind.starts_with('(') && !behind.starts_with('[')) return false;
-    const auto closer = closing_bracket(behind.substr(0, longest_rewritten));
-    if (!closer) return false;
-    const Words rest = trimmed(behind.substr(*closer + 1));
-    return rest.starts_with(":=") || (rest.starts_with('=') && !rest.starts_with("=="));
-}
-
 }  // namespace
 
 bool ExpressionWriter::is_function(std::string_view name) const {
-    const std::string_view typed = text_.typed();
-    for (std::size_t at = typed.find(name); at != Words::npos; at = typed.find(name, at + 1)) {
-        const bool is_whole = word_length(typed.substr(at)) == name.size() &&
-                              (at == 0 || word_length(typed.substr(at - 1)) <= 1);
-        if (!is_whole) continue;
-        const std::string_view before = trimmed(typed.substr(0, at));
-        const bool is_declared = before.ends_with("def") || before.ends_with("function") ||
-                                 before.ends_with("fn") || before.ends_with("float");
-        if (is_declared || gets_function(typed.substr(at + name.size()))) return true;
-    }
-    return false;
+    return is_function_in(text_.typed(), name);
+}
+
+std::string_view ExpressionWriter::value_of(std::string_view name) const {
+    return list_in(text_.typed(), name);
 }
 
 std::string ExpressionWriter::words_of(std::string_view expression) const {
     SourceText words(expression);
     ExpressionWriter(words).write(expression);
     return words.words();
-}
-
-std::string_view ExpressionWriter::value_of(std::string_view name) const {
-    const std::string_view typed = text_.typed();
-    for (std::size_t at = typed.find(name); at != Words::npos; at = typed.find(name, at + 1)) {
-        const std::string_view behind = trimmed(typed.substr(at + name.size()));
-        if (at > 0 && word_length(typed.substr(at - 1)) > name.size()) continue;
-        const std::string_view value =
-            behind.starts_with('=') ? trimmed(behind.substr(1)) : Words();
-        const auto closer = value.starts_with('[') ? closing_bracket(value) : std::nullopt;
-        if (closer) return value.substr(0, *closer + 1);
-    }
-    return {};
 }
 
 void ExpressionWriter::write(std::string_view expression) {
@@ -194,11 +158,11 @@ void ExpressionWriter::write(std::string_view expression) {
 std::size_t ExpressionWriter::write_other(std::string_view expression, std::size_t at,
                                           const std::function<void()>& flush) {
     const std::string_view rest = expression.substr(at);
-    const std::size_t remark = rest.starts_with("(*") ? rest.find("*)", 2) : Words::npos;
-    const bool is_sign = rest.starts_with("\\[") && rest.find(']') < longest_sign;
-    if (remark != Words::npos || is_constant_of_maxima(expression, at)) {
+    const std::size_t remark = rest.starts_with("(*") ? remarks_.length(rest) : 0;
+    const bool is_sign = rest.starts_with("\\[") && rest.substr(0, longest_sign).contains(']');
+    if (remark > 0 || is_constant_of_maxima(expression, at)) {
         flush();
-        return remark != Words::npos ? remark + 2 : 1;
+        return remark > 0 ? remark : 1;
     }
     if (is_sign) {  // Mathematica's \[Pi]
         flush();
@@ -261,10 +225,11 @@ std::string_view ExpressionWriter::other_name(std::string_view word) const {
 /// Writes {a, b} as (a, b), and returns its length; 0: it is no list of several.
 std::size_t ExpressionWriter::write_list(std::string_view text, std::string_view opener,
                                          const std::function<void()>& flush) {
+    if (depth_ >= most_nested_calls || unclosed_ >= most_unclosed) return 0;
     const auto closer = closing_bracket(text.substr(0, longest_rewritten));
-    const auto parts = closer && depth_ < most_nested_calls
-                           ? split_outside(text.substr(1, *closer - 1), ',')
-                           : std::vector<Words>();
+    unclosed_ += closer ? 0 : 1;
+    const auto parts =
+        closer ? split_outside(text.substr(1, *closer - 1), ',') : std::vector<Words>();
     if (parts.size() < 2) return 0;
     flush();
     ++depth_;
@@ -341,6 +306,8 @@ bool ExpressionWriter::write_sum(std::string_view word, std::string_view inside)
         }
     }
     if (ranges.empty()) return false;
+    // SymPy's first range is the innermost one, Mathematica's the last.
+    if (parts.size() > 2 && parts[1].starts_with('(')) std::ranges::reverse(ranges);
     for (std::size_t i = 0; i < ranges.size(); ++i)
         put(known->second, word);
     write(body);
@@ -383,11 +350,13 @@ bool ExpressionWriter::write_cases(std::string_view word, std::string_view insid
 
 /// Writes Python's `a if c else b` as a choice.
 bool ExpressionWriter::write_choice(std::string_view expression) {
-    const std::size_t at = find_outside(expression, "if");
+    const std::size_t at =
+        depth_ < most_nested_calls ? find_outside(expression, "if") : Words::npos;
     if (at == Words::npos || trimmed(expression.substr(0, at)).empty()) return false;
     const std::string_view behind = expression.substr(at + 2);
     const std::size_t other = find_outside(behind, "else");
     if (other == Words::npos) return false;
+    ++depth_;
     put("((", expression);
     write(trimmed(behind.substr(0, other)));
     put(") ? (", expression);
@@ -395,6 +364,7 @@ bool ExpressionWriter::write_choice(std::string_view expression) {
     put(") : (", behind.substr(other));
     write(trimmed(behind.substr(other + 4)));
     put("))", expression.substr(expression.size()));
+    --depth_;
     return true;
 }
 

@@ -57,6 +57,7 @@ private:
     SourceText& text_;
     Names renamed_, always_renamed_;
     bool reads_lists_ = false;
+    RemarkEnds remarks_{"*)"};
     int depth_ = 0;     ///< calls within calls
     int unclosed_ = 0;  ///< calls without an end
 };

@@ -13,7 +13,8 @@ namespace {
 
 using Words = std::string_view;
 
-constexpr int most_nested = 50;  // choices within choices
+constexpr std::size_t longest_condition = 500;  // bytes
+constexpr int most_nested = 50;                 // choices within choices
 
 /// Lines that belong together by how far they are set in.
 class PythonBody {
@@ -68,12 +69,22 @@ private:
         const std::size_t own = indent_;
         if (cursor_.take_word("if")) {
             condition(own);
+        } else if (const std::size_t length = docstring_length(cursor_.rest()); length > 0) {
+            cursor_.skip(length);
         } else {
             const std::size_t end = end_of_statement(cursor_.text(), cursor_.at());
             const Words row = cursor_.text().substr(cursor_.at(), end - cursor_.at());
             cursor_.skip(row.size());
             simple(without_remark(row, "#"));
         }
+    }
+    /// The length of a text in three quotation marks, which may go over lines.
+    static std::size_t docstring_length(Words text) {
+        for (const Words marks : {R"(""")", "'''"}) {
+            const std::size_t end = text.starts_with(marks) ? text.find(marks, 3) : Words::npos;
+            if (end != Words::npos) return end + 3;
+        }
+        return 0;
     }
     void condition(std::size_t own) {
         const Words row = cursor_.rest();
@@ -241,7 +252,7 @@ private:
     }
     Words condition() {
         const Words row = cursor_.rest();
-        const std::size_t then = find_outside(row, "then");
+        const std::size_t then = find_outside(row.substr(0, longest_condition), "then");
         const std::size_t line = std::min(row.find_first_of(line_ends), row.size());
         const std::size_t end = std::min(then, std::min(line, row.size()));
         cursor_.skip(end + (then == end ? 4 : 0));

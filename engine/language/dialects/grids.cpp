@@ -47,9 +47,9 @@ bool Grids::makes_grid(std::string_view row) {
     return call && is_grid(call->name);
 }
 
-bool Grids::has_grid_ahead() const {
-    const Words typed = writer_.text().typed();
-    return typed.contains("meshgrid") || typed.contains("ndgrid") || typed.contains("mgrid");
+Grids::Grids(ExpressionWriter& writer, AskedBox& box) : writer_(writer), box_(box) {
+    const Words typed = writer.text().typed();
+    is_ahead_ = typed.contains("meshgrid") || typed.contains("ndgrid") || typed.contains("mgrid");
 }
 
 bool Grids::is_line(std::string_view value) {
@@ -65,10 +65,11 @@ bool Grids::write(std::string_view row) {
     if (!parts) return false;
     const auto call = call_of(parts->second);
     if (call && is_grid(call->name)) return write_grid(parts->first, parts->second);
-    if (!is_word(parts->first) || !has_grid_ahead()) return false;
+    if (!is_word(parts->first) || !is_ahead_) return false;
     if (const auto inner = assignment(parts->second)) {  // tx = ty = linspace(-8, 8, 41)
-        if (!write(parts->second)) return false;
-        remember_points(parts->first, inner->first);
+        if (!is_word(inner->first) || !ends_of(inner->second)) return false;
+        remember_points(parts->first, inner->second);
+        remember_points(inner->first, inner->second);
         return true;
     }
     if (!ends_of(parts->second)) return false;
@@ -101,6 +102,8 @@ std::optional<Grids::Ends> Grids::ends_of(std::string_view argument) const {
 /// Writes X := x; Y := y; Z := z, where these names are not those of the coordinates.
 bool Grids::write_grid(std::string_view names, std::string_view call) {
     constexpr std::array<Words, 3> axes{"x", "y", "z"};
+    constexpr int most_grids = 20;
+    if (++grid_count_ > most_grids) return false;
     const auto of = call_of(call);
     const auto grid = split_outside(in_brackets(names).value_or(names), ',');
     if (grid.size() < 2 || grid.size() > 3) return false;
@@ -134,7 +137,7 @@ bool Grids::draws_points(const std::vector<std::string_view>& grid) const {
         const Words first = call->arguments[0];
         const bool is_line =
             std::ranges::any_of(points_, [&](const auto& points) { return points.first == first; });
-        return first != grid[0] && first != grid[1] && !is_line;
+        return first != grid[0] && !is_line;
     }
     return false;
 }

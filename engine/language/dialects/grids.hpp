@@ -16,7 +16,7 @@ namespace zeroset {
 class Grids {
 public:
     /// Writes with `writer`, and puts the ends of grids into `box`.
-    Grids(ExpressionWriter& writer, AskedBox& box) : writer_(writer), box_(box) {}
+    Grids(ExpressionWriter& writer, AskedBox& box);
 
     /// Whether a statement makes a grid, so that its text is a program's.
     static bool makes_grid(std::string_view row);
@@ -34,7 +34,6 @@ private:
     bool write_surface(std::string_view row);
     void write_level(std::string_view values, std::string_view level);
     void write_heights(const GridArguments& places);
-    [[nodiscard]] bool has_grid_ahead() const;
     [[nodiscard]] bool draws_points(const std::vector<std::string_view>& grid) const;
     bool write_parameters(const std::vector<std::string_view>& grid, const GridArguments& of);
     void remember_points(std::string_view name, std::string_view value);
@@ -43,7 +42,9 @@ private:
     AskedBox& box_;
     std::vector<std::pair<std::string_view, Ends>> points_;  ///< names of points on a line
     std::string parameters_;  ///< ranges of a grid whose points are parameters of a surface
+    bool is_ahead_ = false;   ///< somewhere in the text a grid is made
     bool has_grid_ = false;
+    int grid_count_ = 0;
 };
 
 }  // namespace zeroset

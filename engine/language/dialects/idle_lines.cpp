@@ -72,7 +72,9 @@ bool is_idle(Words line) {
     const bool is_known = std::ranges::find(idle_words, word) != idle_words.end();
     const std::size_t show = line.find(".show(");
     const bool shows = show != Words::npos && is_word(line.substr(0, show));
-    return (is_known && !behind.starts_with('=')) || shows || loads_library(line);
+    const bool computes = find_outside(line, "=") != Words::npos ||
+                          (!behind.empty() && Words("*/^+-.").contains(behind.front()));
+    return (is_known && !computes) || shows || loads_library(line);
 }
 
 }  // namespace zeroset

@@ -17,8 +17,8 @@ constexpr int most_nested_sums = 20;
 constexpr std::size_t longest_group = 1'000;  // bytes of an index or an end of a sum
 
 /// Relations, by which an equation is told from a part of one.
-constexpr std::array<Words, 9> relations{"=",     "<",     ">",    "\\le", "\\ge",
-                                         "\\leq", "\\geq", "\\lt", "\\gt"};
+constexpr std::array<Words, 12> relations{"\\ne", "\\neq", "\\approx", "=",     "<",    ">",
+                                          "\\le", "\\ge",  "\\leq",    "\\geq", "\\lt", "\\gt"};
 /// Environments whose lines may be parts of one equation.
 constexpr std::array<Words, 7> line_environments{"align",    "aligned",  "split",   "gather",
                                                  "multline", "eqnarray", "gathered"};
@@ -153,7 +153,7 @@ public:
             }
             const Words command = command_at(rest);
             if (rest.starts_with("\\\\") && is_within_lines()) {
-                if (!has_relation_) {
+                if (!has_relation_ || goes_on(text.substr(at + 2))) {
                     keep_up_to(at);
                     kept = at + 2;
                 }
@@ -211,6 +211,16 @@ private:
         });
         environments_.push_back(is_of_lines);
         has_relation_ = false;
+    }
+    /// Whether a line begins with a sign that stands between terms, and has no relation of its own.
+    static bool goes_on(Words line) {
+        line = trimmed(line.substr(0, std::min(line.find("\\\\"), line.find("\\end"))));
+        for (const Words skipped : {"&", "\\quad", "\\qquad", "\\;", "\\,", "\\ "}) {
+            if (line.starts_with(skipped)) line = trimmed(line.substr(skipped.size()));
+        }
+        const bool is_joined = line.starts_with('+') || line.starts_with('-');
+        return is_joined && std::ranges::none_of(
+                                relations, [&](Words relation) { return line.contains(relation); });
     }
     [[nodiscard]] bool is_within_lines() const {
         return !environments_.empty() && environments_.back();

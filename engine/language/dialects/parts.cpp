@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 
 namespace zeroset {
 namespace {
@@ -43,8 +44,9 @@ private:
         if (rest.front() == '"' || (rest.front() == '\'' && !is_behind_value()))
             return quotation_length(rest);
         if (rest.starts_with("(*") || rest.starts_with("/*")) return remark_length(rest);
-        const bool is_rest =
-            rest.starts_with("//") || (rest.front() == '#' && !rest.starts_with("#d"));
+        const bool is_rest = rest.starts_with("//") ||
+                             (rest.front() == '#' && !rest.starts_with("#d")) ||
+                             (rest.front() == '%' && is_at_line_start());
         return is_rest ? std::min(rest.find_first_of(line_ends), rest.size()) : 0;
     }
     static std::size_t quotation_length(std::string_view text) {
@@ -52,10 +54,12 @@ private:
         return end != std::string_view::npos && text[end] == text.front() ? end + 1 : 0;
     }
     std::size_t remark_length(std::string_view text) {
-        if (!has_ends_) return 0;
-        const std::size_t end = text.find(text.front() == '(' ? "*)" : "*/", 2);
-        has_ends_ = end != std::string_view::npos;
-        return has_ends_ ? end + 2 : 0;
+        return text.front() == '(' ? round_.length(text) : slashed_.length(text);
+    }
+    /// Whether a % begins a remark, as it does at the start of a line.
+    [[nodiscard]] bool is_at_line_start() const {
+        const std::size_t before = text_.substr(0, at_).find_last_not_of(" \t");
+        return before == std::string_view::npos || line_ends.contains(text_[before]);
     }
     /// Whether a ' is a transposition or a derivative.
     [[nodiscard]] bool is_behind_value() const {
@@ -65,10 +69,21 @@ private:
     std::string_view text_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    bool has_ends_ = true;  ///< remarks, as far as it is known
+    RemarkEnds round_{"*)"};
+    RemarkEnds slashed_{"*/"};
 };
 
 }  // namespace
+
+std::size_t RemarkEnds::length(std::string_view text) {
+    const std::string_view near = text.substr(0, longest_remark);
+    const bool is_known = std::less<>()(near.data(), none_before_);
+    const auto known = is_known ? static_cast<std::size_t>(none_before_ - near.data()) : 0;
+    const std::size_t end = near.find(mark_, std::max<std::size_t>(known, 2));
+    if (end != std::string_view::npos) return end + mark_.size();
+    none_before_ = near.data() + near.size() - 1;
+    return 0;
+}
 
 std::size_t word_length(std::string_view text) {
     if (text.empty() || std::isdigit(static_cast<unsigned char>(text.front())) != 0) return 0;

@@ -12,6 +12,22 @@ namespace zeroset {
 
 /// Signs that end a line; \v does within a row.
 inline constexpr std::string_view line_ends = "\n\v\r";
+/// Bytes of a remark that is passed over.
+inline constexpr std::size_t longest_remark = 5'000;
+
+/// Finds where remarks end, in a text that is gone through forwards.
+class RemarkEnds {
+public:
+    explicit RemarkEnds(std::string_view mark) : mark_(mark) {}
+
+    /// The length of the remark at the start of a text, which begins with two signs; 0: it has no
+    /// end nearby.
+    std::size_t length(std::string_view text);
+
+private:
+    std::string_view mark_;
+    const char* none_before_ = nullptr;  ///< up to where there is no end
+};
 
 /// The length of the word at the start of a text: letters, digits and "_", no digit first.
 std::size_t word_length(std::string_view text);

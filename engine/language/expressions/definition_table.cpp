@@ -82,7 +82,7 @@ bool DefinitionTable::is_level_of_function(const Definition& definition) const {
     if (known == functions_.end()) return false;
     const bool of_variables = std::ranges::all_of(
         definition.arguments,
-        [](const std::string& name) { return is_axis(name) || name == "w" || name == "t"; });
+        [](const std::string& name) { return is_place(name) || name == "w" || name == "t"; });
     const Definition& last = definitions_[known->second.back()];
     if (!of_variables || definition.arguments.size() != last.arguments.size()) return false;
     return definition.arguments != last.arguments || !mentions_any_of(definition);

@@ -195,6 +195,19 @@ ExpressionReader::Built ExpressionReader::sum(const Syntax& syntax, const Contex
     return total;
 }
 
+/// Refuses x[1]: a name with a number in brackets is a part of a list, in any program.
+bool ExpressionReader::refuses_index(const Syntax& product, std::size_t factor) {
+    const Syntax& name = tree_[product.operands[factor - 1]];
+    const Syntax& behind = tree_[product.operands[factor]];
+    const Syntax& index = behind.kind == SyntaxKind::Power ? tree_[behind.operands[0]] : behind;
+    if (name.kind != SyntaxKind::Name || index.kind != SyntaxKind::Number) return false;
+    const bool is_point = name.text == "x" || name.text == "p";
+    values_.fail(name.offset, filled(tr("{0} has no parts by number"), {"'" + name.text + "'"}),
+                 is_point ? tr("type x, y and z for the first, second and third coordinate")
+                          : filled(tr("for a product type {0}"), {name.text + "*" + index.text}));
+    return true;
+}
+
 ExpressionReader::Built ExpressionReader::product(const Syntax& syntax, const Context& context) {
     Built total = operand(syntax.operands[0], context);
     for (std::size_t i = 1; total && i < syntax.operands.size(); ++i) {
@@ -210,6 +223,7 @@ ExpressionReader::Built ExpressionReader::product(const Syntax& syntax, const Co
         switch (syntax.marks[i - 1]) {
             case '[':
                 if (!total->is_single()) return values_.refuse_index(*total, offset);
+                if (refuses_index(syntax, i)) return std::nullopt;
                 [[fallthrough]];
             case '*': total = values_.combined(*total, *factor, offset, make_multiply); break;
             case '/':

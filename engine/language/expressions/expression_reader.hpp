@@ -68,6 +68,7 @@ private:
     Built power(const Syntax& syntax, const Context& context);
     Built sum(const Syntax& syntax, const Context& context);
     Built product(const Syntax& syntax, const Context& context);
+    bool refuses_index(const Syntax& product, std::size_t factor);
     bool is_zero_by_name(const Syntax& syntax, const BuiltValue& divisor, const Context& context);
     Built with_local_value(const Syntax& syntax, const Context& context);
     Built last_of_list(const Syntax& syntax, const Context& context);

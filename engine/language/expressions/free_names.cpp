@@ -50,14 +50,16 @@ GraphValues::Built FreeNames::parameter(const std::string& name, std::size_t off
                                                {std::to_string(ProgramLimits::parameters)}));
         }
         parameters_.push_back(name);
-        note_capital(name, offset);
+        note_other_meaning(name, offset);
     }
     const int variable = variable_w + 1 + static_cast<int>(entry->second);
     return values_.done(values_.builder().variable(variable), offset);
 }
 
-/// Notes that X and E are parameters here, but the coordinate and 2.718... elsewhere.
-void FreeNames::note_capital(const std::string& name, std::size_t offset) {
+/// Notes that X, E and i are parameters here, but the coordinate, 2.718... and the imaginary unit
+/// elsewhere.
+void FreeNames::note_other_meaning(const std::string& name, std::size_t offset) {
+    if (name == "i") values_.note(offset, tr("i is a parameter, as complex numbers are not read"));
     const bool is_axis = name == "X" || name == "Y" || name == "Z";
     if (!is_axis && name != "E") return;
     const char* const note = is_axis ? tr("{0} is a parameter; for the coordinate type {1}")

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool calls_w_t() const { return says_t_ && !says_w_; }
 
 private:
-    void note_capital(const std::string& name, std::size_t offset);
+    void note_other_meaning(const std::string& name, std::size_t offset);
 
     GraphValues& values_;
     std::unordered_map<std::string, std::size_t> index_;

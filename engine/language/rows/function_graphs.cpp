@@ -15,8 +15,9 @@ namespace zeroset {
 bool FunctionGraphs::may_read(const Definition& definition) const {
     DefinitionTable& table = reader_.table();
     const bool stands = table.of_statement(definition.statement) == &definition;
+    const auto meant = nearest_known_name(definition.name);
     const bool misspelt =
-        !definition.is_certain && definition.name.size() > 2 && nearest_known_name(definition.name);
+        !definition.is_certain && definition.name.size() > 2 && meant && *meant != definition.name;
     const bool again = std::ranges::any_of(table.all(), [&](const Definition& other) {
         return other.name == definition.name && other.statement > definition.statement;
     });

@@ -234,6 +234,11 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
         return is_place(argument) || argument == "t" || argument == "w";
     };
     if (is_place(name)) {
+        // phi(x, y, z) = ... is a function that is 0 on a surface, as papers have it.
+        const bool is_axis = name == "x" || name == "y" || name == "z";
+        if (!is_axis && candidate.arguments.size() == 3 &&
+            std::ranges::all_of(candidate.arguments, is_coordinate))
+            return true;
         const bool called = uses.calls > 0;
         if (!called && std::ranges::all_of(candidate.arguments, is_coordinate)) {
             result_.places_.insert(candidate.name_offset);
