@@ -24,6 +24,9 @@ bool is_letter_name(std::string_view name) {
     return name.size() == 1 || code_point_at(name, 0).length == name.size();
 }
 
+/// Whether a name is one of a coordinate of the point, or of the fourth one.
+bool is_coordinate(const std::string& name) { return is_place(name) || name == "t" || name == "w"; }
+
 /// The factors joined by "*", but by a space after a function: "sin x".
 std::string product_of(const std::vector<std::string>& factors) {
     constexpr std::size_t longest = 40;
@@ -171,6 +174,7 @@ private:
     [[nodiscard]] bool defines_value(const Candidate& candidate) const;
     [[nodiscard]] bool defines_product(const Candidate& candidate,
                                        const std::vector<std::string>& factors) const;
+    [[nodiscard]] bool defines_place(const Candidate& candidate, const NameUses& uses) const;
     [[nodiscard]] bool defines_function(const Candidate& candidate) const;
 
     const Candidates& candidates_;
@@ -223,6 +227,23 @@ bool DefinitionSearch::defines_product(const Candidate& candidate,
     return defines;
 }
 
+/// Whether r(x, y) = ... or phi(x, y, z) = ... defines a function of that name, and is no equation.
+bool DefinitionSearch::defines_place(const Candidate& candidate, const NameUses& uses) const {
+    const std::string& name = candidate.name;
+    const bool of_coordinates = std::ranges::all_of(candidate.arguments, is_coordinate);
+    // phi(x, y, z) = ... is a function that is 0 on a surface, as papers have it.
+    const bool is_axis = name == "x" || name == "y" || name == "z";
+    if (!is_axis && candidate.arguments.size() == 3 && of_coordinates) return true;
+    const bool called = uses.calls > 0;
+    if (!called && of_coordinates) {
+        result_.places_.insert(candidate.name_offset);
+        notes_.add(candidate.begin, filled(tr("read as {0}; for the product type {1}"),
+                                           {name + " = ...", name + "*(...)"}));
+        return false;
+    }
+    return called || candidate.arguments.size() > 1;
+}
+
 bool DefinitionSearch::defines_function(const Candidate& candidate) const {
     const std::string& name = candidate.name;
     if (candidate.is_certain) return true;
@@ -230,24 +251,7 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
     if (is_log && candidates_.uses(name).calls == 0) return false;  // log_2(x) = y is an equation
     if (is_letter_name(name) && !is_built_in_value(name)) return true;
     const NameUses uses = candidates_.uses(name);
-    const auto is_coordinate = [](const std::string& argument) {
-        return is_place(argument) || argument == "t" || argument == "w";
-    };
-    if (is_place(name)) {
-        // phi(x, y, z) = ... is a function that is 0 on a surface, as papers have it.
-        const bool is_axis = name == "x" || name == "y" || name == "z";
-        if (!is_axis && candidate.arguments.size() == 3 &&
-            std::ranges::all_of(candidate.arguments, is_coordinate))
-            return true;
-        const bool called = uses.calls > 0;
-        if (!called && std::ranges::all_of(candidate.arguments, is_coordinate)) {
-            result_.places_.insert(candidate.name_offset);
-            notes_.add(candidate.begin, filled(tr("read as {0}; for the product type {1}"),
-                                               {name + " = ...", name + "*(...)"}));
-            return false;
-        }
-        return called || candidate.arguments.size() > 1;
-    }
+    if (is_place(name)) return defines_place(candidate, uses);
     if (is_built_in_value(name)) return uses.calls > 0 || candidate.arguments.size() > 1;
     if (const Function* const function = find_function(name); function && function->is_word())
         return mentions_argument(candidate);  // else it is an equation, as sphere(p, r) = 1
