@@ -69,7 +69,7 @@ OrInputError<InputDocument> formula_document(const std::string& equation, const 
         return wrong_input("'" + equation + "': there is no such file, and it is no formula: " +
                            read.rows.error().reason);
     }
-    return InputDocument{std::move(read)};
+    return InputDocument{std::move(read), {}, {}, {}, false, true};
 }
 
 /// The document of a file of a session, or of a picture that holds one.
@@ -119,7 +119,12 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         case InputKind::OtherFile: return wrong_input(what_is_opened(equation));
         case InputKind::StandardInput:
             return InputDocument{
-                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}), files)};
+                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}), files),
+                {},
+                {},
+                {},
+                false,
+                true};
         case InputKind::Formula: break;
     }
     return formula_document(equation, files);

@@ -16,6 +16,7 @@ struct InputDocument : ReadDocument {
     /// LoadedDocument::shown_on of the file, which its document has as its background.
     std::optional<Background> shown_on = std::nullopt;
     bool stored = false;  ///< it was kept as a document, with what is shown about its surfaces
+    bool typed = false;   ///< it is a text, as argument or on standard input
 };
 
 /// The document that the command line's EQUATION names or is: a formula, @NAME of the gallery, a

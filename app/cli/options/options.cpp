@@ -9,7 +9,6 @@
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"
-#include "pipeline/input/input_source.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <algorithm>
@@ -203,9 +202,8 @@ OrInputError<Size> read_size(const std::string& option, const std::string& text,
 namespace {
 
 /// Says on stderr what of a typed text was read in an unusual way.
-void tell_notes(const std::string& equation, const InputDocument& input) {
-    const InputKind kind = classify(equation).kind;
-    if (!input.rows || (kind != InputKind::Formula && kind != InputKind::StandardInput)) return;
+void tell_notes(const InputDocument& input) {
+    if (!input.rows || !input.typed) return;
     std::set<std::string> told;
     for (const Reading& reading : input.rows->program->readings) {
         for (const std::string& note : reading.notes) {
@@ -219,7 +217,7 @@ void tell_notes(const std::string& equation, const InputDocument& input) {
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view) {
     auto input = stored_document(equation);
     if (!input) return input;
-    if (!view.quiet) tell_notes(equation, *input);
+    if (!view.quiet) tell_notes(*input);
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);
     if (input->path.empty()) input->document.home = input->document.camera;
     // An unreadable text is reported before options that do not fit it.

@@ -10,11 +10,13 @@
 #include "engine/language/dialects/grids.hpp"
 #include "engine/language/dialects/idle_lines.hpp"
 #include "engine/language/dialects/latex.hpp"
+#include "engine/language/dialects/names_in_text.hpp"
 #include "engine/language/dialects/prompts.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,8 +37,8 @@ public:
         : typed_(typed), result_{.text = SourceText(typed), .box = {}, .notes = {}, .wholes = {}} {}
 
     std::expected<std::optional<DialectText>, ParseError> read() {
-        if (has_foreign_latex(typed_)) {
-            write_latex(typed_, result_.text);
+        if (SourceText latex = latex_in_words(typed_); latex.is_changed()) {
+            result_.text = std::move(latex);
             return std::move(result_);
         }
         if (!is_foreign()) return std::nullopt;
@@ -85,7 +87,7 @@ private:
     [[nodiscard]] bool rewrites() const {
         SourceText scratch(typed_);
         ExpressionWriter(scratch).write(typed_);
-        return scratch.words() != typed_;
+        return scratch.is_changed();
     }
 
     /// Refuses M = {{2, 0}, {0, 1}} and M = [2 0; 0 1].
@@ -280,7 +282,7 @@ private:
         if (!ends) return std::nullopt;
         CommandCall call{.name = name,
                          .arguments = arguments_in(row.substr(opener + 1, *closer - 1))};
-        if (!is_command(call) || defines_function(name)) return std::nullopt;
+        if (!is_command(call) || is_function_in(typed_, name)) return std::nullopt;
         return call;
     }
     /// The name in plots[implicitplot3d], behind the first `length` bytes.
@@ -290,16 +292,11 @@ private:
         const Words name = behind.substr(1, word_length(behind.substr(1)));
         return behind.substr(1 + name.size()).starts_with("](") ? name : Words();
     }
-    [[nodiscard]] bool defines_function(Words name) const {
-        SourceText scratch(typed_);
-        return ExpressionWriter(scratch).is_function(name);
-    }
 
     bool command(const CommandCall& call, Words row, ExpressionWriter& writer) {
-        SourceText scratch(typed_);
-        ExpressionWriter trial(scratch);
-        if (++commands_ > most_commands || !write_command(call, trial)) return refuse(call.name);
+        if (++commands_ > most_commands) return refuse(call.name);
         const auto outcome = write_command(call, writer);
+        if (!outcome) return refuse(call.name);
         writer.put(";", row.substr(row.size()));
         if (const std::size_t name = word_length(row); row.data() != call.name.data())
             plots_.push_back(row.substr(0, name));
@@ -361,10 +358,10 @@ private:
 
 std::size_t DialectText::statement_offset(std::size_t place) const {
     const std::size_t typed = text.typed_offset(place);
-    for (const auto& [begin, end] : wholes) {
-        if (begin <= typed && typed < end) return begin;
-    }
-    return typed;
+    const auto behind =
+        std::ranges::upper_bound(wholes, typed, {}, &std::pair<std::size_t, std::size_t>::first);
+    const bool is_within = behind != wholes.begin() && typed < std::prev(behind)->second;
+    return is_within ? std::prev(behind)->first : typed;
 }
 
 std::expected<std::optional<DialectText>, ParseError> read_dialects(std::string_view typed) {

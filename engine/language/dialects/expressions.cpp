@@ -30,7 +30,7 @@ constexpr std::array sums = std::to_array<std::pair<Words, Words>>({{"Sum", "sum
                                                                     {"mul", "prod("},
                                                                     {"symprod", "prod("}});
 
-/// An index and its ends; `count`: it runs from 1 (or of Python's range, 0) to less than them.
+/// An index and its ends; without the lower one it runs from 1, or of Python's range from 0.
 struct IndexRange {
     Words name, lo, hi;
     bool is_open = false;  ///< the last one is below `hi`

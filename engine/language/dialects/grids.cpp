@@ -1,6 +1,7 @@
 #include "engine/language/dialects/grids.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/language/dialects/command_arguments.hpp"
 
 #include <algorithm>
 #include <array>
@@ -101,7 +102,6 @@ std::optional<Grids::Ends> Grids::ends_of(std::string_view argument) const {
 
 /// Writes X := x; Y := y; Z := z, where these names are not those of the coordinates.
 bool Grids::write_grid(std::string_view names, std::string_view call) {
-    constexpr std::array<Words, 3> axes{"x", "y", "z"};
     constexpr int most_grids = 20;
     if (++grid_count_ > most_grids) return false;
     const auto of = call_of(call);
@@ -113,10 +113,10 @@ bool Grids::write_grid(std::string_view names, std::string_view call) {
         const bool is_same = of->arguments.size() == 1;
         const bool has_ends = is_same || k < of->arguments.size();
         box_.at(k) = has_ends ? ends_of(of->arguments[is_same ? 0 : k]) : std::nullopt;
-        if (grid[k] == axes.at(k)) continue;
+        if (grid[k] == axis_names.at(k)) continue;
         writer_.text().keep(grid[k]);
         writer_.put(" := ", grid[k]);
-        writer_.put(axes.at(k), grid[k]);
+        writer_.put(axis_names.at(k), grid[k]);
         writer_.put(";", grid[k]);
     }
     const Words typed = writer_.text().typed();

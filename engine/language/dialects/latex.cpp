@@ -234,13 +234,13 @@ private:
 
 }  // namespace
 
-bool has_foreign_latex(std::string_view typed) {
-    if (!typed.contains('\\')) return false;
+SourceText latex_in_words(std::string_view typed) {
     SourceText words(typed);
-    write_latex(typed, words);
-    return words.words() != typed;
+    if (typed.contains('\\'))
+        LatexWriter(words).write(typed);
+    else
+        words.keep(typed);
+    return words;
 }
-
-void write_latex(std::string_view typed, SourceText& words) { LatexWriter(words).write(typed); }
 
 }  // namespace zeroset

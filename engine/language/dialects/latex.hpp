@@ -6,12 +6,9 @@
 
 namespace zeroset {
 
-/// Whether a text has what `write_latex` puts otherwise.
-bool has_foreign_latex(std::string_view typed);
-
-/// Writes a text of LaTeX: \sum_{i=1}^{3} a and \prod as sum(a, i, 1, 3) and prod(...), \text{and}
-/// as a word, and lines of align and its like as one equation where a line has no relation of its
+/// A text in which LaTeX's \sum_{i=1}^{3} a and \prod are sum(a, i, 1, 3) and prod(...), \text{and}
+/// is a word, and lines of align and its like are one equation where a line has no relation of its
 /// own.
-void write_latex(std::string_view typed, SourceText& words);
+SourceText latex_in_words(std::string_view typed);
 
 }  // namespace zeroset

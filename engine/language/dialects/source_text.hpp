@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::size_t offset_of(std::string_view part) const {
         return static_cast<std::size_t>(part.data() - typed_.data());
     }
+    /// Whether the words are other ones than the typed text.
+    [[nodiscard]] bool is_changed() const { return words_ != typed_; }
     /// Where the byte at `place` of the words was typed, or what it stands for.
     [[nodiscard]] std::size_t typed_offset(std::size_t place) const;
     /// The first place of the words that comes from the typed text at `offset` or behind it.

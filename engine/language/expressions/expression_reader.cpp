@@ -202,7 +202,7 @@ bool ExpressionReader::refuses_index(const Syntax& product, std::size_t factor) 
     const Syntax& index = behind.kind == SyntaxKind::Power ? tree_[behind.operands[0]] : behind;
     if (name.kind != SyntaxKind::Name || index.kind != SyntaxKind::Number) return false;
     const bool is_point = name.text == "x" || name.text == "p";
-    values_.fail(name.offset, filled(tr("{0} has no parts by number"), {"'" + name.text + "'"}),
+    values_.fail(name.offset, filled(tr("{0} has no parts by number"), {quoted(name.text)}),
                  is_point ? tr("type x, y and z for the first, second and third coordinate")
                           : filled(tr("for a product type {0}"), {name.text + "*" + index.text}));
     return true;

@@ -4,7 +4,7 @@
 // All of this must run in upward rounding. There a result is off by less than u of its size, or by
 // less than the least number, d, where it is smaller than normal ones:
 //   u = 2^-52, d = 2^-1074 in double;   u = 2^-23, d = 2^-149 in float.
-// What overflows is +inf, but where it is below 0 it is the finite number of largest size.
+// Sums and products that overflow are +inf, and those below 0 the finite number of largest size.
 
 #if defined(ZEROSET_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZEROSET_BALLS_INL
