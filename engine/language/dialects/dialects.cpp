@@ -65,6 +65,8 @@ private:
     /// Whether there is anything here that the language does not read itself. Finds whose it is.
     [[nodiscard]] bool is_foreign() {
         bool is_foreign = has_foreign_expression(typed_) && rewrites();
+        SourceText scratch(typed_);
+        ExpressionWriter scratch_writer(scratch);
         for (std::size_t at = 0; at < typed_.size();) {
             at = prompts_.behind(behind_blanks(at));
             const std::size_t end = end_of_statement(typed_, at);
@@ -76,7 +78,7 @@ private:
             if (call) program_ = program_of_command(call->name);
             assigns_ = assigns_ || has_grid || loads_library(row) || (call && assigns(*call));
             is_foreign = is_foreign || draws_ || assigns_ || level_in(row) ||
-                         row.starts_with("splot ") || end_of_function(at);
+                         row.starts_with("splot ") || function(at, scratch_writer);
             if (call) return true;
             at = std::max(end, at + 1);
         }
@@ -231,21 +233,19 @@ private:
         }
     }
 
-    /// Where the function of a program that starts at `at` ends.
-    std::optional<std::size_t> end_of_function(std::size_t at) {
+    /// Writes the function of a program that starts at `at`; returns the offset behind it.
+    std::optional<std::size_t> function(std::size_t at, ExpressionWriter& writer) {
         constexpr int most_failed = 20;  // that began as one
         if (failed_functions_ > most_failed) return std::nullopt;
-        SourceText scratch(typed_);
-        ExpressionWriter trial(scratch);
-        const auto end = write_program_function(at, trial);
-        if (!end && !scratch.words().empty()) ++failed_functions_;
-        return end;
-    }
-    std::optional<std::size_t> function(std::size_t at, ExpressionWriter& writer) {
-        if (!end_of_function(at)) return std::nullopt;
-        const std::size_t behind = *write_program_function(at, writer);
-        writer.put("\n", typed_.substr(behind));
-        return behind + (typed_.substr(behind).starts_with(':') ? 1 : 0);
+        const std::size_t before = writer.text().words().size();
+        const auto behind = write_program_function(at, writer);
+        if (!behind) {
+            failed_functions_ += writer.text().words().size() > before ? 1 : 0;
+            writer.text().cut_back(before);
+            return std::nullopt;
+        }
+        writer.put("\n", typed_.substr(*behind));
+        return *behind + (typed_.substr(*behind).starts_with(':') ? 1 : 0);
     }
 
     /// The plotting command that a whole statement is, perhaps given a name.

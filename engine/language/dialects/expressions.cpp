@@ -188,11 +188,12 @@ std::size_t ExpressionWriter::write_other(std::string_view expression, std::size
     if (!may_call) return 0;
     const auto closer = closing_bracket(rest.substr(opener, longest_rewritten));
     unclosed_ += closer ? 0 : 1;
-    const auto inside = closer ? rest.substr(opener + 1, *closer - 1) : Words();
-    if (!closer || !may_write_call(word, inside)) return 0;
+    if (!closer) return 0;
+    const std::size_t before = text_.words().size();
     flush();
-    write_call(word, inside);
-    return opener + *closer + 1;
+    if (write_call(word, rest.substr(opener + 1, *closer - 1))) return opener + *closer + 1;
+    text_.cut_back(before);
+    return 0;
 }
 
 bool has_foreign_expression(std::string_view text) {
@@ -240,14 +241,6 @@ std::size_t ExpressionWriter::write_list(std::string_view text, std::string_view
     --depth_;
     put(")", text.substr(*closer));
     return *closer + 1;
-}
-
-/// Whether `write_call` writes a call.
-bool ExpressionWriter::may_write_call(std::string_view word, std::string_view inside) const {
-    SourceText scratch(text_.typed());
-    ExpressionWriter trial(scratch);
-    trial.depth_ = most_nested_calls;  // calls within it are not looked at
-    return trial.write_call(word, inside);
 }
 
 /// Writes a call that the language writes otherwise; false: it is kept as it is.

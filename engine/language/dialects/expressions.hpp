@@ -44,7 +44,6 @@ public:
 private:
     std::size_t write_other(std::string_view expression, std::size_t at,
                             const std::function<void()>& flush);
-    [[nodiscard]] bool may_write_call(std::string_view word, std::string_view inside) const;
     std::size_t write_list(std::string_view text, std::string_view opener,
                            const std::function<void()>& flush);
     bool write_call(std::string_view word, std::string_view inside);

@@ -16,6 +16,12 @@ void SourceText::put(std::string_view words, std::size_t offset) {
     words_ += words;
 }
 
+void SourceText::cut_back(std::size_t size) {
+    words_.resize(size);
+    while (!pieces_.empty() && pieces_.back().begin >= size)
+        pieces_.pop_back();
+}
+
 std::size_t SourceText::typed_offset(std::size_t place) const {
     const auto behind = std::ranges::upper_bound(pieces_, place, {}, &Piece::begin);
     if (behind == pieces_.begin()) return place;

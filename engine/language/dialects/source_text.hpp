@@ -19,6 +19,9 @@ public:
     /// Adds words in place of what is typed at `offset`.
     void put(std::string_view words, std::size_t offset);
 
+    /// Takes back what was added since the words had this size.
+    void cut_back(std::size_t size);
+
     [[nodiscard]] std::string_view typed() const { return typed_; }
     [[nodiscard]] const std::string& words() const { return words_; }
     /// Whether a text is a view of the typed one.

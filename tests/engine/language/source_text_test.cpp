@@ -27,6 +27,19 @@ TEST(SourceText, KnowsWhereItsBytesWereTyped) {
     EXPECT_EQ(text.place_of(12), text.words().size());
 }
 
+TEST(SourceText, ForgetsWhatIsCutBack) {
+    const std::string_view typed = "a b c";
+    SourceText text(typed);
+    text.keep(typed.substr(0, 2));
+    text.put("sum(", 2);
+    text.keep(typed.substr(2, 1));
+    text.cut_back(2);
+    text.keep(typed.substr(4));
+    EXPECT_EQ(text.words(), "a c");
+    EXPECT_EQ(text.typed_offset(2), 4U);
+    EXPECT_TRUE(text.is_changed());
+}
+
 TEST(SourceText, TellsPartsFromOtherWords) {
     const std::string_view typed = "abc";
     const SourceText text(typed);
