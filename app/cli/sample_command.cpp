@@ -2,6 +2,7 @@
 #include "app/cli/report.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
+#include "engine/export/new_file.hpp"
 #include "engine/volume/files/write_nrrd.hpp"
 #include "pipeline/patch_surface.hpp"
 #include "pipeline/sample_distance.hpp"
@@ -10,8 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <expected>
+#include <span>
+#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -137,6 +140,18 @@ void warn_of(const DistanceGrid& grid, double tolerance) {
         worst.c_str());
 }
 
+/// Writes the samples of f as they are computed.
+std::expected<void, FileError> write_values(const SamplePlan& plan, const std::string& header,
+                                            const std::string& path) {
+    NewFile file(path);
+    if (!file.append(std::as_bytes(std::span(header)))) return file.error();
+    const auto append = [&](std::span<const float> samples) {
+        return file.append(std::as_bytes(samples));
+    };
+    if (!sample_in_order({plan.f, plan.uniforms, plan.grid}, append)) return file.error();
+    return file.keep();
+}
+
 }  // namespace
 
 int run_sample(const SampleCommand& command) {
@@ -144,19 +159,20 @@ int run_sample(const SampleCommand& command) {
     if (!plan) return report(plan.error());
     if (const auto unwritable = first_unwritable({command.output}))
         return report_run_time(*unwritable);
-    Samples samples;
-    std::string content = "f of " + plan->text;
+    const Geometry geometry = geometry_of(plan->grid);
+    std::expected<void, FileError> written;
     if (command.distance) {
-        auto grid = sampled_distance(plan->f, plan->uniforms, plan->grid, plan->tolerance);
+        const auto grid = sampled_distance(plan->f, plan->uniforms, plan->grid, plan->tolerance);
         if (!grid) return report(grid.error());
         warn_of(*grid, plan->tolerance);
-        samples = std::move(grid->samples);
-        content = "signed distance, to " + short_number(plan->tolerance, 3) + ", of " + plan->text;
+        const std::string content =
+            "signed distance, to " + short_number(plan->tolerance, 3) + ", of " + plan->text;
+        written = write_file(command.output, nrrd_bytes(grid->samples, geometry, content));
     } else {
-        samples = sampled(plan->f, plan->uniforms, plan->grid);
+        const std::string header =
+            nrrd_header(SampleType::Float, plan->grid.size, geometry, "f of " + plan->text);
+        written = write_values(*plan, header, command.output);
     }
-    const auto bytes = nrrd_bytes(samples, geometry_of(plan->grid), content);
-    const auto written = write_file(command.output, bytes);
     return written ? exit_ok : report_run_time(written.error().message);
 }
 

@@ -17,7 +17,39 @@ namespace {
 
 /// So many blocks go through the tape together: what a step needs besides its operands is looked up
 /// once for all.
-constexpr std::size_t blocks_at_once = 4;
+constexpr std::size_t blocks_at_once = 8;
+
+/// Makes `count` values in their places.
+template <class Value, class Make>
+void make_each(Value* to, std::size_t count, Make make) {
+    for (std::size_t i = 0; i < count; ++i)
+        new (to + i) Value(make(i));
+}
+
+/// Computes one of the commonest operators on values without slopes, with the bits of `apply`, for
+/// some blocks; false, and nothing is done, for all others.
+template <class Lanes>
+bool compute_common(const Node& node, const Lanes* a, const Lanes* b, std::size_t blocks,
+                    Lanes* to) {
+    const auto each = [&](auto make) {
+        make_each(to, blocks, [&](std::size_t i) { return make(a[i], b[i]); });
+        return true;
+    };
+    const Op op = node.op;
+    if (op == Op::Add) return each([](const Lanes& x, const Lanes& y) { return x + y; });
+    if (op == Op::Subtract) return each([](const Lanes& x, const Lanes& y) { return x - y; });
+    if (op == Op::Multiply) return each([](const Lanes& x, const Lanes& y) { return x * y; });
+    if (op == Op::IntPower) {
+        const int below = node.number - 1;
+        return each([&](const Lanes& x, const Lanes&) { return point_power(x, below) * x; });
+    }
+    // Duals would compute the one for the value, the other for the slope.
+    if (op == Op::Sin || op == Op::Cos) {
+        const Elementary function = op == Op::Sin ? Elementary::Sin : Elementary::Cos;
+        return each([&](const Lanes& x, const Lanes&) { return elementary(function, x); });
+    }
+    return false;
+}
 
 /// Evaluates the tape over the points of `size` lanes. `leaf`, `part` and `finish` as in
 /// interpret_blocks.
@@ -37,13 +69,14 @@ void interpret_points(const Tape& tape, std::size_t size, Leaf leaf, OfPart part
         Value* const to = values + step.slot * blocks_at_once;
         if (const std::uint32_t index = tape.part(step); index != Parts::none) {
             const Part& of = parts.parts[index];
-            for (std::size_t b = 0; b < blocks; ++b)
-                new (to + b) Value(part(parts.shapes[of.shape], of, first + b * lanes));
+            make_each(to, blocks, [&](std::size_t b) {
+                return part(parts.shapes[of.shape], of, first + b * lanes);
+            });
             return;
         }
         if (is_leaf(node, facts)) {
-            for (std::size_t b = 0; b < blocks; ++b)
-                new (to + b) Value(leaf(node, facts, first + b * lanes));
+            make_each(to, blocks,
+                      [&](std::size_t b) { return leaf(node, facts, first + b * lanes); });
             return;
         }
         const auto operands = static_cast<std::size_t>(arity(node.op));
@@ -51,17 +84,23 @@ void interpret_points(const Tape& tape, std::size_t size, Leaf leaf, OfPart part
             return steps[step.operands[k < operands ? k : 0]];
         };
         const std::array of{&step_of(0), &step_of(1), &step_of(2)};
+        if constexpr (std::is_same_v<Algebra, PointAlgebra<Value>>) {
+            const auto values_of = [&](std::size_t k) {
+                return values + of[k]->slot * blocks_at_once;
+            };
+            if (compute_common(node, values_of(0), values_of(1), blocks, to)) return;
+        }
         const auto operand = [&](std::size_t k, std::size_t b) {
             return Operand<Value>{values[of[k]->slot * blocks_at_once + b], tape.facts(*of[k])};
         };
-        for (std::size_t b = 0; b < blocks; ++b)
-            new (to + b) Value(apply(algebra, node, operand(0, b), operand(1, b), operand(2, b)));
+        make_each(to, blocks, [&](std::size_t b) {
+            return apply(algebra, node, operand(0, b), operand(1, b), operand(2, b));
+        });
     };
     for (const Tape::Step& step : steps.first(tape.uniform_steps())) {
         compute(step, 0, 1);
         Value* const to = values + step.slot * blocks_at_once;
-        for (std::size_t b = 1; b < blocks_at_once; ++b)
-            new (to + b) Value(*to);
+        make_each(to + 1, blocks_at_once - 1, [&](std::size_t /*b*/) { return *to; });
     }
     const auto varying = steps.subspan(tape.uniform_steps());
     for (std::size_t first = 0; first < size; first += blocks_at_once * lanes) {
@@ -149,7 +188,7 @@ public:
     using Lanes = Block<Real, bytes>;
     static constexpr std::size_t lanes = Lanes::lanes;
     /// So many pixels at a time.
-    static constexpr std::size_t most_pixels = blocks_at_once * Block<float>::lanes;
+    static constexpr std::size_t most_pixels = 4 * Block<float>::lanes;
     static_assert(most_pixels % batch_multiple == 0);
     using Columns = std::array<Lanes, most_pixels / lanes>;
 

@@ -21,8 +21,8 @@ std::string vector_text(double x, double y, double z) {
 
 }  // namespace
 
-std::vector<std::byte> nrrd_bytes(const Samples& samples, const Geometry& geometry,
-                                  const std::string& content) {
+std::string nrrd_header(SampleType type, const GridSize& size, const Geometry& geometry,
+                        const std::string& content) {
     const Matrix3& m = geometry.world_from_index;
     std::string header =
         "NRRD0004\n# Complete NRRD file format specification at:\n"
@@ -32,12 +32,12 @@ std::vector<std::byte> nrrd_bytes(const Samples& samples, const Geometry& geomet
         if (c == '\n' || c == '\r' || c == '\v') c = ' ';
     }
     header += "content: " + line + "\n";
-    const std::string type(samples.type == SampleType::Float    ? "float"
-                           : samples.type == SampleType::Double ? "double"
-                                                                : name_of(samples.type));
-    header += "type: " + type + "\ndimension: 3\nspace dimension: 3\nsizes:";
-    for (const std::uint64_t size : samples.size)
-        header += " " + std::to_string(size);
+    const std::string word(type == SampleType::Float    ? "float"
+                           : type == SampleType::Double ? "double"
+                                                        : name_of(type));
+    header += "type: " + word + "\ndimension: 3\nspace dimension: 3\nsizes:";
+    for (const std::uint64_t samples : size)
+        header += " " + std::to_string(samples);
     header += "\nspace directions:";
     for (std::size_t c = 0; c < 3; ++c)
         header += " " + vector_text(m[0][c], m[1][c], m[2][c]);
@@ -48,7 +48,12 @@ std::vector<std::byte> nrrd_bytes(const Samples& samples, const Geometry& geomet
     constexpr std::size_t alignment = 64;
     // A remark fills up the header, which ends in an empty line.
     const std::size_t rest = (header.size() + 3) % alignment;
-    header += "#" + std::string((alignment - rest) % alignment, ' ') + "\n\n";
+    return header + "#" + std::string((alignment - rest) % alignment, ' ') + "\n\n";
+}
+
+std::vector<std::byte> nrrd_bytes(const Samples& samples, const Geometry& geometry,
+                                  const std::string& content) {
+    const std::string header = nrrd_header(samples.type, samples.size, geometry, content);
     const std::size_t bytes = samples.count() * size_of(samples.type);
     std::vector<std::byte> file(header.size() + bytes);
     std::memcpy(file.data(), header.data(), header.size());

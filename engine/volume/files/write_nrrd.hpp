@@ -9,8 +9,12 @@
 
 namespace zeroset {
 
-/// The bytes of an NRRD file with raw samples, which begin at a multiple of 64 bytes, so that they
-/// can be mapped. `content`: one line about them.
+/// All before the samples of an NRRD file with raw ones, which follow at a multiple of 64 bytes, so
+/// that they can be mapped. `content`: one line about them.
+std::string nrrd_header(SampleType type, const GridSize& size, const Geometry& geometry,
+                        const std::string& content);
+
+/// The bytes of a whole file.
 std::vector<std::byte> nrrd_bytes(const Samples& samples, const Geometry& geometry,
                                   const std::string& content);
 
