@@ -15,7 +15,7 @@
 namespace zeroset::test::formula_job_test {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
+constexpr auto patience = std::chrono::minutes(10);
 
 Sheet one_row(const std::string& text) { return {{1, text}}; }
 
