@@ -1,6 +1,6 @@
 #include "pipeline/formula_job.hpp"
 
-#include "pipeline/volume_source.hpp"
+#include "engine/language/vocabulary/field_source.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ public:
     FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice,
                           const std::shared_ptr<const FieldSource>& files) {
         // Expressions of colours, too, may name files.
-        const std::uint64_t version = files_version();
+        const std::uint64_t version = files ? files->version() : 0;
         files_changed_ |= std::exchange(files_, version) != version;
         SheetReading reading = reader_.read(sheet, files);
         FormulaResult result{.sheet = std::move(sheet),
@@ -68,7 +68,7 @@ private:
     std::shared_ptr<const Formula> last_;
     std::shared_ptr<const ColorFormulas> colors_;  ///< made for `last_`
     Box region_;
-    std::uint64_t files_ = 0;     ///< files_version() at the last sheet
+    std::uint64_t files_ = 0;     ///< FieldSource::version() at the last sheet
     bool files_changed_ = false;  ///< since `colors_` were made
 };
 

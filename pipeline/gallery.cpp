@@ -82,10 +82,11 @@ const std::vector<GalleryItem>& gallery() {
     return items;
 }
 
-ReadDocument read_document(const GalleryItem& item) {
-    // Some items name volumes, which the program makes.
+ReadDocument read_document(const GalleryItem& item,
+                           const std::shared_ptr<const FieldSource>& files) {
+    // Equal texts get the same volumes, and so the same code.
     static const auto made_volumes = volume_source({});
-    ReadDocument read = read_document_text(item.equation, made_volumes);
+    ReadDocument read = read_document_text(item.equation, files ? files : made_volumes);
     Document& document = read.document;
     document.clip = item.clip;
     document.camera = document.home = item.camera;
@@ -96,8 +97,9 @@ ReadDocument read_document(const GalleryItem& item) {
     return read;
 }
 
-Document taken_over(const GalleryItem& item, const Document& last) {
-    Document document = read_document(item).document;
+Document taken_over(const GalleryItem& item, const Document& last,
+                    const std::shared_ptr<const FieldSource>& files) {
+    Document document = read_document(item, files).document;
     keep_settings(document, last);
     document.coloring = last.coloring;
     document.coloring.range.reset();

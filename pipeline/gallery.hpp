@@ -5,6 +5,7 @@
 #include "pipeline/prepare.hpp"
 
 #include <expected>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,13 +34,16 @@ inline constexpr std::string_view suite_group = "From the papers";
 /// All items, in the order of the files, which are compiled into the program.
 const std::vector<GalleryItem>& gallery();
 
-/// Returns the item as a document with the item's view and light.
-ReadDocument read_document(const GalleryItem& item);
+/// Returns the item as a document with the item's view and light. Some items name volumes, which
+/// the program makes. `files`: what its rows may name once they are edited (Document::files).
+ReadDocument read_document(const GalleryItem& item,
+                           const std::shared_ptr<const FieldSource>& files = nullptr);
 
 /// Returns the item as a document that takes the place of `last`: with the settings that a person
 /// made there for all surfaces. A light of one's own stays; the usual one and those that the
 /// gallery brings give way to the item's.
-Document taken_over(const GalleryItem& item, const Document& last);
+Document taken_over(const GalleryItem& item, const Document& last,
+                    const std::shared_ptr<const FieldSource>& files = nullptr);
 
 /// Returns the item called `name` (without "@"), or an error that names the nearest one.
 std::expected<GalleryItem, InputError> gallery_item(std::string_view name);

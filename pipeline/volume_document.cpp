@@ -77,11 +77,12 @@ Slider isovalue_slider(const Volume& volume) {
     return slider;
 }
 
-OrInputError<Document> document_of_volume(const std::filesystem::path& file) {
-    allow_volume(file);
+OrInputError<Document> document_of_volume(const std::filesystem::path& file,
+                                          const std::shared_ptr<FileAccess>& access) {
+    access->allow(file);
     const std::string name = file.string();
-    ReadDocument read =
-        read_document_text("scan = volume(\"" + name + "\")\nscan(x, y, z) = a", volume_source({}));
+    ReadDocument read = read_document_text("scan = volume(\"" + name + "\")\nscan(x, y, z) = a",
+                                           volume_source({}, access));
     if (!read.rows) return std::unexpected(read.rows.error());
     const Program& program = *read.rows->program;
     fit_to_program(program, read.document);

@@ -3,6 +3,7 @@
 #include "document/document.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/volume/volume.hpp"
+#include "pipeline/file_access.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <filesystem>
@@ -25,7 +26,9 @@ Slider isovalue_slider(const Volume& volume);
 
 /// A document of two rows that shows a volume: the file as a function, and the surface where that
 /// is a, whose slider goes over its samples' range; its solid is above the value. Allows the file
-/// from now on (allow_volume).
-OrInputError<Document> document_of_volume(const std::filesystem::path& file);
+/// from now on.
+OrInputError<Document> document_of_volume(
+    const std::filesystem::path& file,
+    const std::shared_ptr<FileAccess>& access = std::make_shared<FileAccess>());
 
 }  // namespace zeroset

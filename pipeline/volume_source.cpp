@@ -8,38 +8,18 @@
 #include "engine/volume/files/volume_file.hpp"
 #include "engine/volume/made_volumes.hpp"
 #include "engine/volume/spline.hpp"
-#include "pipeline/read_files.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace zeroset {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct AllowedFiles {
-    std::mutex mutex;
-    std::set<fs::path> files;
-    std::set<fs::path> refused;  ///< since they were last taken
-    std::uint64_t version = 0;   ///< files_version()
-};
-
-AllowedFiles& allowed() {
-    static AllowedFiles instance;
-    return instance;
-}
-
-fs::path real_path(const fs::path& file) {
-    std::error_code error;
-    const fs::path path = fs::weakly_canonical(fs::absolute(file, error), error);
-    return error ? file : path;
-}
 
 bool is_within(const fs::path& file, const fs::path& folder) {
     const auto [end, other] = std::ranges::mismatch(folder, file);
@@ -153,7 +133,8 @@ private:
 
 class VolumeSource final : public FieldSource {
 public:
-    explicit VolumeSource(VolumeFolder folder) : folder_(std::move(folder)) {}
+    VolumeSource(VolumeFolder folder, std::shared_ptr<FileAccess> access)
+        : folder_(std::move(folder)), access_(std::move(access)) {}
 
     [[nodiscard]] std::expected<std::shared_ptr<const Field>, FieldError> open(
         const FieldCall& call) const override {
@@ -165,6 +146,7 @@ public:
         if (!data) return std::unexpected(std::move(data.error()));
         return known_or_new(std::move(*data), *wanted, call);
     }
+    [[nodiscard]] std::uint64_t version() const override { return access_->version(); }
 
 private:
     using Data = std::expected<std::shared_ptr<const VolumeData>, FieldError>;
@@ -216,7 +198,7 @@ private:
                               : call.word == "blinn"   ? BlobKind::Blinn
                                                        : BlobKind::Wyvill;
         auto field = blobs_field(kind, *read, std::string(call.text));
-        note_read_files(field, {stamp});
+        access_->note_read(field, {stamp});
         return field;
     }
     [[nodiscard]] Data read(const FieldCall& call, const Wanted& wanted) const {
@@ -225,7 +207,7 @@ private:
         const fs::path& file = *allowed;
         auto data = open_volume(file, wanted.layout);
         if (data) {
-            note_read_files(*data, files_of(**data));
+            access_->note_read(*data, files_of(**data));
             return std::move(*data);
         }
         std::string hint;
@@ -239,12 +221,7 @@ private:
                                           .at = call.file.empty() ? call.text : call.file});
     }
     [[nodiscard]] bool may_read(const fs::path& file) const {
-        const fs::path real = real_path(file);
-        if (is_within(real, real_path(folder_.folder))) return true;
-        const std::scoped_lock lock(allowed().mutex);
-        const bool may = allowed().files.contains(real);
-        if (!may) allowed().refused.insert(real);
-        return may;
+        return is_within(real_path(file), real_path(folder_.folder)) || access_->allows(file);
     }
 
     /// Equal texts get the same function, so that code made for it is found again.
@@ -282,38 +259,16 @@ private:
     }
 
     VolumeFolder folder_;
+    std::shared_ptr<FileAccess> access_;
     mutable std::mutex mutex_;
     mutable std::deque<std::shared_ptr<const Volume>> latest_;
 };
 
 }  // namespace
 
-std::shared_ptr<const FieldSource> volume_source(const VolumeFolder& folder) {
-    return std::make_shared<const VolumeSource>(folder);
-}
-
-void allow_volume(const std::filesystem::path& file) {
-    const std::scoped_lock lock(allowed().mutex);
-    allowed().files.insert(real_path(file));
-    ++allowed().version;
-}
-
-std::uint64_t files_version() {
-    const std::scoped_lock lock(allowed().mutex);
-    return allowed().version;
-}
-
-bool look_for_changed_files() {
-    if (!read_files_have_changed()) return false;
-    const std::scoped_lock lock(allowed().mutex);
-    ++allowed().version;
-    return true;
-}
-
-std::vector<std::filesystem::path> take_refused_volumes() {
-    const std::scoped_lock lock(allowed().mutex);
-    const std::set<fs::path> refused = std::exchange(allowed().refused, {});
-    return {refused.begin(), refused.end()};
+std::shared_ptr<const FieldSource> volume_source(const VolumeFolder& folder,
+                                                 std::shared_ptr<FileAccess> access) {
+    return std::make_shared<const VolumeSource>(folder, std::move(access));
 }
 
 }  // namespace zeroset

@@ -34,7 +34,9 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     if (!collection) return wrong_input(collection.error());
     ViewText quiet = view;  // the window shows notes beside the rows
     quiet.quiet = true;
-    auto input = read_document(equation.empty() || *collection ? first : equation, quiet);
+    DesktopOptions options;
+    auto input =
+        read_document(equation.empty() || *collection ? first : equation, quiet, options.files);
     if (!input) return std::unexpected(input.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());
@@ -44,7 +46,6 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     }
     if (!input->rows && input->path.empty() && errors == TextErrors::Refused)
         return std::unexpected(input->rows.error());
-    DesktopOptions options;
     options.document = std::move(input->document);
     // The window has a background of its own theme.
     if (input->shown_on && options.document.light.background == input->shown_on)

@@ -15,6 +15,7 @@
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/volume_document.hpp"
+#include "pipeline/volume_source.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/screen.hpp"
@@ -105,10 +106,13 @@ ui::UiState first_state(const DesktopOptions& options) {
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
       state_(first_state(options)),
+      files_(options.files),
+      gallery_files_(volume_source({}, files_)),
       session_(state_, {.path = options.path,
                         .note = options.note,
                         .keeps_files = options.keeps_files,
                         .read_only = options.read_only,
+                        .files = files_,
                         .browse =
                             [this](Collection collection) {
                                 cards_.browse(std::move(collection), state_);
@@ -133,7 +137,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     if (options.collection) cards_.browse(*options.collection, state_);
     if (!options.on_desktop) return;
     portal_.emplace([this] { window_.wake(); }, window_.portal_name());
-    watch_.emplace([this] { window_.wake(); });
+    watch_.emplace(files_, [this] { window_.wake(); });
 }
 
 Preferences Desktop::preferences() const {
@@ -317,7 +321,7 @@ void Desktop::show_gallery_item() {
     const auto picked = std::exchange(state_.wishes.gallery_item, std::nullopt);
     if (!picked) return;
     if (*picked < gallery().size()) {
-        session_.show(taken_over(gallery()[*picked], state_.edited.document));
+        session_.show(taken_over(gallery()[*picked], state_.edited.document, gallery_files_));
     } else {
         state_.wishes.open_path = state_.shown.gallery[*picked].path;
     }

@@ -22,6 +22,7 @@
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_request.hpp"
 #include "engine/scene/settings.hpp"
+#include "pipeline/file_access.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/picture_request.hpp"
 #include "ui/actions/actions.hpp"
@@ -47,7 +48,9 @@ struct DesktopOptions {
     std::string path;                      ///< of the document's file; empty: it has none
     std::string note;                      ///< a message about the document, or empty
     std::optional<Collection> collection;  ///< to choose from first
-    TraceSettings settings;                ///< all settings but those that the document has
+    /// By which its documents read files, as the first one does.
+    std::shared_ptr<FileAccess> files = std::make_shared<FileAccess>();
+    TraceSettings settings;  ///< all settings but those that the document has
     ui::Theme theme = ui::Theme::Dark;
     bool follows_desktop = false;  ///< the theme follows the desktop's
     bool tour = false;             ///< begins with the tour of the window
@@ -128,6 +131,8 @@ private:
     ui::Texture texture_;
     TextureLook uploaded_;
     ui::UiState state_;
+    std::shared_ptr<FileAccess> files_;
+    std::shared_ptr<const FieldSource> gallery_files_;  ///< that its items may name when edited
     Session session_;
     std::string told_refusals_;  ///< why chosen tracers draw nothing; empty: they draw
     Language desktop_language_;

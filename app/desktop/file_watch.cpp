@@ -1,14 +1,13 @@
 #include "app/desktop/file_watch.hpp"
 
-#include "pipeline/volume_source.hpp"
-
 #include <chrono>
 #include <utility>
 
 namespace zeroset {
 
-FileWatch::FileWatch(std::function<void()> on_change)
-    : on_change_(std::move(on_change)),
+FileWatch::FileWatch(std::shared_ptr<FileAccess> files, std::function<void()> on_change)
+    : files_(std::move(files)),
+      on_change_(std::move(on_change)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void FileWatch::run(const std::stop_token& stop) {
@@ -16,7 +15,7 @@ void FileWatch::run(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         stopped_.wait_for(lock, stop, pause, [] { return false; });
-        if (!stop.stop_requested() && look_for_changed_files()) on_change_();
+        if (!stop.stop_requested() && files_->look_for_changes()) on_change_();
     }
 }
 

@@ -1,7 +1,7 @@
 #include "app/desktop/picture_feed.hpp"
 
 #include "engine/base/translation.hpp"
-#include "pipeline/volume_source.hpp"
+#include "engine/language/vocabulary/field_source.hpp"
 #include "ui/model/steering.hpp"
 
 #include <utility>
@@ -32,7 +32,7 @@ void PictureFeed::read(const Document& document) {
     const ColorChoice choice = choice_of(document);
     // Rows are read again in another language: their errors and notes are written in it; and when
     // files may be read otherwise.
-    const std::uint64_t files = files_version();
+    const std::uint64_t files = document.files ? document.files->version() : 0;
     const bool told_otherwise =
         given_.language != language() || given_.files != files || given_.source != document.files;
     if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;

@@ -78,7 +78,7 @@ private:
         std::optional<Sheet> rows;
         ColorChoice choice;
         Language language = Language::English;                ///< of what is told of them
-        std::uint64_t files = 0;                              ///< files_version() then
+        std::uint64_t files = 0;                              ///< FieldSource::version() then
         std::shared_ptr<const FieldSource> source = nullptr;  ///< the document's
     };
     /// The picture on the screen.

@@ -77,16 +77,11 @@ std::optional<fs::path> folder_for(const SessionOptions& options) {
     return options.keeps_files && !options.read_only ? state_folder() : std::nullopt;
 }
 
-/// A document of one's own, whose texts may name any file.
-Document with_any_files(Document document) {
-    document.files = volume_source({});
-    return document;
-}
-
 }  // namespace
 
 Session::Session(ui::UiState& state, const SessionOptions& options)
     : state_(state),
+      files_(options.files),
       read_only_(options.read_only),
       browse_(options.browse),
       history_(state.edited.document),
@@ -95,7 +90,8 @@ Session::Session(ui::UiState& state, const SessionOptions& options)
       recent_(folder_for(options)),
       autosave_(folder_for(options)),
       lost_(autosave_.lost()),
-      kept_(state.edited.document) {
+      kept_(state.edited.document),
+      volumes_(files_) {
     if (!path_.empty()) recent_.add(path_);
     if (lost_) {
         ask(Subject::Restore,
@@ -231,7 +227,7 @@ void Session::attempt(Action action) {
 
 void Session::perform(const Action& action) {
     switch (action.intent) {
-        case Intent::New: return begin(with_any_files(ui::new_document(state_.edited.layout)), {});
+        case Intent::New: return begin_new();
         case Intent::ChooseFile: return choose_file_to_open(Purpose::Open);
         case Intent::ChooseFolder: return choose_file_to_open(Purpose::OpenFolder);
         case Intent::OpenPath: return load(action.path);
@@ -276,9 +272,15 @@ void Session::begin(Document document, const std::string& path) {
     }
 }
 
+void Session::begin_new() {
+    Document document = ui::new_document(state_.edited.layout);
+    document.files = volume_source({}, files_);
+    begin(std::move(document), {});
+}
+
 void Session::load(const std::string& path) {
     if (classify(path).kind == InputKind::Volume) return load_volume(path);
-    auto loaded = load_document(path, volume_source(volumes_beside(path)));
+    auto loaded = load_document(path, volume_source(volumes_beside(path), files_));
     if (!loaded) return say_failure(loaded.error());
     begin(std::move(loaded->document), loaded->is_source ? "" : path);
     if (!loaded->is_source) recent_.add(path);
@@ -287,7 +289,7 @@ void Session::load(const std::string& path) {
 }
 
 void Session::load_volume(const std::string& path) {
-    auto document = document_of_volume(path);
+    auto document = document_of_volume(path, files_);
     if (!document) return say_failure(document.error().reason);
     begin(std::move(*document), {});
 }

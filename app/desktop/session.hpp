@@ -7,10 +7,12 @@
 #include "document/document.hpp"
 #include "document/history.hpp"
 #include "document/json/collection.hpp"
+#include "pipeline/file_access.hpp"
 #include "ui/model/ui_state.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,8 @@ struct SessionOptions {
     std::string note;         ///< the first message about the document, or empty
     bool keeps_files = true;  ///< keeps a list of recent files, and the document against a crash
     bool read_only = false;   ///< the document is not to be saved, nor another one opened
+    /// By which its documents read files.
+    std::shared_ptr<FileAccess> files = std::make_shared<FileAccess>();
     /// Shows the documents of a folder, or of a file with several, to choose from. Without it the
     /// first one of a file is opened, and no folder.
     std::function<void(Collection)> browse = {};
@@ -78,6 +82,8 @@ private:
     void perform(const Action& action);
     /// Takes the place of the document, without a step back; `path`: of its file, or empty.
     void begin(Document document, const std::string& path);
+    /// Begins an empty document, whose texts may name any file.
+    void begin_new();
     void load(const std::string& path);
     /// Shows the documents of a folder, or of a file with several, to choose from, or says why
     /// there are none; false where the path is something else.
@@ -115,6 +121,7 @@ private:
     [[nodiscard]] bool unsaved() const { return !read_only_ && !same_work(saved_, current()); }
 
     ui::UiState& state_;
+    std::shared_ptr<FileAccess> files_;
     bool read_only_;
     std::function<void(Collection)> browse_;
     History history_;

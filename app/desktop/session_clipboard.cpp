@@ -43,7 +43,7 @@ void Session::paste() {
     }
     auto read = document_from(text);
     if (!read) return say(filled(tr("Nothing pasted: {0}."), {read.error()}));
-    read->document.files = volume_source({.folder = {}, .closed = true});
+    read->document.files = volume_source({.folder = {}, .closed = true}, files_);
     show(std::move(read->document));
 }
 

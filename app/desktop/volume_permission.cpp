@@ -1,14 +1,13 @@
 #include "app/desktop/volume_permission.hpp"
 
 #include "engine/base/translation.hpp"
-#include "pipeline/volume_source.hpp"
 
 namespace zeroset {
 
 std::optional<std::string> VolumePermission::question() {
     if (!waiting_.empty()) return std::nullopt;
     std::string names;
-    for (const std::filesystem::path& file : take_refused_volumes()) {
+    for (const std::filesystem::path& file : files_->take_refused()) {
         if (!asked_.insert(file).second) continue;
         waiting_.push_back(file);
         names += (names.empty() ? "" : "\n") + file.string();
@@ -19,13 +18,13 @@ std::optional<std::string> VolumePermission::question() {
 
 void VolumePermission::answer(bool allow) {
     for (const std::filesystem::path& file : waiting_) {
-        if (allow) allow_volume(file);
+        if (allow) files_->allow(file);
     }
     waiting_.clear();
 }
 
 void VolumePermission::forget() {
-    take_refused_volumes();
+    files_->take_refused();
     asked_.clear();
     waiting_.clear();
 }

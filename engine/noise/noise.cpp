@@ -3,7 +3,9 @@
 #include "engine/noise/cellular.hpp"
 #include "engine/noise/lattice_noise.hpp"
 
-#include <map>
+#include <algorithm>
+#include <cstddef>
+#include <deque>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -40,16 +42,22 @@ std::string_view noise_name(NoiseWord word) {
 }
 
 std::shared_ptr<const Field> noise_field(NoiseWord word, std::uint32_t seed) {
+    struct Known {
+        NoiseWord word;
+        std::uint32_t seed;
+        std::shared_ptr<const Field> field;
+    };
+    constexpr std::size_t most_kept = 256;
     static std::mutex mutex;
-    static std::map<std::pair<NoiseWord, std::uint32_t>, std::shared_ptr<const Field>> known;
+    static std::deque<Known> latest;
     const std::scoped_lock lock(mutex);
-    auto& field = known[{word, seed}];
-    if (!field) {
-        std::string text(noise_name(word));
-        if (seed != 0) text += ", " + std::to_string(seed);
-        field = made(word, seed, std::move(text));
-    }
-    return field;
+    const auto known = std::ranges::find_if(
+        latest, [&](const Known& one) { return one.word == word && one.seed == seed; });
+    if (known != latest.end()) return known->field;
+    std::string text(noise_name(word));
+    if (seed != 0) text += ", " + std::to_string(seed);
+    if (latest.size() == most_kept) latest.pop_front();
+    return latest.emplace_back(word, seed, made(word, seed, std::move(text))).field;
 }
 
 }  // namespace zeroset

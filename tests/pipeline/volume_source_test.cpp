@@ -29,7 +29,7 @@ protected:
         use({.folder = folder_.path()});
     }
 
-    void use(const VolumeFolder& folder) { files_ = volume_source(folder); }
+    void use(const VolumeFolder& folder) { files_ = volume_source(folder, access_); }
     [[nodiscard]] std::expected<Program, ParseError> read(const std::string& text) const {
         return read_program(text, files_.get());
     }
@@ -53,6 +53,7 @@ protected:
     }
 
     TestFolder folder_;
+    std::shared_ptr<FileAccess> access_ = std::make_shared<FileAccess>();
     std::shared_ptr<const FieldSource> files_;
     std::vector<std::byte> bytes_;
 };
@@ -173,7 +174,7 @@ TEST_F(VolumeTexts, ADocumentFromElsewhereReadsOnlyBesideItself) {
               "8: '/etc/passwd" + refused);
     std::filesystem::create_symlink(folder_ / "sample.nrrd", folder / "link.nrrd");
     EXPECT_EQ(error_of("volume(\"link.nrrd\")(x, y, z) = 1"), "8: 'link.nrrd" + refused);
-    allow_volume(folder_ / "sample.nrrd");
+    access_->allow(folder_ / "sample.nrrd");
     EXPECT_EQ(error_of("volume(\"../sample.nrrd\")(x, y, z) = 1"), "no error");
 }
 
@@ -245,25 +246,25 @@ TEST_F(VolumeTexts, AChangeOfAFileIsToldOnceNoOneWritesAnyMore) {
     const std::string text = "s = volume(\"sample.nrrd\"); s(x, y, z) = 0";
     auto program = read(text);
     ASSERT_TRUE(program.has_value()) << program.error().reason;
-    look_for_changed_files();
-    EXPECT_FALSE(look_for_changed_files());
-    const std::uint64_t before = files_version();
+    access_->look_for_changes();
+    EXPECT_FALSE(access_->look_for_changes());
+    const std::uint64_t before = access_->version();
     std::filesystem::resize_file(folder_ / "sample.nrrd", bytes_.size() / 2);
-    EXPECT_FALSE(look_for_changed_files()) << "it may still be written";
-    EXPECT_EQ(files_version(), before);
-    EXPECT_TRUE(look_for_changed_files());
-    EXPECT_EQ(files_version(), before + 1);
-    EXPECT_FALSE(look_for_changed_files());
+    EXPECT_FALSE(access_->look_for_changes()) << "it may still be written";
+    EXPECT_EQ(access_->version(), before);
+    EXPECT_TRUE(access_->look_for_changes());
+    EXPECT_EQ(access_->version(), before + 1);
+    EXPECT_FALSE(access_->look_for_changes());
     EXPECT_TRUE(error_of(text).contains("it is too short")) << error_of(text);
 
     write("sample.nrrd");
-    EXPECT_FALSE(look_for_changed_files());
-    EXPECT_TRUE(look_for_changed_files());
+    EXPECT_FALSE(access_->look_for_changes());
+    EXPECT_TRUE(access_->look_for_changes());
     program = std::unexpected(ParseError{});
     use({.folder = folder_.path()});  // what keeps the latest volumes is new
     std::filesystem::remove(folder_ / "sample.nrrd");
-    look_for_changed_files();
-    EXPECT_FALSE(look_for_changed_files()) << "no one looks at it any more";
+    access_->look_for_changes();
+    EXPECT_FALSE(access_->look_for_changes()) << "no one looks at it any more";
 }
 
 TEST_F(VolumeTexts, AChangeOfSeveralFilesIsToldOnceAllOfThemRest) {
@@ -275,24 +276,24 @@ TEST_F(VolumeTexts, AChangeOfSeveralFilesIsToldOnceAllOfThemRest) {
         << "ElementType = MET_UCHAR\nElementDataFile = s%d.raw 0 1 1\n";
     const auto program = read("s = volume(\"slices/all.mhd\"); s(x, y, z) = 9");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
-    look_for_changed_files();
-    EXPECT_FALSE(look_for_changed_files());
+    access_->look_for_changes();
+    EXPECT_FALSE(access_->look_for_changes());
     std::filesystem::resize_file(folder_ / "slices" / "s0.raw", 7);
-    EXPECT_FALSE(look_for_changed_files());
+    EXPECT_FALSE(access_->look_for_changes());
     std::filesystem::resize_file(folder_ / "slices" / "s1.raw", 7);
-    EXPECT_FALSE(look_for_changed_files()) << "one rests, the other was written just now";
-    EXPECT_TRUE(look_for_changed_files());
-    EXPECT_FALSE(look_for_changed_files());
+    EXPECT_FALSE(access_->look_for_changes()) << "one rests, the other was written just now";
+    EXPECT_TRUE(access_->look_for_changes());
+    EXPECT_FALSE(access_->look_for_changes());
 }
 
 TEST_F(VolumeTexts, AChangeOfAFileOfBallsIsToldToo) {
     std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n";
     const auto program = read("blobs(\"balls.xyz\") = 1");
     ASSERT_TRUE(program.has_value()) << program.error().reason;
-    look_for_changed_files();
+    access_->look_for_changes();
     std::ofstream(folder_ / "balls.xyz") << "0 0 0 1\n1 0 0 1\n";
-    look_for_changed_files();
-    EXPECT_TRUE(look_for_changed_files());
+    access_->look_for_changes();
+    EXPECT_TRUE(access_->look_for_changes());
 }
 
 TEST_F(VolumeTexts, ASampledFormulaIsTheFormulaAtTheSamples) {

@@ -82,8 +82,9 @@ OrInputError<InputDocument> saved_document(const std::string& path, const Files&
                          loaded->note, loaded->shown_on, true};
 }
 
-OrInputError<InputDocument> volume_document(const std::string& path) {
-    auto volume = document_of_volume(path);
+OrInputError<InputDocument> volume_document(const std::string& path,
+                                            const std::shared_ptr<FileAccess>& access) {
+    auto volume = document_of_volume(path, access);
     if (!volume) return std::unexpected(volume.error());
     return InputDocument{read_document(std::move(*volume))};
 }
@@ -95,27 +96,29 @@ OrInputError<InputDocument> shared_document(const std::string& text, const Files
     return InputDocument{read_document(std::move(shared->document)), {}, {}, {}, true};
 }
 
-OrInputError<InputDocument> gallery_document(std::string_view name) {
+OrInputError<InputDocument> gallery_document(std::string_view name, const Files& files) {
     const auto item = gallery_item(name);
     if (!item) return std::unexpected(item.error());
-    return InputDocument{read_document(*item)};
+    return InputDocument{read_document(*item, files)};
 }
 
 }  // namespace
 
-OrInputError<InputDocument> stored_document(const std::string& equation) {
+OrInputError<InputDocument> stored_document(const std::string& equation,
+                                            const std::shared_ptr<FileAccess>& access) {
     const InputSource source = classify(equation);
-    const Files files = volume_source(source.volumes);
+    const Files files = volume_source(source.volumes, access);
     switch (source.kind) {
         case InputKind::Document: return saved_document(equation, files);
         case InputKind::OtherProgram: return imported_document(equation, files);
-        case InputKind::Volume: return volume_document(equation);
+        case InputKind::Volume: return volume_document(equation, access);
         case InputKind::Folder:
             return wrong_input("'" + equation +
                                "' is a folder: the window shows what is in it, with zeroset " +
                                equation + "; for a picture type one of its files");
         case InputKind::Shared: return shared_document(equation, files);
-        case InputKind::Gallery: return gallery_document(std::string_view(equation).substr(1));
+        case InputKind::Gallery:
+            return gallery_document(std::string_view(equation).substr(1), files);
         case InputKind::OtherFile: return wrong_input(what_is_opened(equation));
         case InputKind::StandardInput:
             return InputDocument{

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "engine/image/background.hpp"
+#include "pipeline/file_access.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/prepare.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -22,6 +24,7 @@ struct InputDocument : ReadDocument {
 /// The document that the command line's EQUATION names or is: a formula, @NAME of the gallery, a
 /// file, a shared session, or - for standard input; without the view options. Notes about another
 /// program's file go to stderr.
-OrInputError<InputDocument> stored_document(const std::string& equation);
+OrInputError<InputDocument> stored_document(const std::string& equation,
+                                            const std::shared_ptr<FileAccess>& access);
 
 }  // namespace zeroset

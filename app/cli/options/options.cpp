@@ -214,8 +214,9 @@ void tell_notes(const InputDocument& input) {
 
 }  // namespace
 
-OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view) {
-    auto input = stored_document(equation);
+OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view,
+                                          const std::shared_ptr<FileAccess>& access) {
+    auto input = stored_document(equation, access);
     if (!input) return input;
     if (!view.quiet) tell_notes(*input);
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);

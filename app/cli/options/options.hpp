@@ -62,8 +62,10 @@ struct Size {
 
 /// Reads EQUATION, @NAME of the gallery, FILE.zeroset.json, or "-" for the text of standard input,
 /// then applies the view options. Rows that cannot be read are no error here: the window shows
-/// them.
-OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view);
+/// them. `access`: by which its texts read files.
+OrInputError<InputDocument> read_document(
+    const std::string& equation, const ViewText& view,
+    const std::shared_ptr<FileAccess>& access = std::make_shared<FileAccess>());
 
 /// Reads the values of --set NAME=VALUE.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);

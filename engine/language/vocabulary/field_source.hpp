@@ -3,6 +3,7 @@
 #include "engine/expr/expr.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <memory>
 #include <string>
@@ -48,6 +49,8 @@ public:
 
     [[nodiscard]] virtual std::expected<std::shared_ptr<const Field>, FieldError> open(
         const FieldCall& call) const = 0;
+    /// Grows whenever texts that name files may read otherwise than before.
+    [[nodiscard]] virtual std::uint64_t version() const { return 0; }
 };
 
 }  // namespace zeroset

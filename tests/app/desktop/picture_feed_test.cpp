@@ -130,11 +130,12 @@ TEST_F(PictureFeedTest, DoesNothingTwice) {
 
 TEST_F(PictureFeedTest, ReadsAFileAgainOnceItHasChanged) {
     const TestFolder folder;
-    const auto files = volume_source({.folder = folder.path()});
+    const auto access = std::make_shared<FileAccess>();
+    const auto files = volume_source({.folder = folder.path()}, access);
     const auto hits_of = [&](const std::string& balls) {
         std::ofstream(folder / "balls.xyz") << balls;
-        look_for_changed_files();
-        look_for_changed_files();
+        access->look_for_changes();
+        access->look_for_changes();
         show("blobs(\"balls.xyz\") = 1", files);
         return picture_->counts.certified;
     };
@@ -146,11 +147,12 @@ TEST_F(PictureFeedTest, ReadsAFileAgainOnceItHasChanged) {
 
 TEST_F(PictureFeedTest, ReadsFilesAgainThatOnlyColoursName) {
     const TestFolder folder;
-    const auto files = volume_source({.folder = folder.path()});
+    const auto access = std::make_shared<FileAccess>();
+    const auto files = volume_source({.folder = folder.path()}, access);
     const auto colors_of = [&](const std::string& balls) {
         std::ofstream(folder / "balls.xyz") << balls;
-        look_for_changed_files();
-        look_for_changed_files();
+        access->look_for_changes();
+        access->look_for_changes();
         document_ = with_text("x = 0");
         document_.files = files;
         document_.coloring.by = ColorBy::Expression;

@@ -295,7 +295,8 @@ TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
     fs::create_directories(file("document"));
     write(file("elsewhere/v.nrrd"), "no volume");
     write(file("document/d.zeroset.json"), text_of(with_text("x = 1")));
-    start();
+    const SessionOptions options;
+    start(options);
     const auto open = [&] {
         state_.wishes.open_path = file("document/d.zeroset.json").string();
         frame();
@@ -313,9 +314,9 @@ TEST_F(Sessions, AskBeforeVolumesOutsideOfTheFolderAreRead) {
     open();
     (void)reason();
     frame();
-    const std::uint64_t before = files_version();
+    const std::uint64_t before = options.files->version();
     answer(0);
-    EXPECT_EQ(files_version(), before + 1) << "rows are read again";
+    EXPECT_EQ(options.files->version(), before + 1) << "rows are read again";
     EXPECT_FALSE(reason().contains("lies outside")) << reason();
 }
 
