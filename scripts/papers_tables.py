@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the results of `zeroset compare --json FILE` as Markdown tables for papers/papers.md:
+"""Prints the results of `zeroset dev compare --json FILE` as Markdown tables for papers/papers.md:
 a table for each file, a row for each tracer, a column for each surface and tolerance; and what boxes
 of the image save, beside what Florez printed of them, where tracers with boxes are in it. With --means
 one table of all files together, a row for each tracer: its times over those of beams on the same
@@ -149,7 +149,7 @@ def boxes_table(answer):
 def main():
     names = [name for name in sys.argv[1:] if name != "--means"]
     if not names:
-        sys.exit("usage: papers_tables.py [--means] COMPARE.json... (of zeroset compare --json)")
+        sys.exit("usage: papers_tables.py [--means] COMPARE.json... (of zeroset dev compare --json)")
     answers = []
     for name in names:
         with open(name, encoding="utf-8") as file:

@@ -31,24 +31,24 @@ PICTURES = {
         "render", f"a = 3; max(|{GYROID}| - 0.25, x^2 + y^2 + z^2 - 6) = 0", "--box", "2.6",
         "--fov", "26", "--aa", "iaa", "--size", "1200x660"],
     "window_light.png": [
-        "ui-shot", f"gyroid = {GYROID}; |gyroid| = 0.3, x^2 + y^2 + z^2 < 4; "
+        "dev", "ui-shot", f"gyroid = {GYROID}; |gyroid| = 0.3, x^2 + y^2 + z^2 < 4; "
         "x^2 + y^2 + z^2 = 1.2", "--set", "a=1.8", "--box", "2.1", "--shadows", "--aa", "iaa",
         *WINDOW],
-    "window_gallery.png": ["ui-shot", "@klein", "--do", "Gallery", *WINDOW],
-    "window_export.png": ["ui-shot", "@tangle", "--do", "Save a film...", *LARGE_WINDOW],
-    "tour_axes.png": ["ui-shot", WAVES, "--textbook", *WINDOW],
-    "tour_class.png": ["ui-shot", WAVES, "--do", "Presentation", *WINDOW],
+    "window_gallery.png": ["dev", "ui-shot", "@klein", "--do", "Gallery", *WINDOW],
+    "window_export.png": ["dev", "ui-shot", "@tangle", "--do", "Save a film...", *LARGE_WINDOW],
+    "tour_axes.png": ["dev", "ui-shot", WAVES, "--textbook", *WINDOW],
+    "tour_class.png": ["dev", "ui-shot", WAVES, "--do", "Presentation", *WINDOW],
     "tour_curvature.png": [
-        "ui-shot", "@klein", "--color-by", "mean-curvature", "--contours", "height; labels",
+        "dev", "ui-shot", "@klein", "--color-by", "mean-curvature", "--contours", "height; labels",
         "--section", "y>-2", "--clip-box", *SECTIONS_ASIDE, "--do", "Section: Clip",
         "--do", "Handles", *WINDOW],
     "tour_german.png": [
-        "ui-shot", "@tangle", "--textbook", "--language", "de", *LARGE_WINDOW],
+        "dev", "ui-shot", "@tangle", "--textbook", "--language", "de", *LARGE_WINDOW],
     "tour_light.png": [
-        "ui-shot", "@tangle", "--look", "metal", "--reflections", "3", "--shadows", "--aa", "iaa",
+        "dev", "ui-shot", "@tangle", "--look", "metal", "--reflections", "3", "--shadows", "--aa", "iaa",
         *SECTIONS_ASIDE, "--do", "Section: Light", *WINDOW],
     "tour_markers.png": [
-        "ui-shot", "x^2 + y^2 = z^2 (1 - z)", "--mark", "0,0,0; label node", "--textbook",
+        "dev", "ui-shot", "x^2 + y^2 = z^2 (1 - z)", "--mark", "0,0,0; label node", "--textbook",
         "--opacity", "0.7", *SECTIONS_ASIDE, "--do", "Section: Markers", *WINDOW],
     "turntable.gif": [
         "turntable", "@tangle", "--size", "300x200", "--frames", "24", "--fps", "12", "--aa",

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Plots the results of `zeroset bench --json FILE` as an SVG: time per frame and evaluations per
+"""Plots the results of `zeroset dev bench --json FILE` as an SVG: time per frame and evaluations per
 ray of each surface, for each tracer.
 
-    build/release/zeroset bench --tracer beams,k-bisection --json bench.json
+    build/release/zeroset dev bench --tracer beams,k-bisection --json bench.json
     scripts/plot_bench.py bench.json resources/docs/bench.svg
 """
 
@@ -76,7 +76,7 @@ def plot(bench):
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: plot_bench.py BENCH.json OUT.svg (BENCH.json: of zeroset bench --json)")
+        sys.exit("usage: plot_bench.py BENCH.json OUT.svg (BENCH.json: of zeroset dev bench --json)")
     with open(sys.argv[1], encoding="utf-8") as file:
         text = plot(json.load(file))
     with open(sys.argv[2], "w", encoding="utf-8") as file:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Plots the results of `zeroset compare --json FILE` as an SVG: a line for each row, grouped by surface,
+"""Plots the results of `zeroset dev compare --json FILE` as an SVG: a line for each row, grouped by surface,
 over a logarithmic axis of times; a dot for this machine, a ring for what is printed.
 
-    build/release/zeroset compare florez-table-4.1 --json florez.json
+    build/release/zeroset dev compare florez-table-4.1 --json florez.json
     scripts/plot_compare.py florez.json florez.svg
 """
 
@@ -151,7 +151,7 @@ def plot(answer):
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: plot_compare.py COMPARE.json OUT.svg (COMPARE.json: of zeroset compare --json)")
+        sys.exit("usage: plot_compare.py COMPARE.json OUT.svg (COMPARE.json: of zeroset dev compare --json)")
     with open(sys.argv[1], encoding="utf-8") as file:
         answer = json.load(file)
     if not any(key in answer["rows"][0] for key in ("wanted_d_stop", "millions_per_s")):

@@ -90,15 +90,6 @@ struct ExplainCommand {
 };
 int run_explain(const ExplainCommand& command);
 
-struct BenchCommand {
-    std::optional<std::string> suite, tracers, threads, d_stop, levels, size, repeat, budget, json;
-    bool shadows = false, antialias = false;  ///< antialias: the same as an `aa`
-    std::optional<std::string> aa;            ///< as read_antialias reads it
-    LightText light;                          ///< the look and the mirrors; no other
-    bool first_picture = false;               ///< times edits instead of frames
-};
-int run_bench(const BenchCommand& command);
-
 /// Brings other programs' files into a folder of sessions with pictures.
 struct ImportCommand {
     std::vector<std::string> files;
@@ -117,21 +108,5 @@ int run_gallery(const GalleryCommand& command);
 
 /// Prints the page of the formula language as Markdown.
 int run_language();
-
-/// Draws the window with its finished picture into a file; needs no display.
-struct UiShotCommand {
-    std::string equation;
-    ViewText view;
-    TraceText trace;
-    std::string size = "1280x800";
-    std::string scale = "1";
-    std::string theme = "dark";
-    std::string language = "en";
-    std::string output;
-    std::optional<std::string> pointer;
-    bool mark_undecided = false;
-    std::vector<std::string> actions;  ///< names of actions to be run first
-};
-int run_ui_shot(const UiShotCommand& command);
 
 }  // namespace zeroset

@@ -2,84 +2,37 @@
 // window.
 
 #include "app/cli/commands.hpp"
-#include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/window_command.hpp"
 #include "app/desktop/desktop.hpp"
 #include "app/main/add_exports.hpp"
 #include "app/main/add_options.hpp"
-#include "app/main/add_paper_commands.hpp"
 #include "app/main/command_line_page.hpp"
+#include "app/main/dev_program.hpp"
 #include "app/main/help_format.hpp"
 #include "app/main/help_groups.hpp"
+#include "app/main/subcommands.hpp"
 #include "app/platform/process.hpp"
 #include "document/import/import.hpp"
-#include "engine/base/text.hpp"
-#include "engine/export/file.hpp"
 #include "engine/volume/files/mapped_file.hpp"
-#include "jit/compile.hpp"
 #include "papers/tracers/paper_tracers.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
 namespace {
-
-/// A subcommand draws no pages that are lost.
-bool end_if_lost(const void* address) noexcept {
-    if (is_mapped(address)) end_on_lost_page();
-    return false;
-}
-
-CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
-    CLI::App* const shot_app = app.add_subcommand("ui-shot", "draw the window into a file");
-    shot_app->footer(
-        "Needs no display. An error in the equation is drawn as the window shows it: the exit code "
-        "is 0.");
-    add_value(*shot_app, "EQUATION", shot.equation,
-              "the formula, @NAME, FILE.zeroset.json, or - (default: the gallery's first)");
-    add_value(*shot_app, "-o,--output", shot.output, "the picture: a PNG file");
-    add_value(*shot_app, "--size", shot.size,
-              "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
-    add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
-    add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
-    add_value(*shot_app, "--language", shot.language,
-              "of the window's texts: en (default), de, fr or es");
-    add_value(*shot_app, "--pointer", shot.pointer,
-              "where the pointer rests: X,Y from the left and the top, at scale 1");
-    add_repeated(*shot_app, "--do", shot.actions,
-                 "the name of an action (Ctrl+K lists them), such as Gallery; may be repeated");
-    shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
-    add_view_options(*shot_app, shot.view);
-    add_trace_options(*shot_app, shot.trace);
-    return shot_app;
-}
-
-/// Puts a space before arguments such as "-x^2+y", which are equations: CLI11 takes words with a
-/// leading space for values, and the readers of values drop the space.
-std::vector<std::string> protected_arguments(int argc, char** argv) {
-    std::vector<std::string> arguments(argv + 1, argv + argc);
-    for (std::string& argument : arguments) {
-        const bool dash = argument.size() > 1 && argument[0] == '-' && argument[1] != '-';
-        const bool flag = argument == "-h" || argument.starts_with("-o");
-        if (dash && !flag) argument.insert(0, 1, ' ');
-    }
-    return {arguments.rbegin(), arguments.rend()};
-}
 
 /// The options of the window alone.
 struct WindowText {
     std::string equation;
     ViewText view;
     TraceText trace;
-    std::string latency_log;
     bool present = false;
 };
 
@@ -92,11 +45,7 @@ int open_window(const WindowText& text) {
     if (!options) return report(options.error());
     options->tour = text.equation.empty();
     options->read_only = text.present;
-    if (!text.latency_log.empty()) {
-        const auto writable = check_writable(text.latency_log);
-        if (!writable) return report_run_time(writable.error().message);
-        options->latency_log = text.latency_log;
-    }
+    on_lost_pages(fill_lost_pages);
     const auto ran = run_desktop(*options);
     return ran ? exit_ok : report_run_time(ran.error());
 }
@@ -137,34 +86,6 @@ CLI::App* add_explain(CLI::App& app, ExplainCommand& explain) {
     return explain_app;
 }
 
-CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
-    CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
-    add_value(*bench_app, "--suite", bench.suite,
-              "a JSON file of surfaces (default: the gallery's)");
-    add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
-    auto* const d_stop =
-        add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
-    add_value(*bench_app, "--levels", bench.levels, "as for render")->excludes(d_stop);
-    add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
-    add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
-    add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
-    bench_app->add_flag("--shadows", bench.shadows, "let the surfaces throw shadows");
-    auto* const smooth =
-        bench_app->add_flag("--antialias", bench.antialias, "smooth edges: --aa iaa");
-    add_value(*bench_app, "--aa", bench.aa, "smooth edges: iaa, none, or 4, 9, 16, 64 rays a pixel")
-        ->excludes(smooth);
-    add_value(*bench_app, "--look", bench.light.look, "as for render (default standard)");
-    add_value(*bench_app, "--reflections", bench.light.reflections,
-              "how often a ray is mirrored, 0 (default) to 5");
-    add_value(*bench_app, "--budget", bench.budget,
-              "seconds after which a frame ends undecided (default 30)");
-    add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
-    bench_app->add_flag("--first-picture", bench.first_picture,
-                        "time the window's way from an edit to its first picture instead, of all "
-                        "of the gallery; without --json, --budget and light");
-    return bench_app;
-}
-
 CLI::App* add_sample(CLI::App& app, SampleCommand& sample) {
     CLI::App* const sample_app = app.add_subcommand(
         "sample", "write f, or the distance to its surface, on a grid as a volume (NRRD)");
@@ -193,24 +114,16 @@ struct Commands {
     DrawCommand draw;
     ShareCommand share;
     ImportCommand imports;
-    UiShotCommand shot;
     GalleryCommand gallery;
     ExplainCommand explain;
-    BenchCommand bench;
-    PaperCommands papers;
 };
-
-/// A subcommand and what it does.
-using Subcommand = std::pair<const CLI::App*, std::function<int()>>;
 
 /// Completes what the help and the page of the command line show, which no other start needs.
 void complete_help(CLI::App& app) {
     describe_formats(app);
     group_options(app);
-    for (const char* const name : {"ui-shot", "bench", "language", "command-line"})
+    for (const char* const name : {"dev", "language", "command-line"})
         app.get_subcommand(name)->group("To develop Zeroset");
-    for (const char* const name : {"compare", "traversal"})
-        app.get_subcommand(name)->group("To compare with papers");
 }
 
 /// Adds all of them in the order of the help. `commands` must outlive the result.
@@ -225,13 +138,10 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
         {add_draw(app, c.draw), [&c] { return run_draw(c.draw); }},
         {add_share(app, c.share), [&c] { return run_share(c.share); }},
         {add_import(app, c.imports), [&c] { return run_import(c.imports); }},
-        {add_ui_shot(app, c.shot), [&c] { return run_ui_shot(c.shot); }},
         {add_gallery(app, c.gallery), [&c] { return run_gallery(c.gallery); }},
         {add_explain(app, c.explain), [&c] { return run_explain(c.explain); }},
-        {add_bench(app, c.bench), [&c] { return run_bench(c.bench); }},
-        {add_compare(app, c.papers.compare), [&c] { return run_compare(c.papers.compare); }},
-        {add_traversal(app, c.papers.traversal),
-         [&c] { return run_traversal(c.papers.traversal); }},
+        {app.add_subcommand("dev", "tools to time, to compare with papers and to draw the window"),
+         [] { return report({.reason = "dev stands in front: zeroset dev --help"}); }},
         {app.add_subcommand("language", "print the page of the formula language (Markdown)"),
          [] { return run_language(); }},
         {app.add_subcommand("command-line", "print the page of the command line (Markdown)"),
@@ -245,6 +155,9 @@ std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
 
 int run(int argc, char** argv) {
     add_paper_tracers();
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    if (first == "dev") return run_dev(argc - 1, argv + 1);
+    if (is_dev_tool(first)) return run_dev(argc, argv);
     CLI::App app{
         "Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
         "Without a subcommand it opens the window.",
@@ -264,36 +177,16 @@ int run(int argc, char** argv) {
         "sliders chosen for it; nothing else can be changed or saved");
     add_view_options(app, window.view);
     add_trace_options(app, window.trace);
-    add_value(app, "--latency-log", window.latency_log,
-              "a file of JSON lines: how long each input took to change the picture");
     app.formatter(std::make_shared<HelpFormat>());
     Commands commands;
     const std::vector<Subcommand> subcommands = add_subcommands(app, commands);
-    try {
-        app.parse(protected_arguments(argc, argv));
-    } catch (const CLI::CallForVersion& answer) {
-        return app.exit(answer);
-    } catch (const CLI::Success& answer) {  // --help
-        complete_help(app);
-        return app.exit(answer);
-    } catch (const CLI::ParseError& error) {
-        return report(
-            {.reason = std::string(error.what()) + " (zeroset --help lists what there is)"});
-    }
-    if (window.present && !app.get_subcommands().empty()) {
+    if (const auto ended = parse(app, argc, argv, complete_help)) return *ended;
+    if (app.get_subcommands().empty()) return open_window(window);
+    if (window.present) {
         return report({.reason = "--present opens the window: leave out " +
                                  app.get_subcommands().front()->get_name()});
     }
-    if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
-    on_lost_pages(app.get_subcommands().empty() ? fill_lost_pages : end_if_lost);
-    for (const auto& [subcommand, run_subcommand] : subcommands) {
-        if (!*subcommand) continue;
-        const int result = run_subcommand();
-        const auto missing = jit::missing_code();
-        if (missing && result == exit_ok) std::cerr << "note: " << *missing << '\n';
-        return result;
-    }
-    return open_window(window);
+    return run_typed(subcommands);
 }
 
 }  // namespace

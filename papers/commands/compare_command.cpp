@@ -1,5 +1,5 @@
-#include "app/cli/bench_suite.hpp"
 #include "app/cli/report.hpp"
+#include "app/dev/bench_suite.hpp"
 #include "engine/base/text.hpp"
 #include "engine/render/tracers.hpp"
 #include "papers/commands/compare_animation.hpp"

@@ -4,7 +4,7 @@
 
 namespace zeroset {
 
-/// `zeroset compare` of the ways to find shadows: by beams, by boxes that beams reject, by rays.
+/// `zeroset dev compare` of the ways to find shadows: by beams, by boxes that beams reject, by rays.
 int run_compare_shadows(const CompareCommand& command);
 
 }  // namespace zeroset

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/cli/bench_suite.hpp"
 #include "app/cli/options/options.hpp"
 #include "app/cli/timing.hpp"
+#include "app/dev/bench_suite.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/settings.hpp"

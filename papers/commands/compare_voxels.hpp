@@ -5,7 +5,7 @@
 
 namespace zeroset {
 
-/// `zeroset compare` of a table of rays in voxels [Marmitt04]; returns the exit code.
+/// `zeroset dev compare` of a table of rays in voxels [Marmitt04]; returns the exit code.
 int run_compare_voxels(const CompareCommand& command, const VoxelTable& table);
 
 }  // namespace zeroset

@@ -55,7 +55,7 @@ struct PrintedTable {
 
 /// An animation of a paper that is drawn with one grid for n frames [Florez08, sec. 6.5].
 struct PrintedAnimation {
-    std::string name;  ///< as it is typed: a table of `zeroset compare`
+    std::string name;  ///< as it is typed: a table of `zeroset dev compare`
     std::string source;
     std::string note;             ///< what of the scene is not printed
     std::string formula;          ///< w is the time

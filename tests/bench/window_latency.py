@@ -47,7 +47,7 @@ class Run:
         stem = "equation" if is_equation else name
         self.path = Path(display.folder.name) / f"{stem}.jsonl"
         self.process = subprocess.Popen(
-            [program, name if is_equation else "@" + name, "--latency-log", str(self.path)],
+            [program, "dev", "latency", name if is_equation else "@" + name, "-o", str(self.path)],
             env=dict(display.environment, ZEROSET_SCALE="1",
                      XDG_STATE_HOME=os.path.join(display.folder.name, stem)))
         self.rest()

@@ -1,4 +1,4 @@
-"""Tests of `zeroset bench` and `zeroset compare`: suites, tables and figures."""
+"""Tests of `zeroset dev bench` and `zeroset dev compare`: suites, tables and figures."""
 
 import json
 import subprocess
@@ -14,7 +14,7 @@ class BenchTest(ProgramTest):
                  "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1", "domain": 2},
                               {"name": "sheet", "f": "z - w", "domain": 1}]}
         (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
-        base = ["bench", "--suite", "suite.json", "--size", 24, "--repeat", 2]
+        base = ["dev", "bench", "--suite", "suite.json", "--size", 24, "--repeat", 2]
         table = self.run_ok(*base, "--json", "bench.json").out
         for word in ("ball", "sheet", "beams", "fps"):
             self.assertIn(word, table)
@@ -38,7 +38,7 @@ class BenchTest(ProgramTest):
         (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
         forms = {}
         for options in ((), ("--shadows",), ("--antialias",), ("--shadows", "--antialias")):
-            answer = json.loads(self.run_ok("bench", "--suite", "suite.json", "--size", 64, "--repeat",
+            answer = json.loads(self.run_ok("dev", "bench", "--suite", "suite.json", "--size", 64, "--repeat",
                                             1, "--json", "-", *options).out)
             self.assertEqual(answer["shadows"], "--shadows" in options)
             self.assertEqual(answer["antialias"], "iaa" if "--antialias" in options else "none")
@@ -54,7 +54,7 @@ class BenchTest(ProgramTest):
         (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
         forms = []
         for options in ((), ("--look", "metal"), ("--look", "metal", "--reflections", 2)):
-            answer = json.loads(self.run_ok("bench", "--suite", "suite.json", "--size", 64, "--repeat",
+            answer = json.loads(self.run_ok("dev", "bench", "--suite", "suite.json", "--size", 64, "--repeat",
                                             1, "--json", "-", *options).out)
             self.assertEqual(answer["look"], "metal" if options else "standard")
             self.assertEqual(answer["reflections"], 2 if "--reflections" in options else 0)
@@ -78,7 +78,7 @@ class BenchTest(ProgramTest):
             (self.folder / name).write_text(json.dumps(text), encoding="utf-8")
         for name, reason in wrong.items():
             with self.subTest(name):
-                result = run("bench", "--suite", name, cwd=self.folder)
+                result = run("dev", "bench", "--suite", name, cwd=self.folder)
                 self.assertEqual(result.code, 2, str(result))
                 self.assertEqual(result.err.count("\n"), 1, str(result))
                 self.assertIn(reason, result.err)
@@ -87,7 +87,7 @@ class BenchTest(ProgramTest):
         suite = {"camera": {"direction": [0, 0, 1], "distance": 4, "fov": 42},
                  "surfaces": [{"name": "ball\u001b[31m", "f": "x^2 + y^2 + z^2 - 1", "domain": 1}]}
         (self.folder / "above.json").write_text(json.dumps(suite), encoding="utf-8")
-        table = self.run_ok("bench", "--suite", "above.json", "--size", 24, "--repeat", 1).out
+        table = self.run_ok("dev", "bench", "--suite", "above.json", "--size", 24, "--repeat", 1).out
         self.assertIn("ball", table)
         self.assertNotIn("\u001b", table)
 
@@ -96,7 +96,7 @@ class BenchTest(ProgramTest):
                  "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1.5", "domain": 2},
                               {"name": "sheet", "f": "z - x*y", "domain": 1}]}
         (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
-        lines = self.run_ok("bench", "--first-picture", "--suite", "suite.json", "--size", 64,
+        lines = self.run_ok("dev", "bench", "--first-picture", "--suite", "suite.json", "--size", 64,
                             "--repeat", 1).out.splitlines()
         rows = [line.split() for line in lines if line.split()[0] in ("ball", "sheet")]
         self.assertEqual([row[0] for row in rows], ["ball", "sheet"])
@@ -107,7 +107,7 @@ class BenchTest(ProgramTest):
         self.assertRegex(lines[-2], r"\Aa new text +median [0-9.]+ ms")
 
     def test_the_suite_of_the_gallery(self):
-        answer = json.loads(self.run_ok("bench", "--size", 8, "--repeat", 1, "--threads", 1,
+        answer = json.loads(self.run_ok("dev", "bench", "--size", 8, "--repeat", 1, "--threads", 1,
                                         "--dstop", 6, "--json", "-").out)
         self.assertEqual(len(answer["surfaces"]), 29)
         self.assertEqual(answer["threads"], 1)
@@ -115,7 +115,7 @@ class BenchTest(ProgramTest):
     def test_a_broken_suite(self):
         for text in ("", "{", "{}", '{"camera": 1}', "[]"):
             (self.folder / "suite.json").write_text(text, encoding="utf-8")
-            result = run("bench", "--suite", "suite.json", cwd=self.folder)
+            result = run("dev", "bench", "--suite", "suite.json", cwd=self.folder)
             self.assertEqual(result.code, 2, str(result))
             self.assertRegex(result.err, r"\Aerror: --suite suite.json: [^\n]+\n\Z")
             self.assertEqual(result.out, "", str(result))
@@ -123,7 +123,7 @@ class BenchTest(ProgramTest):
 
 class CompareTest(ProgramTest):
     def compare(self, *options):
-        return json.loads(self.run_ok("compare", "--size", 40, "--repeat", 1, "--json", "-",
+        return json.loads(self.run_ok("dev", "compare", "--size", 40, "--repeat", 1, "--json", "-",
                                       *options).out)
 
     def write(self, name, answer):
@@ -167,7 +167,7 @@ class CompareTest(ProgramTest):
             self.assertEqual(row["certified"], 0)
 
     def test_text_and_file(self):
-        table = self.run_ok("compare", "florez-table-4.1", "--surface", "sphere",
+        table = self.run_ok("dev", "compare", "florez-table-4.1", "--surface", "sphere",
                             "--size", 24, "--repeat", 1, "--json", "compare.json").out
         for word in ("Florez 2008", "mrfro-newton", "printed", "missed", "Horned Cube"):
             self.assertIn(word, table)
@@ -178,7 +178,7 @@ class CompareTest(ProgramTest):
         self.assertEqual(len(answer["rows"]), 6)
 
     def test_grids_refute_nothing(self):
-        answer = json.loads(self.run_ok("compare", "--size", 200, "--repeat", 1, "--json", "-",
+        answer = json.loads(self.run_ok("dev", "compare", "--size", 200, "--repeat", 1, "--json", "-",
                                         "--surface", "sphere,blobby", "--tracer",
                                         "regular-grid,florez-boxes", "--dstop", "22").out)
         for row in answer["rows"]:
@@ -260,7 +260,7 @@ class CompareTest(ProgramTest):
             self.assertIn(text, words)
 
     def test_rays_in_voxels(self):
-        answer = json.loads(self.run_ok("compare", "marmitt-table-2", "--json", "-").out)
+        answer = json.loads(self.run_ok("dev", "compare", "marmitt-table-2", "--json", "-").out)
         rows = {row["method"]: row for row in answer["rows"]}
         self.assertEqual(list(rows), ["midpoint", "linear", "neubauer", "schwarze", "marmitt"])
         self.assertEqual(rows["marmitt"]["printed"], {"min": 0.85, "max": 4.8, "avg": 4.35})
@@ -281,7 +281,7 @@ class CompareTest(ProgramTest):
                          {"beams", "mrfro", "csg-by-roots"})
 
     def test_shadows_by_beams_and_by_rays(self):
-        answer = json.loads(self.run_ok("compare", "florez-figure-5.13", "--size", 240, "--json",
+        answer = json.loads(self.run_ok("dev", "compare", "florez-figure-5.13", "--size", 240, "--json",
                                         "-").out)
         self.assertEqual(len(answer["rows"]), 2 * 4)
         for beams, rays in zip(*[iter(answer["rows"])] * 2):
@@ -293,7 +293,7 @@ class CompareTest(ProgramTest):
 
     def test_animations_by_one_grid(self):
         for figure in ("florez-figure-6.8", "florez-figure-6.10", "florez-figure-6.12"):
-            answer = json.loads(self.run_ok("compare", figure, "--size", 24, "--json", "-").out)
+            answer = json.loads(self.run_ok("dev", "compare", figure, "--size", 24, "--json", "-").out)
             self.assertEqual([row["frame"] for row in answer["rows"]], [0, 5, 10, 15])
             for row in answer["rows"]:
                 self.assertGreaterEqual(row["one_grid"]["cells"], row["grid_each"]["cells"])

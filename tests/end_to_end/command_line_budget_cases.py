@@ -56,7 +56,7 @@ class BudgetTest(ProgramTest):
                  "surfaces": [{"name": "endless", "f": ENDLESS, "domain": 2},
                               {"name": "ball", "f": SPHERE, "domain": 2}]}
         (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
-        result = run("bench", "--suite", "suite.json", "--budget", 0.5, "--size", 64, "--dstop",
+        result = run("dev", "bench", "--suite", "suite.json", "--budget", 0.5, "--size", 64, "--dstop",
                      22, "--json", "-", cwd=self.folder)
         self.assertEqual(result.code, 0, str(result))
         self.assertEqual(result.err, "zeroset: endless: the budget of 0.5 s is spent; --budget "

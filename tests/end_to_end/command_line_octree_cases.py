@@ -12,7 +12,7 @@ class OctreeTest(ProgramTest):
     """The tracers by octrees, their levels, and the check of their traversals."""
 
     def traversals(self, *arguments):
-        answer = json.loads(self.run_ok("traversal", SPHERE, "--box", "2", *arguments).out)
+        answer = json.loads(self.run_ok("dev", "traversal", SPHERE, "--box", "2", *arguments).out)
         return answer, {row["traversal"]: row for row in answer["traversals"]}
 
     def test_levels_go_on_where_float_and_d_stop_end(self):

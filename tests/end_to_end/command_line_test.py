@@ -370,11 +370,20 @@ class HelpTest(ProgramTest):
 
     def test_help_names_every_subcommand(self):
         text = self.run_ok("--help").out
-        for word in ("render", "draw", "gallery", "explain", "bench", "compare", "traversal",
-                     "EQUATION"):
+        for word in ("render", "draw", "gallery", "explain", "dev", "EQUATION"):
             self.assertIn(word, text)
-        for command in ("render", "draw", "gallery", "explain", "bench", "compare", "traversal"):
+        for command in ("render", "draw", "gallery", "explain"):
             self.assertIn("--help", self.run_ok(command, "--help").out)
+
+    def test_tools_stand_behind_dev(self):
+        tools = ("bench", "ui-shot", "latency", "compare", "traversal")
+        text = self.run_ok("dev", "--help").out
+        for tool in tools:
+            self.assertIn(f"\n  {tool} ", text)
+            self.assertIn("--help", self.run_ok("dev", tool, "--help").out)
+            self.assertNotIn(f"\n  {tool} ", self.run_ok("--help").out)
+        self.assertIn("subcommand", run("dev").err)
+        self.assertEqual(self.run_ok("bench", "--help").out, self.run_ok("dev", "bench", "--help").out)
 
     def test_the_page_of_the_command_line_is_the_one_in_the_documents(self):
         page = SOURCE_DIR / "resources" / "docs" / "command-line.md"

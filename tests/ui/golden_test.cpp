@@ -1,6 +1,6 @@
 // Compares the panels with small reference pictures in tests/ui/goldens, each the mean colours of
 // the window in squares. ZEROSET_WRITE_GOLDENS=1 rewrites them; look at the window itself then,
-// with `zeroset ui-shot`.
+// with `zeroset dev ui-shot`.
 
 #include "engine/annotate/legend.hpp"
 #include "engine/export/png.hpp"

@@ -1,7 +1,7 @@
-// Tests of `zeroset ui-shot`, which draws the window into a file without a display.
+// Tests of `zeroset dev ui-shot`, which draws the window into a file without a display.
 
-#include "app/cli/commands.hpp"
 #include "app/cli/report.hpp"
+#include "app/dev/dev_commands.hpp"
 #include "engine/export/png.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "tests/support/test_folder.hpp"

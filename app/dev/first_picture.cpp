@@ -1,4 +1,4 @@
-#include "app/cli/first_picture.hpp"
+#include "app/dev/first_picture.hpp"
 
 #include "app/cli/report.hpp"
 #include "app/cli/timing.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/cli/bench_suite.hpp"
 #include "app/cli/options/options.hpp"
+#include "app/dev/bench_suite.hpp"
 
 #include <vector>
 

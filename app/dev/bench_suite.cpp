@@ -1,4 +1,4 @@
-#include "app/cli/bench_suite.hpp"
+#include "app/dev/bench_suite.hpp"
 
 #include "engine/base/printable.hpp"
 #include "pipeline/gallery.hpp"
