@@ -1,4 +1,5 @@
 #include "app/cli/commands.hpp"
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "app/platform/process.hpp"
@@ -59,17 +60,14 @@ OrInputError<std::shared_ptr<DrawJob>> job_of(const DrawCommand& command) {
         return wrong_input("-o " + *command.output + ": " +
                            other_name(ExportKind::Drawing, *command.output));
     }
-    auto plan = read_drawing(command.drawing);
-    if (!plan) return std::unexpected(plan.error());
-    job->plan = *plan;
+    OptionReader reader;
+    reader.take(job->plan, read_drawing(command.drawing));
+    reader.take(job->budget_s, read_budget(command.budget));
+    if (reader.error()) return std::unexpected(*reader.error());
     job->plan.choice.fits = command.view.fit;
     job->plan.choice.fits_box = !command.view.box;
-    const auto budget = read_budget(command.budget);
-    if (!budget) return std::unexpected(budget.error());
-    job->budget_s = *budget;
-    auto input = read_document(command.equation, command.view);
+    auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     job->document = std::move(input->document);
     job->rows = std::move(*input->rows);
     return job;

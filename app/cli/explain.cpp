@@ -59,9 +59,8 @@ OrInputError<Explanation> explained(const ExplainCommand& command) {
     ViewText parameters;
     parameters.set = command.set;
     parameters.quiet = true;
-    const auto input = read_document(command.equation, parameters);
+    const auto input = read_document_with_rows(command.equation, parameters);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     const auto point = point_of(command);
     if (!point) return std::unexpected(point.error());
     Explanation result{.program = input->rows->program,

@@ -1,5 +1,6 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/film_options.hpp"
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
@@ -38,36 +39,21 @@ struct FilmJob {
 
 OrInputError<FilmJob> job_of(const FilmCommand& command) {
     FilmJob job;
-    const auto size = read_size("--size", command.size);
-    if (!size) return std::unexpected(size.error());
-    job.size = *size;
-    const auto settings = read_trace_settings(command.trace);
-    if (!settings) return std::unexpected(settings.error());
-    job.settings = *settings;
-    const auto budget = read_budget(command.budget);
-    if (!budget) return std::unexpected(budget.error());
-    job.budget_s = *budget;
-    auto input = read_document(command.equation, command.view);
+    OptionReader reader;
+    reader.take(job.size, read_size("--size", command.size));
+    reader.take(job.settings, read_trace_settings(command.trace));
+    reader.take(job.budget_s, read_budget(command.budget));
+    if (reader.error()) return std::unexpected(*reader.error());
+    auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     job.input = std::move(*input);
-    if (const auto wrong = take_look(command.trace, job.input.document))
-        return std::unexpected(*wrong);
-    if (const auto wrong = check_jumps(job.input.document, job.settings))
-        return std::unexpected(*wrong);
-    auto plan = read_film_plan(command, job.input);
-    if (!plan) return std::unexpected(plan.error());
-    job.plan = std::move(*plan);
-    const auto range = read_frame_range(command, job.plan);
-    if (!range) return std::unexpected(range.error());
-    job.range = *range;
-    const auto frame_range = read_frame_range_choice(command);
-    if (!frame_range) return std::unexpected(frame_range.error());
-    job.frame_range = *frame_range;
-    auto target = read_film_target(command, job.size, job.plan);
-    if (!target) return std::unexpected(target.error());
-    job.target = std::move(*target);
-    return job;
+    reader.check(take_look(command.trace, job.input.document));
+    reader.check(check_jumps(job.input.document, job.settings));
+    reader.take(job.plan, read_film_plan(command, job.input));
+    reader.take(job.range, read_frame_range(command, job.plan));
+    reader.take(job.frame_range, read_frame_range_choice(command));
+    reader.take(job.target, read_film_target(command, job.size, job.plan));
+    return reader.finish(std::move(job));
 }
 
 /// Everything that the film's thread works with; it may outlive everything else.

@@ -1,6 +1,7 @@
 #include "app/cli/film_options.hpp"
 
 #include "app/cli/options/camera_options.hpp"
+#include "app/cli/options/option_reader.hpp"
 #include "document/camera_text.hpp"
 #include "document/views.hpp"
 #include "engine/base/enum_names.hpp"
@@ -231,33 +232,23 @@ OrInputError<FilmTarget> read_frame_files(const FilmCommand& command, const Size
 
 OrInputError<FilmPlan> read_film_plan(const FilmCommand& command, const InputDocument& document) {
     FilmPlan plan;
-    const auto rate = read_rate(command);
-    if (!rate) return std::unexpected(rate.error());
-    plan.rate = *rate;
-    const auto frames = read_frame_count(command, *rate);
-    if (!frames) return std::unexpected(frames.error());
-    plan.frames = *frames;
-    if (const auto wrong = read_turn(command, document.document, plan))
-        return std::unexpected(*wrong);
-    for (const std::string& text : command.sweeps) {
-        const auto sweep = read_sweep(text, document);
-        if (!sweep) return std::unexpected(sweep.error());
-        plan.sweeps.push_back(*sweep);
-    }
-    auto path = read_path(command, document.document);
-    if (!path) return std::unexpected(path.error());
-    plan.path = std::move(*path);
+    OptionReader reader;
+    reader.take(plan.rate, read_rate(command));
+    reader.take(plan.frames, read_frame_count(command, plan.rate));
+    reader.check(read_turn(command, document.document, plan));
+    for (const std::string& text : command.sweeps)
+        reader.take(plan.sweeps.emplace_back(), read_sweep(text, document));
+    reader.take(plan.path, read_path(command, document.document));
+    if (reader.error()) return std::unexpected(*reader.error());
     if (!plan.turn && plan.sweeps.empty() && plan.path.empty())
         return wrong_input(
             "nothing changes: give --sweep NAME=FROM..TO, --turn DEGREES, --through or "
             "--through-views");
     plan.end = plan.turn || !plan.path.empty() ? FilmEnd::Loop : FilmEnd::Bounce;
-    if (const auto wrong = read_name("--end", command.end, end_names, plan.end))
-        return std::unexpected(*wrong);
-    if (const auto wrong = read_name("--ease", command.ease, easing_names, plan.easing))
-        return std::unexpected(*wrong);
-    if (const auto wrong = read_blur(command, plan)) return std::unexpected(*wrong);
-    return plan;
+    reader.check(read_name("--end", command.end, end_names, plan.end));
+    reader.check(read_name("--ease", command.ease, easing_names, plan.easing));
+    reader.check(read_blur(command, plan));
+    return reader.finish(std::move(plan));
 }
 
 OrInputError<FrameRange> read_frame_range(const FilmCommand& command, const FilmPlan& plan) {
@@ -265,11 +256,10 @@ OrInputError<FrameRange> read_frame_range(const FilmCommand& command, const Film
     const auto ends = command.frames ? ends_of(*command.frames) : std::nullopt;
     if (!ends) return range;
     const std::string option = "--frames " + *command.frames;
-    const auto first = read_integer(option, ends->first, 0, range.last);
-    if (!first) return std::unexpected(first.error());
-    const auto last = read_integer(option, ends->second, *first, range.last);
-    if (!last) return std::unexpected(last.error());
-    return FrameRange{.first = *first, .last = *last};
+    OptionReader reader;
+    reader.take(range.first, read_integer(option, ends->first, 0, range.last));
+    reader.take(range.last, read_integer(option, ends->second, range.first, range.last));
+    return reader.finish(range);
 }
 
 OrInputError<FrameRangeChoice> read_frame_range_choice(const FilmCommand& command) {
@@ -279,9 +269,7 @@ OrInputError<FrameRangeChoice> read_frame_range_choice(const FilmCommand& comman
     const std::string option = "--frame-range " + text;
     if (text.find_first_not_of("0123456789") != std::string::npos)
         return wrong_input(option + ": type auto, off or a number of frames, such as 8");
-    const auto frames = read_integer("--frame-range", text, 1, longest_frame_range);
-    if (!frames) return std::unexpected(frames.error());
-    return *frames;
+    return read_integer("--frame-range", text, 1, longest_frame_range);
 }
 
 OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size& size,

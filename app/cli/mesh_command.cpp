@@ -1,5 +1,6 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/mesh_report.hpp"
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
@@ -36,61 +37,42 @@ OrInputError<const MeshFormat*> read_format(const std::string& output) {
     return wrong_input("-o " + output + ": " + other_name(ExportKind::Mesh, output));
 }
 
-/// Reads a number above 0, if it was given.
-OrInputError<std::optional<double>> read_length(const std::string& option,
-                                                const std::optional<std::string>& text,
-                                                const char* about) {
-    if (!text) return std::nullopt;
+/// Reads a number above 0; `usual` if it was not given.
+template <class Number>
+OrInputError<Number> read_length(const std::string& option, const std::optional<std::string>& text,
+                                 const char* about, Number usual) {
+    if (!text) return usual;
     const auto number = read_number(option, *text);
-    if (!number) return std::unexpected(number.error());
-    if (!(*number > 0 && *number <= 1e9))
+    if (number && !(*number > 0 && *number <= 1e9))
         return wrong_input(option + " " + *text + ": type " + about + ", above 0");
-    return *number;
+    return number;
 }
 
 OrInputError<int> read_count(const std::string& option, const std::optional<std::string>& text,
-                             int lowest, int highest, int otherwise) {
-    return text ? read_integer(option, *text, lowest, highest) : OrInputError<int>(otherwise);
+                             int lowest, int highest) {
+    return text ? read_integer(option, *text, lowest, highest) : OrInputError<int>(0);
 }
 
-/// Reads the options that are lengths.
-std::optional<InputError> take_lengths(const MeshCommand& command, MeshPlan& plan) {
-    const auto tolerance =
-        read_length("--tolerance", command.tolerance, "a distance in world units");
-    if (!tolerance) return tolerance.error();
-    plan.settings.tolerance = *tolerance;
-    const auto size = read_length("--size", command.size, "a length in millimetres");
-    if (!size) return size.error();
-    plan.settings.size_mm = size->value_or(plan.settings.size_mm);
-    const auto wall = read_length("--wall", command.wall, "a thickness in millimetres");
-    if (!wall) return wall.error();
-    plan.settings.wall_mm = *wall;
-    const auto budget = read_budget(command.budget);
-    if (!budget) return budget.error();
-    plan.budget_s = *budget;
-    return std::nullopt;
-}
-
-/// Reads the options that are whole numbers.
-std::optional<InputError> take_counts(const MeshCommand& command, MeshPlan& plan) {
+/// Reads the options that are numbers, of a mesh of one of so many surfaces.
+void take_numbers(const MeshCommand& command, std::size_t surfaces, OptionReader& reader,
+                  MeshPlan& plan) {
     constexpr int deepest = 18;
     constexpr int most_triangles = 1'000'000'000;
-    const auto depth = read_count("--depth", command.depth, 3, deepest, 0);
-    if (!depth) return depth.error();
-    const auto triangles = read_count("--triangles", command.triangles, 4, most_triangles, 0);
-    if (!triangles) return triangles.error();
-    const auto threads = read_count("--threads", command.threads, 1, 1024, 0);
-    if (!threads) return threads.error();
-    const auto surfaces = static_cast<int>(plan.rows.program->surfaces.size());
-    const auto surface = read_count("--surface", command.surface, 1, surfaces, 0);
-    if (!surface) return surface.error();
-    plan.settings.depth = *depth;
-    plan.settings.most_triangles = static_cast<std::size_t>(*triangles);
-    plan.settings.threads = *threads;
-    if (*surface > 0) plan.settings.surface = static_cast<std::size_t>(*surface);
-    plan.settings.open = command.open;
-    plan.settings.thin = !command.no_thin;
-    return std::nullopt;
+    MeshSettings& settings = plan.settings;
+    reader.take(settings.tolerance, read_length("--tolerance", command.tolerance,
+                                                "a distance in world units", settings.tolerance));
+    reader.take(settings.size_mm,
+                read_length("--size", command.size, "a length in millimetres", settings.size_mm));
+    reader.take(settings.wall_mm, read_length("--wall", command.wall, "a thickness in millimetres",
+                                              settings.wall_mm));
+    reader.take(plan.budget_s, read_budget(command.budget));
+    reader.take(settings.depth, read_count("--depth", command.depth, 3, deepest));
+    reader.take(settings.most_triangles,
+                read_count("--triangles", command.triangles, 4, most_triangles));
+    reader.take(settings.threads, read_count("--threads", command.threads, 1, 1024));
+    std::size_t surface = 0;
+    reader.take(surface, read_count("--surface", command.surface, 1, static_cast<int>(surfaces)));
+    if (surface > 0) settings.surface = surface;
 }
 
 OrInputError<MeshPlan> plan_of(const MeshCommand& command) {
@@ -98,14 +80,15 @@ OrInputError<MeshPlan> plan_of(const MeshCommand& command) {
     const auto format = read_format(command.output);
     if (!format) return std::unexpected(format.error());
     plan.format = *format;
-    auto input = read_document(command.equation, command.view);
+    auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     plan.document = std::move(input->document);
     plan.rows = std::move(*input->rows);
-    if (auto wrong = take_lengths(command, plan)) return std::unexpected(*wrong);
-    if (auto wrong = take_counts(command, plan)) return std::unexpected(*wrong);
-    return plan;
+    plan.settings.open = command.open;
+    plan.settings.thin = !command.no_thin;
+    OptionReader reader;
+    take_numbers(command, plan.rows.program->surfaces.size(), reader, plan);
+    return reader.finish(std::move(plan));
 }
 
 Progress::Stage stage_of(MeshStage stage) {

@@ -1,4 +1,5 @@
 #include "app/cli/commands.hpp"
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/point_json.hpp"
 #include "app/cli/render_files.hpp"
 #include "app/cli/render_picture.hpp"
@@ -65,59 +66,52 @@ std::optional<InputError> refused_in_bands(const RenderCommand& command, const R
     return std::nullopt;
 }
 
-OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
-    RenderPlan plan;
-    auto size = read_size("--size", command.size, in_bands);
-    if (!size) return std::unexpected(size.error());
-    plan.size = *size;
-    auto picture = read_picture_options(command, *size);
-    if (!picture) return std::unexpected(picture.error());
-    plan.picture = std::move(*picture);
-    plan.legend = !command.no_legend;
-    plan.in_bands = is_drawn_in_bands(plan);
-    if (const auto wrong = refused_in_bands(command, plan)) return std::unexpected(*wrong);
-    auto settings = read_trace_settings(command.trace);
-    if (!settings) return std::unexpected(settings.error());
-    plan.settings = *settings;
-    if (command.repeat) {
-        auto repeats = read_integer("--repeat", *command.repeat, 1, 100'000);
-        if (!repeats) return std::unexpected(repeats.error());
-        plan.repeats = *repeats;
-        plan.warms_up = true;
-    }
-    const auto budget = read_budget(command.budget);
-    if (!budget) return std::unexpected(budget.error());
-    plan.budget_s = *budget;
-    plan.fits = command.view.fit;
-    plan.fits_box = !command.view.box;
+/// An error where nothing is to be written, or a picture to a file that would be none.
+std::optional<InputError> check_outputs(const RenderCommand& command) {
     if (!command.output && !command.depth && !command.certificate && !command.cost &&
         !command.stats && command.probes.empty()) {
-        return wrong_input(
+        return InputError{
             "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png, "
-            "--cost FILE.png, --probe COL,ROW or --stats -");
+            "--cost FILE.png, --probe COL,ROW or --stats -"};
     }
-    auto probes = read_probes(command.probes, plan.size);
-    if (!probes) return std::unexpected(probes.error());
-    plan.probes = std::move(*probes);
     for (const auto& [option, file] :
          {std::pair("--certificate ", &command.certificate), std::pair("--cost ", &command.cost)}) {
         if (!*file || (*file)->ends_with(".png")) continue;
-        return wrong_input(option + **file +
-                           ": the picture is a PNG; type a name that ends in .png");
+        return InputError{option + **file +
+                          ": the picture is a PNG; type a name that ends in .png"};
     }
+    if (command.depth != "-") return std::nullopt;
+    return InputError{"--depth -: the depths need a file; type a name, for example depth.pfm"};
+}
+
+OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
+    RenderPlan plan;
+    OptionReader reader;
+    reader.take(plan.size, read_size("--size", command.size, in_bands));
+    if (reader.error()) return std::unexpected(*reader.error());
+    reader.take(plan.picture, read_picture_options(command, plan.size));
+    plan.legend = !command.no_legend;
+    plan.in_bands = is_drawn_in_bands(plan);
+    reader.check(refused_in_bands(command, plan));
+    reader.take(plan.settings, read_trace_settings(command.trace));
+    if (command.repeat) {
+        reader.take(plan.repeats, read_integer("--repeat", *command.repeat, 1, 100'000));
+        plan.warms_up = true;
+    }
+    reader.take(plan.budget_s, read_budget(command.budget));
+    reader.take(plan.probes, read_probes(command.probes, plan.size));
+    reader.check(check_outputs(command));
+    if (reader.error()) return std::unexpected(*reader.error());
+    plan.fits = command.view.fit;
+    plan.fits_box = !command.view.box;
     plan.settings.costs = command.cost.has_value();
-    if (command.depth == "-") {
-        return wrong_input("--depth -: the depths need a file; type a name, for example depth.pfm");
-    }
-    auto input = read_document(command.equation, command.view);
+    auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     plan.document = std::move(input->document);
     plan.rows = std::move(*input->rows);
-    if (const auto wrong = take_look(command.trace, plan.document)) return std::unexpected(*wrong);
-    if (const auto wrong = check_jumps(plan.document, plan.settings))
-        return std::unexpected(*wrong);
-    return plan;
+    reader.check(take_look(command.trace, plan.document));
+    reader.check(check_jumps(plan.document, plan.settings));
+    return reader.finish(std::move(plan));
 }
 
 Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {

@@ -102,9 +102,8 @@ OrInputError<SamplePlan> plan_of(const SampleCommand& command) {
     view.box = command.box;
     view.w = command.w;
     view.set = command.set;
-    const auto input = read_document(command.equation, view);
+    const auto input = read_document_with_rows(command.equation, view);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     const Program& program = *input->rows->program;
     const auto surface = read_surface(command.surface, program.surfaces.size());
     if (!surface) return std::unexpected(surface.error());

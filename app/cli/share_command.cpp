@@ -7,9 +7,8 @@
 namespace zeroset {
 
 int run_share(const ShareCommand& command) {
-    auto input = read_document(command.equation, command.view);
+    auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return report(input.error());
-    if (!input->rows) return report(input->rows.error());
     if (const auto wrong = take_look(command.trace, input->document)) return report(*wrong);
     std::cout << share_text(input->document) << '\n';
     return exit_ok;

@@ -1,3 +1,4 @@
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/timing.hpp"
 #include "app/dev/bench_suite.hpp"
@@ -21,6 +22,8 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -44,62 +47,52 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     const std::string has = "--first-picture has ";
     if (command.json)
         return InputError{.reason = has + "no --json; leave it out, the table is printed"};
-    if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
-    if (command.shadows) return InputError{.reason = has + "no --shadows; leave it out"};
-    if (command.antialias) return InputError{.reason = has + "no --antialias; leave it out"};
-    if (command.levels) return InputError{.reason = has + "no --levels; leave it out"};
-    if (command.aa) return InputError{.reason = has + "no --aa; leave it out"};
-    if (command.light.look) return InputError{.reason = has + "no --look; leave it out"};
-    if (command.light.reflections)
-        return InputError{.reason = has + "no --reflections; leave it out"};
-    if (command.tracers && command.tracers->contains(',')) {
-        return InputError{.reason = has + "one --tracer; type " + std::string(usual_tracer().name)};
+    for (const auto& [option, given] : {std::pair{"--budget", command.budget.has_value()},
+                                        {"--shadows", command.shadows},
+                                        {"--antialias", command.antialias},
+                                        {"--levels", command.levels.has_value()},
+                                        {"--aa", command.aa.has_value()},
+                                        {"--look", command.light.look.has_value()},
+                                        {"--reflections", command.light.reflections.has_value()}}) {
+        if (given) return InputError{.reason = has + "no " + option + "; leave it out"};
     }
-    return std::nullopt;
+    if (!command.tracers || !command.tracers->contains(',')) return std::nullopt;
+    return InputError{.reason = has + "one --tracer; type " + std::string(usual_tracer().name)};
 }
 
 OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     BenchPlan plan;
     if (const auto wrong = command.first_picture ? check_first_picture(command) : std::nullopt)
         return std::unexpected(*wrong);
-    const auto antialias = read_antialias(command.aa.value_or(command.antialias ? "iaa" : "none"));
-    if (!antialias) return std::unexpected(antialias.error());
+    Antialias antialias{};
+    OptionReader reader;
+    reader.take(antialias, read_antialias(command.aa.value_or(command.antialias ? "iaa" : "none")));
     const std::string usual = command.first_picture ? size_in_window : "512";
-    const auto size = read_size("--size", command.size.value_or(usual));
-    if (!size) return std::unexpected(size.error());
-    plan.size = *size;
-    const auto repeats = read_repeats(command.repeat, plan.repeats);
-    if (!repeats) return std::unexpected(repeats.error());
-    plan.repeats = *repeats;
-    const auto budget = read_budget(command.budget);
-    if (!budget) return std::unexpected(budget.error());
-    plan.budget_s = *budget;
-    if (const auto wrong = take_light(command.light, plan.light)) return std::unexpected(*wrong);
+    reader.take(plan.size, read_size("--size", command.size.value_or(usual)));
+    reader.take(plan.repeats, read_repeats(command.repeat, plan.repeats));
+    reader.take(plan.budget_s, read_budget(command.budget));
+    reader.check(take_light(command.light, plan.light));
     const std::string names = command.tracers.value_or(std::string(usual_tracer().name));
-    for (std::size_t begin = 0; begin <= names.size();) {
-        const std::size_t end = std::min(names.find(',', begin), names.size());
+    for (const std::string_view name : split(names, ',')) {
         TraceText text;
-        text.tracer = names.substr(begin, end - begin);
+        text.tracer = name;
         text.levels = command.levels;
         if (!text.levels)
             text.d_stop = command.d_stop.value_or(command.first_picture ? "14" : "10");
         text.threads = command.threads;
-        const auto settings = read_trace_settings(text);
-        if (!settings) return std::unexpected(settings.error());
-        plan.settings.push_back(*settings);
-        plan.settings.back().shadows = command.shadows;
-        plan.settings.back().antialias = *antialias;
-        plan.settings.back().reflections = plan.light.reflections;
-        begin = end + 1;
+        TraceSettings& settings = plan.settings.emplace_back();
+        reader.take(settings, read_trace_settings(text));
+        settings.shadows = command.shadows;
+        settings.antialias = antialias;
+        settings.reflections = plan.light.reflections;
     }
-    if (!command.suite) {
+    if (reader.error()) return std::unexpected(*reader.error());
+    if (command.suite) {
+        reader.take(plan.items, suite_of_file(*command.suite));
+    } else {
         plan.items = command.first_picture ? whole_gallery() : gallery_suite();
-        return plan;
     }
-    auto items = suite_of_file(*command.suite);
-    if (!items) return std::unexpected(items.error());
-    plan.items = std::move(*items);
-    return plan;
+    return reader.finish(std::move(plan));
 }
 
 struct BenchCell {

@@ -1,3 +1,4 @@
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/options/options.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/window_command.hpp"
@@ -98,26 +99,25 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
         return wrong_input("-o " + command.output +
                            ": the picture is a PNG; type a name that ends in .png");
     }
-    const auto window = read_window(command);
-    if (!window) return std::unexpected(window.error());
-    const auto theme = read_theme(command.theme);
-    if (!theme) return std::unexpected(theme.error());
-    const auto language = read_language(command.language);
-    if (!language) return std::unexpected(language.error());
-    auto desktop = read_desktop_options(command.equation, command.view, command.trace);
-    if (!desktop) return std::unexpected(desktop.error());
-    auto actions = read_actions(command.actions);
-    if (!actions) return std::unexpected(actions.error());
-    desktop->actions = std::move(*actions);
-    desktop->theme = *theme;
-    desktop->layout.language = *language;
-    desktop->takes_keyboard = false;  // no selected text and no text cursor
-    desktop->keeps_files = false;
-    desktop->note.clear();
-    if (command.mark_undecided) desktop->document.mark_undecided = true;
-    const auto pointer = read_pointer(command.pointer, window->scale);
-    if (!pointer) return std::unexpected(pointer.error());
-    return UiShotPlan{.desktop = *desktop, .window = *window, .pointer = *pointer};
+    UiShotPlan plan;
+    ui::Theme theme = ui::Theme::Dark;
+    Language language = Language::English;
+    OptionReader reader;
+    reader.take(plan.window, read_window(command));
+    reader.take(theme, read_theme(command.theme));
+    reader.take(language, read_language(command.language));
+    if (reader.error()) return std::unexpected(*reader.error());
+    DesktopOptions& desktop = plan.desktop;
+    reader.take(desktop, read_desktop_options(command.equation, command.view, command.trace));
+    reader.take(desktop.actions, read_actions(command.actions));
+    reader.take(plan.pointer, read_pointer(command.pointer, plan.window.scale));
+    desktop.theme = theme;
+    desktop.layout.language = language;
+    desktop.takes_keyboard = false;  // no selected text and no text cursor
+    desktop.keeps_files = false;
+    desktop.note.clear();
+    if (command.mark_undecided) desktop.document.mark_undecided = true;
+    return reader.finish(std::move(plan));
 }
 
 /// Returns the window's pixels once nothing in the window changes any more.

@@ -39,9 +39,8 @@ OrInputError<TraversalPlan> plan_of(const TraversalCommand& command) {
     const auto settings = read_trace_settings(text);
     if (!settings) return std::unexpected(settings.error());
     plan.settings = *settings;
-    auto input = read_document(command.equation, command.view);
+    auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
-    if (!input->rows) return std::unexpected(input->rows.error());
     plan.input = std::move(*input);
     return plan;
 }

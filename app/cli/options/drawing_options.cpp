@@ -1,5 +1,6 @@
 #include "app/cli/options/drawing_options.hpp"
 
+#include "app/cli/options/option_reader.hpp"
 #include "app/cli/options/options.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
@@ -75,6 +76,11 @@ OrInputError<std::array<bool, 5>> read_kinds(const std::string& text) {
     return kinds;
 }
 
+OrInputError<HiddenLines> read_hidden(const std::string& text) {
+    if (const auto hidden = hidden_lines_named(text)) return *hidden;
+    return wrong_input("--hidden " + text + ": type remove, dash or show");
+}
+
 }  // namespace
 
 OrInputError<PageSize> read_page_size(const std::string& text) {
@@ -109,29 +115,18 @@ OrInputError<PageSize> read_page_size(const std::string& text) {
 
 OrInputError<DrawingPlan> read_drawing(const DrawingText& text) {
     DrawingPlan plan;
-    const auto size = read_page_size(text.size);
-    if (!size) return std::unexpected(size.error());
-    plan.choice.page = *size;
-    if (text.lines) {
-        const auto kinds = read_kinds(*text.lines);
-        if (!kinds) return std::unexpected(kinds.error());
-        plan.choice.kinds = *kinds;
-    }
-    if (text.hidden) {
-        const auto hidden = hidden_lines_named(*text.hidden);
-        if (!hidden) return wrong_input("--hidden " + *text.hidden + ": type remove, dash or show");
-        plan.style.hidden = *hidden;
-    }
+    OptionReader reader;
+    reader.take(plan.choice.page, read_page_size(text.size));
+    if (text.lines) reader.take(plan.choice.kinds, read_kinds(*text.lines));
+    if (text.hidden) reader.take(plan.style.hidden, read_hidden(*text.hidden));
     plan.choice.hidden = plan.style.hidden != HiddenLines::Remove;
-    if (text.width) {
-        if (auto error = read_widths(*text.width, plan.style)) return std::unexpected(*error);
-    }
+    if (text.width) reader.check(read_widths(*text.width, plan.style));
     if (text.tolerance) {
-        const auto tolerance = read_between("--tolerance", *text.tolerance, 1e-4, 10.0);
-        if (!tolerance) return std::unexpected(tolerance.error());
-        plan.choice.tolerance_pt = plan.style.tolerance_pt = *tolerance;
+        reader.take(plan.style.tolerance_pt,
+                    read_between("--tolerance", *text.tolerance, 1e-4, 10.0));
+        plan.choice.tolerance_pt = plan.style.tolerance_pt;
     }
-    return plan;
+    return reader.finish(plan);
 }
 
 }  // namespace zeroset

@@ -228,6 +228,13 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     return input;
 }
 
+OrInputError<InputDocument> read_document_with_rows(const std::string& equation,
+                                                    const ViewText& view) {
+    auto input = read_document(equation, view);
+    if (input && !input->rows) return std::unexpected(input->rows.error());
+    return input;
+}
+
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts) {
     ParameterValues values;
     for (const std::string& text : texts) {

@@ -67,6 +67,10 @@ OrInputError<InputDocument> read_document(
     const std::string& equation, const ViewText& view,
     const std::shared_ptr<FileAccess>& access = std::make_shared<FileAccess>());
 
+/// Does read_document, but takes rows that cannot be read for an error.
+OrInputError<InputDocument> read_document_with_rows(const std::string& equation,
+                                                    const ViewText& view);
+
 /// Reads the values of --set NAME=VALUE.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
