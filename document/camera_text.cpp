@@ -1,6 +1,5 @@
 #include "document/camera_text.hpp"
 
-#include "engine/base/digits.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/view/navigation.hpp"

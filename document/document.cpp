@@ -1,6 +1,5 @@
 #include "document/document.hpp"
 
-#include "engine/base/digits.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/base/text.hpp"
 

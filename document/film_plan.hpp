@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/frame_rate.hpp"
+#include "engine/base/clock.hpp"
 #include "engine/view/camera.hpp"
 
 #include <glm/ext/vector_double3.hpp>

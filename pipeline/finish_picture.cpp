@@ -7,7 +7,7 @@
 #include "engine/annotate/label_font.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/annotate/markers.hpp"
-#include "engine/annotate/paint_shapes.hpp"
+#include "engine/annotate/paint.hpp"
 
 #include <algorithm>
 #include <optional>

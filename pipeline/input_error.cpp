@@ -1,6 +1,5 @@
 #include "pipeline/input_error.hpp"
 
-#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 
 namespace zeroset {

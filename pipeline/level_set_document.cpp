@@ -3,7 +3,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/rewrite/surface_functions.hpp"
 #include "engine/trace/caps.hpp"
-#include "pipeline/mesh_colors.hpp"
+#include "pipeline/mesh_solid.hpp"
 #include "pipeline/patch_surface.hpp"
 
 #include <utility>

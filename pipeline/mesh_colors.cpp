@@ -1,9 +1,7 @@
-#include "pipeline/mesh_colors.hpp"
-
 #include "engine/image/gamma.hpp"
-#include "engine/light/hit_colors.hpp"
 #include "engine/light/surface_values.hpp"
 #include "engine/real/rounding.hpp"
+#include "pipeline/mesh_solid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/mesh/finished_mesh.hpp"
 #include "engine/real/rounding.hpp"
-#include "pipeline/mesh_colors.hpp"
+#include "pipeline/mesh_solid.hpp"
 #include "pipeline/patch_surface.hpp"
 
 #include <algorithm>

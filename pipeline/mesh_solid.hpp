@@ -1,6 +1,8 @@
 #pragma once
 
+#include "engine/mesh/files/mesh_file.hpp"
 #include "engine/mesh/solid.hpp"
+#include "engine/scene/scene.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 
@@ -23,5 +25,10 @@ SolidPart solid_part(const Expr& f, const Box& clip);
 /// Makes the solid of each surface that the request shows: the side that sections fill, in the
 /// region. Bounds of a surface end its solid as sections do. Thread-safe.
 std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const PictureRequest& request);
+
+/// Colours an object as the scene's coloring says; `surface`: its number in the scene, `eye`: where
+/// distances are measured from. A range that the coloring leaves open is taken from the vertices.
+void color_object(const Scene& scene, std::size_t surface, const glm::dvec3& eye,
+                  MeshObject& object);
 
 }  // namespace zeroset

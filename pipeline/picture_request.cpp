@@ -1,9 +1,11 @@
 #include "pipeline/picture_request.hpp"
 
 #include "document/colors.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/trace/caps.hpp"
+#include "engine/trace/ways/surface_ways.hpp"
 #include "pipeline/contour_step.hpp"
 #include "pipeline/patch_surface.hpp"
 #include "pipeline/section_values.hpp"
@@ -12,6 +14,7 @@
 #include <utility>
 
 namespace zeroset {
+
 namespace {
 
 /// The row of a surface; nullptr: none.
@@ -201,6 +204,24 @@ bool has_code_for(const PictureRequest& request) {
 void add_needed_code(PictureRequest& request) {
     if (!has_code_for(request))
         request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+}
+
+std::optional<std::string> tracer_refusal(std::string_view tracer, std::string_view name,
+                                          const PictureRequest& request) {
+    const Tracer* const found = find_tracer(tracer);
+    if (found == nullptr || !request.formula) return std::nullopt;
+    for (const std::size_t surface : shown_indices(request)) {
+        const Kernel& kernel = request.formula->kernels[surface];
+        if (!found->takes_ways && !way_of(kernel).is_level_set()) {
+            return std::string(name) + ": " +
+                   tr("draws equations alone; for parametric surfaces, curves and points choose "
+                      "beams");
+        }
+        if (found->needs.refuses == nullptr) continue;
+        if (const char* const reason = found->needs.refuses(kernel))
+            return std::string(name) + ": " + tr(reason);
+    }
+    return std::nullopt;
 }
 
 }  // namespace zeroset

@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
@@ -83,5 +85,10 @@ bool has_code_for(const PictureRequest& request);
 
 /// Gives the formula code in double where the picture needs it and there is none. May take long.
 void add_needed_code(PictureRequest& request);
+
+/// Why a tracer cannot draw the surfaces that a picture shows, and what to choose instead: one line
+/// in the user's language that begins with `name`. Nothing: it can.
+std::optional<std::string> tracer_refusal(std::string_view tracer, std::string_view name,
+                                          const PictureRequest& request);
 
 }  // namespace zeroset

@@ -1,18 +1,22 @@
 #pragma once
 
 #include "engine/measure/probe.hpp"
+#include "engine/measure/special_point.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/settings.hpp"
 #include "pipeline/formula.hpp"
+#include "pipeline/picture_request.hpp"
+
+#include <glm/ext/vector_double3.hpp>
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-// Formulas and tolerances for probing pixels, used by the window and the command line.
-
 namespace zeroset {
+
+// Formulas and tolerances for probing pixels, used by the window and the command line.
 
 /// The formulas, as they were typed, of the program's surfaces in `shown`, for probe(); `formula`:
 /// the code that drew them, nullptr if there was no time for any.
@@ -22,5 +26,13 @@ std::vector<Kernel> typed_formulas(const Program& program, const Formula* formul
 /// Largest distance of the depths of a frame traced in this precision from the surface, world
 /// units; a guess if the criterion bounds nothing.
 double depth_tolerance(const Box& clip, const StopCriterion& stop, Precision precision);
+
+/// f, as typed, with its derivatives.
+DerivedFormula derived_formula(const Expr& f);
+
+/// The special point nearest to `from` of all surfaces that the picture shows, numerical; see
+/// nearest_special_point. Thread-safe; takes milliseconds, longer for large formulas.
+std::optional<SpecialPoint> special_point_of(const PictureRequest& picture, const glm::dvec3& from,
+                                             const glm::dvec3& up);
 
 }  // namespace zeroset

@@ -1,10 +1,9 @@
-#include "pipeline/sample_distance.hpp"
-
 #include "engine/base/parallel.hpp"
 #include "engine/distance/near_surface.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "pipeline/mesh_solid.hpp"
+#include "pipeline/sample_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "ui/screen.hpp"
 
-#include "ui/actions/shortcuts.hpp"
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/exports/export_page.hpp"
 #include "ui/model/ui_state.hpp"

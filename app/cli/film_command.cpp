@@ -8,7 +8,6 @@
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/film.hpp"
 #include "pipeline/plans/film_files.hpp"
-#include "pipeline/tracer_refusal.hpp"
 
 #include <nlohmann/json.hpp>
 

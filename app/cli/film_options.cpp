@@ -1,7 +1,7 @@
 #include "app/cli/film_options.hpp"
 
-#include "app/cli/options/camera_options.hpp"
 #include "app/cli/options/option_reader.hpp"
+#include "app/cli/options/view_options.hpp"
 #include "document/camera_text.hpp"
 #include "document/views.hpp"
 #include "engine/base/enum_names.hpp"

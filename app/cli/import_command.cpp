@@ -6,7 +6,7 @@
 #include "document/import/import.hpp"
 #include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "pipeline/input/input_source.hpp"
 #include "pipeline/prepare.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/cli/point_json.hpp"
+#include "app/cli/mesh_report.hpp"
 
 #include <glm/ext/vector_double3.hpp>
 #include <nlohmann/json.hpp>

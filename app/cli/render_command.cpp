@@ -1,6 +1,6 @@
 #include "app/cli/commands.hpp"
+#include "app/cli/mesh_report.hpp"
 #include "app/cli/options/option_reader.hpp"
-#include "app/cli/point_json.hpp"
 #include "app/cli/render_files.hpp"
 #include "app/cli/render_picture.hpp"
 #include "app/cli/report.hpp"

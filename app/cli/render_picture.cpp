@@ -13,7 +13,6 @@
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/poster.hpp"
 #include "pipeline/shown_points.hpp"
-#include "pipeline/tracer_refusal.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "app/cli/report.hpp"
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
 
 #include <cstdio>

@@ -5,7 +5,6 @@
 #include "engine/export/new_file.hpp"
 #include "engine/volume/files/write_nrrd.hpp"
 #include "pipeline/patch_surface.hpp"
-#include "pipeline/sample_distance.hpp"
 #include "pipeline/sample_grid.hpp"
 
 #include <algorithm>

@@ -17,7 +17,7 @@
 #include "pipeline/volume_document.hpp"
 #include "pipeline/volume_source.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/parameter_row.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/screen.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/typing_popup.hpp"

@@ -4,7 +4,6 @@
 #include "engine/render/render_request.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/shown_points.hpp"
-#include "pipeline/tracer_refusal.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/screen.hpp"
 #include "ui/style/theme.hpp"

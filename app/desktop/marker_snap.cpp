@@ -1,7 +1,7 @@
 #include "app/desktop/marker_snap.hpp"
 
 #include "engine/base/translation.hpp"
-#include "pipeline/snap_point.hpp"
+#include "pipeline/probe_document.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "engine/base/translation.hpp"
 #include "pipeline/volume_source.hpp"
 #include "ui/actions/view_moves.hpp"
-#include "ui/panels/statement_list.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/window/clipboard.hpp"
 
 #include <algorithm>

@@ -13,7 +13,6 @@
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/prepare.hpp"
-#include "pipeline/tracer_refusal.hpp"
 
 #include <nlohmann/json.hpp>
 

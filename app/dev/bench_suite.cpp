@@ -1,6 +1,6 @@
 #include "app/dev/bench_suite.hpp"
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/volume_source.hpp"

@@ -1,5 +1,4 @@
-#include "app/exports/describe.hpp"
-
+#include "app/exports/previews.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 

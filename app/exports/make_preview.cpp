@@ -1,7 +1,6 @@
 #include "app/exports/make_preview.hpp"
 
-#include "app/exports/describe.hpp"
-#include "app/exports/mesh_picture.hpp"
+#include "app/exports/previews.hpp"
 #include "pipeline/plans/film_plan.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/exports/mesh_picture.hpp"
+#include "app/exports/previews.hpp"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,4 @@
-#include "app/main/add_exports.hpp"
-
+#include "app/main/add_commands.hpp"
 #include "app/main/add_options.hpp"
 #include "pipeline/plans/export_formats.hpp"
 

@@ -1,5 +1,4 @@
-#include "app/main/add_paper_commands.hpp"
-
+#include "app/main/add_commands.hpp"
 #include "app/main/add_options.hpp"
 
 namespace zeroset {

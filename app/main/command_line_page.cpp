@@ -1,8 +1,5 @@
-#include "app/main/command_line_page.hpp"
-
 #include "app/cli/language.hpp"
-#include "app/main/help_format.hpp"
-#include "app/main/help_groups.hpp"
+#include "app/main/help.hpp"
 #include "engine/base/text.hpp"
 
 #include <algorithm>

@@ -1,10 +1,7 @@
-#include "app/main/dev_program.hpp"
-
 #include "app/dev/dev_commands.hpp"
+#include "app/main/add_commands.hpp"
 #include "app/main/add_options.hpp"
-#include "app/main/add_paper_commands.hpp"
-#include "app/main/help_format.hpp"
-#include "app/main/help_groups.hpp"
+#include "app/main/help.hpp"
 #include "app/main/subcommands.hpp"
 
 #include <CLI/CLI.hpp>

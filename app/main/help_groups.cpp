@@ -1,4 +1,4 @@
-#include "app/main/help_groups.hpp"
+#include "app/main/help.hpp"
 
 #include <algorithm>
 #include <array>

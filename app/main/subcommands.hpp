@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
@@ -21,5 +22,12 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv, void (*complete_h
 /// Runs the one that was typed; returns the exit code. Signals end it with files whole or
 /// untouched.
 int run_typed(const std::vector<Subcommand>& subcommands);
+
+/// Whether the word is a tool of `zeroset dev` that is also known without `dev`.
+bool is_dev_tool(std::string_view word);
+
+/// Runs `zeroset dev`: what times Zeroset, compares it with papers, and draws its window. The first
+/// argument is not read. Returns the exit code.
+int run_dev(int argc, char** argv);
 
 }  // namespace zeroset

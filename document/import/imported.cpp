@@ -1,7 +1,6 @@
 #include "document/import/imported.hpp"
 
 #include "document/row_program.hpp"
-#include "engine/base/digits.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 

@@ -1,11 +1,8 @@
 #include "document/json/document_json.hpp"
 
 #include "document/colors.hpp"
-#include "document/json/camera_json.hpp"
+#include "document/json/document_fields.hpp"
 #include "document/json/json_fields.hpp"
-#include "document/json/light_json.hpp"
-#include "document/json/look_json.hpp"
-#include "document/json/region_json.hpp"
 #include "document/json/share_text.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/base/translation.hpp"

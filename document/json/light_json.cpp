@@ -1,6 +1,5 @@
-#include "document/json/light_json.hpp"
-
 #include "document/colors.hpp"
+#include "document/json/document_fields.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/image/gamma.hpp"
 

@@ -1,5 +1,4 @@
-#include "document/json/look_json.hpp"
-
+#include "document/json/document_fields.hpp"
 #include "engine/base/translation.hpp"
 
 #include <cstdint>

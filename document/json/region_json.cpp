@@ -1,5 +1,4 @@
-#include "document/json/region_json.hpp"
-
+#include "document/json/document_fields.hpp"
 #include "engine/base/translation.hpp"
 
 #include <cmath>

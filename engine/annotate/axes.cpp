@@ -67,7 +67,6 @@ private:
     [[nodiscard]] VisiblePart visible_part(const Segment& segment) const;
     [[nodiscard]] bool is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const;
     void add_line(const Segment& segment, LineKind kind);
-    void add_axis(int axis);
     void add_ticks(int axis, const Segment& segment, const VisiblePart& part);
     void add_tick(int axis, const Segment& segment, double value, double step);
     void add_name(int axis, const Segment& segment, const VisiblePart& part);

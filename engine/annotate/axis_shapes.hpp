@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/annotate/axes.hpp"
-#include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/image/background.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/annotate/label_font.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/image/framebuffer.hpp"
 
 #include <glm/glm.hpp>
@@ -17,5 +19,9 @@ std::uint32_t blended(std::uint32_t under, std::uint32_t over, double coverage);
 /// `width` in pixels. Parts beyond the picture are left out.
 void paint_line(Framebuffer& picture, const glm::dvec2& from, const glm::dvec2& to, double width,
                 std::uint32_t color);
+
+/// Paints shapes over a picture, whose pixels are the canvas's; nothing but its colours changes,
+/// and what is beyond it is left out. Edges are smooth but for those of a MapBar.
+void paint_shapes(Framebuffer& picture, const Shapes& shapes, const LabelFont& font);
 
 }  // namespace zeroset

@@ -1,5 +1,3 @@
-#include "engine/annotate/paint_shapes.hpp"
-
 #include "engine/annotate/paint.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/antialias/calm_pixels.hpp"
+#include "engine/antialias/mixed_pixels.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/antialias/calm_pixels.cpp"

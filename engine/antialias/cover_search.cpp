@@ -1,16 +1,21 @@
 #include "engine/antialias/cover_search.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/sample_drafts.hpp"
-#include "engine/antialias/square_cells.hpp"
 #include "engine/antialias/square_edges.hpp"
 #include "engine/antialias/square_field.hpp"
+#include "engine/real/scalar.hpp"
+#include "engine/trace/tile_rays.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 
 namespace zeroset {
+
 namespace {
 
 class CoverSearch {
@@ -196,6 +201,37 @@ void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
     const TileRays rays(surfaces.front(), all);
     CoverSearch(surfaces, rays, counters).search(pixels, out);
     std::erase_if(pixels, [](const MixedPixel& pixel) { return pixel.is_plain; });
+}
+
+void narrow_limits(const TraceFrame& surface, const Tile& tile, const TileHits& hits,
+                   std::vector<float>& limits) {
+    const PixelCover& cover = hits.cover;
+    if (!cover.known || !cover.is_marked()) return;
+    const TileRays rays(surface, tile);
+    for (int row = 0; row < tile.rows; ++row) {
+        for (int col = 0; col < tile.cols; ++col) {
+            const auto at = static_cast<std::size_t>(row * tile_size + col);
+            const float to = cover.to[at];
+            if (!(to < std::numeric_limits<float>::infinity()) || !(to < cover.other_from[at]))
+                continue;
+            const double distance =
+                rays.distance_at(static_cast<double>(to), rays.u(col), rays.v(row));
+            limits[at] = std::min(limits[at], float_above(distance));
+        }
+    }
+}
+
+SquareRay SquareRest::middle() const {
+    if (part.share > 0.0) return {.x = part.x, .y = part.y};
+    SquareRay sum{.x = 0.0, .y = 0.0};
+    double count = 0.0;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        if (!misses[i]) continue;
+        sum.x += square_rays[i].x;
+        sum.y += square_rays[i].y;
+        count += 1.0;
+    }
+    return count > 0.0 ? SquareRay{.x = sum.x / count, .y = sum.y / count} : square_middle;
 }
 
 }  // namespace zeroset

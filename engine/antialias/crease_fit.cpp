@@ -1,4 +1,4 @@
-#include "engine/antialias/crease_fit.hpp"
+#include "engine/antialias/edge_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

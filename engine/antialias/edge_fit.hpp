@@ -80,4 +80,35 @@ Signs signs_of(SquareStretches stretches);
 /// `flat_too` also where it is far from 0 all over the square.
 std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too);
 
+/// The sheets that cover a square: one, or two that meet in a line.
+struct Creased {
+    /// The part of each sheet, and the ray that stands for it; of share 0: there is none.
+    std::array<SquarePart, 2> parts;
+    std::array<std::size_t, 2> rays;
+    bool grazed = false;  ///< a ray grazes a sheet, which may end nearby
+    bool bent = false;    ///< one sheet, whose normals differ: all rays should stand for it
+};
+
+/// The sheets through the first roots of a square's rays, if they are such. `half_side`: of the
+/// square, in pixels.
+std::optional<Creased> fit_crease(SquareRoots roots, double half_side);
+
+/// A straight thread across a square. All in halves of the square's side.
+struct Thread {
+    SquareRay normal;   ///< of length 1, across the thread
+    double offset;      ///< of its middle along the normal, from the square's middle
+    double half_width;  ///< 0: f comes to 0 on its middle, as far as samples tell, not through it
+    bool empty;         ///< there would be one, but f stays away from 0
+
+    /// The share of the square that a thread of such a width covers.
+    [[nodiscard]] double share(double with_half_width) const;
+    /// A place on the thread, in the square where it can be.
+    [[nodiscard]] SquareRay middle() const;
+};
+
+/// The thread along which f is nearest to 0, if there f goes with the square of the distance from
+/// it; `half_side`: of the square, in pixels; `thinnest`: half the width from which on a thread is
+/// told from none.
+std::optional<Thread> fit_thread(SquareStretches stretches, double half_side, double thinnest);
+
 }  // namespace zeroset

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "engine/antialias/cover_square.hpp"
+#include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/edge_fit.hpp"
 #include "engine/antialias/edge_lines.hpp"
 #include "engine/antialias/front.hpp"
 #include "engine/antialias/ray_stretches.hpp"
-#include "engine/antialias/thread_fit.hpp"
 #include "engine/image/framebuffer.hpp"
 
 #include <cstdint>

@@ -1,6 +1,5 @@
 #include "engine/antialias/mixed_pixels.hpp"
 
-#include "engine/antialias/calm_pixels.hpp"
 #include "engine/antialias/seen_sheet.hpp"
 
 #include <algorithm>

@@ -23,4 +23,8 @@ void add_light_edges(const Tile& tile, const TileRays& rays, std::span<const Lit
                      std::span<const TileHits> hits, bool contrasts,
                      std::vector<MixedPixel>& mixed);
 
+/// The pixels of `wanted` that look like the eight pixels around them, all of them hits of one
+/// surface, all in the tile: what lies between these is nearly of their colour.
+TileBits calm_pixels(const Tile& tile, std::span<const LitLayer> layers, const TileBits& wanted);
+
 }  // namespace zeroset

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/antialias/cover_sample.hpp"
-#include "engine/antialias/cover_square.hpp"
+#include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/front.hpp"
 #include "engine/antialias/ray_stretches.hpp"
 

@@ -1,7 +1,6 @@
-#include "engine/antialias/square_cells.hpp"
-
 #include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/front_block.hpp"
+#include "engine/antialias/square_field.hpp"
 #include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/form_signs.hpp"
 #include "engine/real/scalar.hpp"

@@ -1,6 +1,6 @@
 #include "engine/antialias/square_creases.hpp"
 
-#include "engine/antialias/crease_fit.hpp"
+#include "engine/antialias/edge_fit.hpp"
 
 #include <algorithm>
 #include <span>

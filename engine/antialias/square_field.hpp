@@ -1,11 +1,12 @@
 #pragma once
 
 #include "engine/antialias/cover_sample.hpp"
-#include "engine/antialias/cover_square.hpp"
+#include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/front.hpp"
 #include "engine/antialias/half_square.hpp"
 #include "engine/antialias/ray_stretches.hpp"
 #include "engine/trace/tile_rays.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -131,5 +132,10 @@ private:
     std::size_t surfaces_;
     Scratch in_;
 };
+
+/// Takes a surface's fronts in some squares, all of one level, on: by one cell each; or, where
+/// there is only this surface, until none goes on. In upward rounding.
+void advance_fronts(const TraceFrame& frame, std::size_t surface, SquareField& field,
+                    std::span<const std::size_t> squares, Counters& counters);
 
 }  // namespace zeroset

@@ -1,5 +1,4 @@
-#include "engine/antialias/thread_fit.hpp"
-
+#include "engine/antialias/edge_fit.hpp"
 #include "engine/antialias/half_square.hpp"
 
 #include <algorithm>

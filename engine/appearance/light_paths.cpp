@@ -4,12 +4,11 @@
 #include "engine/appearance/material.hpp"
 #include "engine/appearance/path_hits.hpp"
 #include "engine/appearance/soft_light.hpp"
-#include "engine/appearance/tone.hpp"
 #include "engine/image/background.hpp"
 #include "engine/image/gamma.hpp"
-#include "engine/light/cap_tone.hpp"
-#include "engine/light/hit_colors.hpp"
+#include "engine/light/shade.hpp"
 #include "engine/light/shadow.hpp"
+#include "engine/light/surface_values.hpp"
 #include "engine/rays/first_roots.hpp"
 
 #include <algorithm>
@@ -21,6 +20,15 @@
 
 namespace zeroset {
 namespace {
+
+/// Linear light as a picture shows it. Filmic: the curve of [Narkowicz15], as bright at 0.18 as
+/// plain.
+glm::vec3 toned(Tone tone, const glm::vec3& light) {
+    if (tone == Tone::Plain) return light;
+    constexpr float exposure = 0.7232F;  // toned(0.18) = 0.18
+    const glm::vec3 x = exposure * light;
+    return glm::clamp(x * (2.51F * x + 0.03F) / (x * (2.43F * x + 0.59F) + 0.14F), 0.0F, 1.0F);
+}
 
 constexpr std::size_t pixels = std::size_t{tile_size} * tile_size;
 /// Rays of less weight than this are given up: below a step of 8 bits.

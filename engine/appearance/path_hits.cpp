@@ -1,7 +1,7 @@
 #include "engine/appearance/path_hits.hpp"
 
 #include "engine/kernel/point_batch.hpp"
-#include "engine/trace/hit_rays.hpp"
+#include "engine/trace/hit_gradients.hpp"
 
 #include <algorithm>
 #include <cmath>

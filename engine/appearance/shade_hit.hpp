@@ -2,7 +2,6 @@
 
 #include "engine/appearance/lights.hpp"
 #include "engine/appearance/material.hpp"
-#include "engine/appearance/surroundings.hpp"
 
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-#include "engine/appearance/surroundings.hpp"
+#include "engine/appearance/lights.hpp"
 
 #include <algorithm>
 #include <cmath>

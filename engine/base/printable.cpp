@@ -1,5 +1,4 @@
-#include "engine/base/printable.hpp"
-
+#include "engine/base/text.hpp"
 #include "engine/base/utf8.hpp"
 
 #include <cstddef>

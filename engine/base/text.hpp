@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -53,5 +54,16 @@ std::string grouped(std::size_t number);
 
 /// The number as a person would write it, with at most `digits` significant digits.
 std::string short_number(double value, int digits = 6);
+
+/// The shortest text that is read as this number.
+inline std::string digits_of(double number) {
+    std::array<char, 32> digits{};
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+    return {digits.data(), written.ptr};
+}
+
+/// `text` as a terminal may show it: a U+FFFD for each control character and for each byte that is
+/// not UTF-8, so that a file's words are neither commands to the terminal nor further lines.
+std::string printable(std::string_view text);
 
 }  // namespace zeroset

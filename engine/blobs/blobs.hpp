@@ -35,7 +35,6 @@ private:
     [[nodiscard]] BoxAnswer over_large(const FieldBox& box) const;
     void over_near(std::span<const FieldBox> boxes, std::span<const std::size_t> of,
                    BoxAnswer* answers) const;
-    void at_near(std::span<const std::array<double, 3>> points, PointAnswer* answers) const;
 
     BlobKind kind_;
     std::shared_ptr<const BlobSet> set_;

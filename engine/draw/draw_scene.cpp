@@ -1,7 +1,6 @@
 #include "engine/draw/draw_scene.hpp"
 
 #include "engine/base/parallel.hpp"
-#include "engine/draw/bezier_fit.hpp"
 #include "engine/draw/curve_tasks.hpp"
 #include "engine/draw/hidden_points.hpp"
 #include "engine/draw/page_curve.hpp"

@@ -21,12 +21,6 @@ namespace {
 
 static_assert(batch_multiple * sizeof(float) % block_bytes == 0);
 
-/// Takes the place of a board where an algebra knows no switches.
-struct NoBoard {
-    void begin(std::size_t /*item*/) {}
-    void end() const {}
-};
-
 template <class Algebra, class Board>
 Algebra algebra_with(Board& board) {
     if constexpr (std::is_constructible_v<Algebra, Board*>) {

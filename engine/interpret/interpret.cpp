@@ -5,7 +5,6 @@
 #include "engine/interpret/interpret_code.hpp"
 #include "engine/kernel/float_check.hpp"
 #include "engine/kernel/union_parts.hpp"
-#include "engine/kernel/unowned.hpp"
 #include "engine/real/block.hpp"
 #include "engine/tape/tape.hpp"
 
@@ -16,6 +15,12 @@
 
 namespace zeroset {
 namespace {
+
+/// A pointer that keeps nothing alive, and costs nothing to copy.
+template <class Object>
+std::shared_ptr<const Object> unowned(const Object& object) {
+    return {std::shared_ptr<const Object>(), &object};
+}
 
 class TapeSpecializer : public Specializer {
 public:

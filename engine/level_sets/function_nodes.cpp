@@ -1,6 +1,6 @@
 #include "engine/level_sets/function_nodes.hpp"
 
-#include "engine/base/digits.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "engine/level_sets/level_set_file.hpp"
 
-#include "engine/base/digits.hpp"
+#include "engine/base/text.hpp"
 #include "engine/export/package.hpp"
 #include "engine/level_sets/function_nodes.hpp"
 

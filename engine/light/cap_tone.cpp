@@ -1,4 +1,4 @@
-#include "engine/light/cap_tone.hpp"
+#include "engine/light/shade.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "engine/kernel/point_batch.hpp"
 #include "engine/light/tile_light.hpp"
-#include "engine/trace/hit_rays.hpp"
+#include "engine/trace/hit_gradients.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,4 @@
-#include "engine/light/followed_shadows.hpp"
-
+#include "engine/light/shadow.hpp"
 #include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
-#include "engine/light/hit_colors.hpp"
-
 #include "engine/image/gamma.hpp"
+#include "engine/light/surface_values.hpp"
 
 #include <cmath>
 

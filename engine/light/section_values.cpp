@@ -1,7 +1,7 @@
 #include "engine/image/color_map.hpp"
 #include "engine/kernel/point_batch.hpp"
 #include "engine/light/tile_light.hpp"
-#include "engine/trace/hit_rays.hpp"
+#include "engine/trace/hit_gradients.hpp"
 
 #include <algorithm>
 #include <cmath>

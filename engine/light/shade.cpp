@@ -1,6 +1,5 @@
 #include "engine/light/shade.hpp"
 
-#include "engine/light/cap_tone.hpp"
 #include "engine/scene/palette.hpp"
 
 #undef HWY_TARGET_INCLUDE

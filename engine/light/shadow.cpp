@@ -1,8 +1,6 @@
 #include "engine/light/shadow.hpp"
 
-#include "engine/light/followed_shadows.hpp"
 #include "engine/light/light_places.hpp"
-#include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/trace/frame_union.hpp"
 #include "engine/trace/tile_rays.hpp"

@@ -1,6 +1,5 @@
-#include "engine/light/shadow_kernel.hpp"
-
 #include "engine/kernel/form_cells.hpp"
+#include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
@@ -65,5 +66,10 @@ void search_beams(const ShadowSearch& search, ShadowBits& found, std::vector<Lig
 /// Searches single rays. In upward rounding.
 void search_rays(const ShadowSearch& search, const std::vector<LightRay>& rays, ShadowBits& found,
                  Counters& counters);
+
+/// The surface's kernel for all that lies between the light and the hits that are asked about, all
+/// in a square of the tile; nullptr where it would not be shorter. It outlives no kernel that it is
+/// made from. In upward rounding.
+std::shared_ptr<const Kernel> kernel_before_hits(const ShadowSearch& search, const Square& square);
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/image/color_map.hpp"
 #include "engine/scene/scene.hpp"
 
 #include <glm/glm.hpp>
@@ -20,5 +21,17 @@ struct SurfacePoint {
 /// none. In upward rounding; the scene's coloring has a range (has_range).
 std::vector<double> values_at(const Scene& scene, std::size_t surface,
                               std::span<const SurfacePoint> points);
+
+/// A hit of a surface whose colour is asked for.
+struct ColoredHit {
+    SurfacePoint point;
+    glm::dvec3 gradient;  ///< of f, of whatever size
+    bool is_cap;
+    bool is_front;  ///< seen from where f > 0
+};
+
+/// The reflectances of hits of one surface, by the scene's coloring. In upward rounding.
+std::vector<Reflectance> hit_colors(const Scene& scene, std::size_t surface,
+                                    std::span<const ColoredHit> hits);
 
 }  // namespace zeroset

@@ -5,7 +5,7 @@
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/kernel/surface_facts.hpp"
 #include "engine/real/scalar.hpp"
-#include "engine/trace/closed_jump.hpp"
+#include "engine/trace/jumps.hpp"
 
 #include <algorithm>
 #include <array>

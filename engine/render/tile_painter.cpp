@@ -1,6 +1,5 @@
 #include "engine/render/tile_painter.hpp"
 
-#include "engine/antialias/cover_limits.hpp"
 #include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/mixed_pixels.hpp"
 #include "engine/light/tile_light.hpp"

@@ -2,10 +2,12 @@
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/surface_functions.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 namespace zeroset {
+
 namespace {
 
 /// Conditions of one graph as functions that are not above 0 where they hold.
@@ -71,6 +73,14 @@ RestrictedExpr without_restriction(const Expr& expr) {
     while (expr.node(root).op == Op::Where && bounds.add(expr.node(root).b))
         root = expr.node(root).a;
     return {.function = bounds.part(root), .bounds = bounds.all()};
+}
+
+std::optional<Expr> unrestricted(const Expr& expr) {
+    const auto restricts = [](const Node& node) { return node.op == Op::Where; };
+    if (std::ranges::none_of(expr.nodes(), restricts)) return std::nullopt;
+    return rebuilt(expr, [&](ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
+        return restricts(node) ? a : copy_node(builder, node, a, b, c);
+    });
 }
 
 }  // namespace zeroset

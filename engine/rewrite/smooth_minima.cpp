@@ -1,7 +1,7 @@
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
-#include "engine/rewrite/differences/constant_steps.hpp"
+#include "engine/rewrite/differences/differences.hpp"
 #include "engine/rewrite/passes.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "engine/rewrite/differences/differences.hpp"
 #include "engine/rewrite/passes.hpp"
-#include "engine/rewrite/polynomial/collected_terms.hpp"
+#include "engine/rewrite/polynomial/polynomial_candidates.hpp"
 #include "engine/rewrite/polynomial/tighten.hpp"
 #include "engine/rewrite/sample/form_sample.hpp"
 

@@ -1,7 +1,6 @@
 #include "engine/tape/tape.hpp"
 
-#include "engine/tape/tape_bands.hpp"
-#include "engine/tape/tape_blend.hpp"
+#include "engine/tape/tape_marks.hpp"
 #include "engine/tape/tape_reduction.hpp"
 
 #include <numeric>

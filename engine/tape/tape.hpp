@@ -2,8 +2,8 @@
 
 #include "engine/algebra/switches.hpp"
 #include "engine/kernel/kernel.hpp"
-#include "engine/tape/band.hpp"
 #include "engine/tape/tape_graph.hpp"
+#include "engine/tape/tape_marks.hpp"
 
 #include <array>
 #include <cstddef>

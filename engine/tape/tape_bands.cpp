@@ -1,4 +1,4 @@
-#include "engine/tape/tape_bands.hpp"
+#include "engine/tape/tape_marks.hpp"
 
 #include <algorithm>
 #include <cmath>

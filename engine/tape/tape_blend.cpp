@@ -1,4 +1,4 @@
-#include "engine/tape/tape_blend.hpp"
+#include "engine/tape/tape_marks.hpp"
 
 #include <array>
 #include <cmath>

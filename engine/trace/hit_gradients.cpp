@@ -2,7 +2,7 @@
 
 #include "engine/kernel/point_batch.hpp"
 #include "engine/real/rounding.hpp"
-#include "engine/trace/jump_normals.hpp"
+#include "engine/trace/jumps.hpp"
 #include "engine/trace/tile_costs.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/view/pixel_ray.hpp"

@@ -1,4 +1,4 @@
-#include "engine/trace/jump_normals.hpp"
+#include "engine/trace/jumps.hpp"
 
 #include <array>
 #include <cmath>

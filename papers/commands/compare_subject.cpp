@@ -7,7 +7,7 @@
 #include "engine/trace/trace_frame.hpp"
 #include "papers/commands/compare_scene.hpp"
 #include "papers/florez/box_tally.hpp"
-#include "pipeline/tracer_refusal.hpp"
+#include "pipeline/picture_request.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "pipeline/sample_distance.hpp"
-
 #include "engine/language/parse.hpp"
+#include "pipeline/sample_grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // Tests of the special points of a surface that Newton's method finds near a place.
 
-#include "pipeline/snap_point.hpp"
-
+#include "pipeline/probe_document.hpp"
 #include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>

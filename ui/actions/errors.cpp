@@ -1,4 +1,4 @@
-#include "ui/actions/errors.hpp"
+#include "ui/actions/action_functions.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,4 @@
-#include "ui/actions/marker_moves.hpp"
-
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/view_moves.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "ui/actions/presentation.hpp"
+#include "ui/actions/action_functions.hpp"
 
 #include <algorithm>
 #include <cstddef>

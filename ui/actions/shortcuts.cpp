@@ -1,5 +1,4 @@
-#include "ui/actions/shortcuts.hpp"
-
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/widgets/chord.hpp"

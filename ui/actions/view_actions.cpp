@@ -1,5 +1,5 @@
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/action_parts.hpp"
-#include "ui/actions/marker_moves.hpp"
 #include "ui/actions/view_moves.hpp"
 
 #include <array>

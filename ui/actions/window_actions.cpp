@@ -1,5 +1,5 @@
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/action_parts.hpp"
-#include "ui/actions/presentation.hpp"
 
 #include <array>
 

@@ -2,7 +2,6 @@
 
 #include "engine/base/translation.hpp"
 #include "ui/exports/export_parts.hpp"
-#include "ui/exports/export_preview.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/screen_areas.hpp"

@@ -11,4 +11,7 @@ void follow_export_keys(UiState& state);
 /// Draws the page if it is open, and how far an export is.
 void draw_export_page(UiState& state);
 
+/// Draws what the file will look like, at the current line.
+void draw_export_preview(UiState& state);
+
 }  // namespace zeroset::ui

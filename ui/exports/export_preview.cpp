@@ -1,6 +1,5 @@
-#include "ui/exports/export_preview.hpp"
-
 #include "engine/base/translation.hpp"
+#include "ui/exports/export_page.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>

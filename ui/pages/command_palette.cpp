@@ -1,8 +1,8 @@
 #include "ui/pages/command_palette.hpp"
 
 #include "engine/base/translation.hpp"
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/actions/marker_moves.hpp"
 #include "ui/actions/other_words.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/text_match.hpp"

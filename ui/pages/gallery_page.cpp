@@ -7,7 +7,6 @@
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/card_grid.hpp"
-#include "ui/widgets/thumbnail.hpp"
 #include "ui/widgets/typing_popup.hpp"
 
 #include <imgui/imgui.h>

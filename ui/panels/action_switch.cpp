@@ -1,6 +1,5 @@
-#include "ui/panels/action_switch.hpp"
-
 #include "ui/actions/actions.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/style/label.hpp"
 
 #include <imgui/imgui.h>

@@ -11,9 +11,9 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/card_grid.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/slider_row.hpp"
-#include "ui/widgets/thumbnail.hpp"
 
 #include <glm/glm.hpp>
 #include <imgui/imgui.h>

@@ -1,8 +1,7 @@
-#include "ui/panels/document_menu.hpp"
-
 #include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"

@@ -5,11 +5,11 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/card_grid.hpp"
 #include "ui/widgets/color_picker.hpp"
 #include "ui/widgets/light_ball.hpp"
 #include "ui/widgets/look_names.hpp"
 #include "ui/widgets/slider_row.hpp"
-#include "ui/widgets/thumbnail.hpp"
 
 #include <glm/glm.hpp>
 #include <imgui/imgui.h>

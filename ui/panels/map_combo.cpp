@@ -1,6 +1,5 @@
-#include "ui/panels/map_combo.hpp"
-
 #include "engine/annotate/shapes.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/theme.hpp"
 

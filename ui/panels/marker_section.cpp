@@ -1,7 +1,7 @@
 #include "document/look.hpp"
 #include "engine/base/translation.hpp"
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/actions/marker_moves.hpp"
 #include "ui/model/typed_point.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/sections.hpp"

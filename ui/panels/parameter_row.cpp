@@ -1,8 +1,7 @@
-#include "ui/panels/parameter_row.hpp"
-
 #include "document/document.hpp"
 #include "document/play.hpp"
 #include "engine/base/translation.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
@@ -10,7 +9,6 @@
 #include "ui/widgets/histogram_strip.hpp"
 #include "ui/widgets/number_field.hpp"
 #include "ui/widgets/slider_row.hpp"
-#include "ui/widgets/typed_slider.hpp"
 
 #include <imgui/imgui.h>
 

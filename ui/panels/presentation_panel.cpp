@@ -2,7 +2,7 @@
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/parameter_row.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"
 

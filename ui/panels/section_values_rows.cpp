@@ -1,8 +1,6 @@
-#include "ui/panels/section_values_rows.hpp"
-
 #include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
-#include "ui/panels/map_combo.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/slider_row.hpp"

@@ -1,10 +1,9 @@
-#include "ui/panels/statement_list.hpp"
-
 #include "document/document.hpp"
 #include "document/row_program.hpp"
 #include "engine/base/translation.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/parameter_row.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/panels/statement_row.hpp"
 #include "ui/style/icons.hpp"

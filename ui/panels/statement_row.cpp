@@ -3,7 +3,7 @@
 #include "document/sheet.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/base/translation.hpp"
-#include "ui/actions/errors.hpp"
+#include "ui/actions/action_functions.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"

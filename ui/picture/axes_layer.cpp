@@ -1,9 +1,8 @@
-#include "ui/picture/axes_layer.hpp"
-
 #include "engine/annotate/axes.hpp"
 #include "engine/annotate/axis_shapes.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "ui/picture/draw_shapes.hpp"
+#include "ui/picture/layers.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>

@@ -1,6 +1,6 @@
 #include "ui/picture/axis_gizmo.hpp"
 
-#include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/axes.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"

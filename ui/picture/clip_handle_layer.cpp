@@ -1,12 +1,11 @@
-#include "ui/picture/clip_handle_layer.hpp"
-
-#include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/axes.hpp"
 #include "engine/annotate/hidden.hpp"
 #include "engine/annotate/markers.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "ui/picture/clip_outline.hpp"
 #include "ui/picture/draw_shapes.hpp"
+#include "ui/picture/layers.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/theme.hpp"
 

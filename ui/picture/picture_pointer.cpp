@@ -1,7 +1,6 @@
-#include "ui/picture/picture_pointer.hpp"
-
 #include "ui/model/ui_state.hpp"
 #include "ui/picture/picture_marks.hpp"
+#include "ui/picture/viewport.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>

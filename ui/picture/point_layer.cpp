@@ -1,11 +1,10 @@
-#include "ui/picture/point_layer.hpp"
-
 #include "document/look.hpp"
 #include "engine/annotate/hidden.hpp"
 #include "engine/annotate/markers.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "ui/picture/draw_shapes.hpp"
+#include "ui/picture/layers.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/theme.hpp"
 

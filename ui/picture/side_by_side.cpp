@@ -1,5 +1,4 @@
-#include "ui/picture/side_by_side.hpp"
-
+#include "ui/picture/layers.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>

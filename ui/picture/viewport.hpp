@@ -23,4 +23,8 @@ std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const ViewPoi
 /// changes the view. Draw it before the panels. Sets `state.input.viewport_px`.
 void draw_viewport(UiState& state, const Texture& picture);
 
+/// Right after the item that the picture is: sets `state.input.pointer`, and `state.wishes.click`
+/// where a press was no drag. `cursor` as in PointerMotion.
+void follow_picture_pointer(UiState& state, const ViewPoint& cursor);
+
 }  // namespace zeroset::ui

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "ui/model/shown.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
 
 #include <cstddef>
 #include <string>
@@ -24,5 +27,9 @@ std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::
 /// continues in the next one. Returns the first item if `selected` has no card. `cards` is not
 /// empty.
 std::size_t stepped(const std::vector<Card>& cards, std::size_t selected, int rows, int cols);
+
+/// Draws a small picture of surfaces over a sky; three dots while there is none. `name`: OpenGL's
+/// of its texture; 0: none.
+void draw_thumbnail(unsigned int name, const ImVec2& lo, const ImVec2& hi, const Palette& colors);
 
 }  // namespace zeroset::ui

@@ -7,7 +7,7 @@
 #include "ui/style/theme.hpp"
 #include "ui/widgets/look_names.hpp"
 #include "ui/widgets/number_field.hpp"
-#include "ui/widgets/typed_slider.hpp"
+#include "ui/widgets/slider_row.hpp"
 
 #include <imgui/imgui.h>
 

@@ -5,7 +5,6 @@
 #include "engine/base/translation.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
-#include "ui/widgets/typed_slider.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>

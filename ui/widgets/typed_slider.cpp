@@ -1,8 +1,7 @@
-#include "ui/widgets/typed_slider.hpp"
-
 #include "engine/base/translation.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/widgets/number_field.hpp"
+#include "ui/widgets/slider_row.hpp"
 
 #include <imgui/imgui_internal.h>
 

@@ -1,5 +1,4 @@
-#include "app/cli/options/camera_options.hpp"
-
+#include "app/cli/options/view_options.hpp"
 #include "document/camera_text.hpp"
 #include "document/views.hpp"
 #include "engine/base/text.hpp"

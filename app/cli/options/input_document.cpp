@@ -5,7 +5,6 @@
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
-#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/volume/files/volume_file.hpp"
 #include "pipeline/gallery.hpp"

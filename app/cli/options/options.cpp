@@ -1,11 +1,8 @@
 #include "app/cli/options/options.hpp"
 
-#include "app/cli/options/camera_options.hpp"
-#include "app/cli/options/region_options.hpp"
-#include "app/cli/options/section_options.hpp"
 #include "app/cli/options/surface_options.hpp"
+#include "app/cli/options/view_options.hpp"
 #include "document/json/document_json.hpp"
-#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"

@@ -1,7 +1,7 @@
 #include "app/cli/options/surface_options.hpp"
 
 #include "app/cli/options/light_options.hpp"
-#include "app/cli/options/region_options.hpp"
+#include "app/cli/options/view_options.hpp"
 #include "document/colors.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/patch_graph.hpp"

@@ -5,9 +5,9 @@
 #include <expected>
 #include <string>
 
-// The writers behind the table of formats. Each has a source of its own.
-
 namespace zeroset {
+
+// The writers behind the table of formats. Each has a source of its own.
 
 /// The drawing as a PDF of one page of its size, with true curves; or the reason why it cannot be
 /// made.
@@ -21,5 +21,8 @@ std::string svg_of(const LineDrawing& drawing, const DrawingStyle& style);
 /// The drawing as a TikZ picture, to be read by \input in a LaTeX document that uses tikz: a scope
 /// for each kind of curve.
 std::string tikz_of(const LineDrawing& drawing, const DrawingStyle& style);
+
+/// The number with up to `decimals` digits after the point, without zeros at the end, for a file.
+std::string file_number(double number, int decimals);
 
 }  // namespace zeroset

@@ -1,4 +1,4 @@
-#include "engine/draw/files/number_text.hpp"
+#include "engine/draw/files/encoders.hpp"
 
 #include <array>
 #include <charconv>

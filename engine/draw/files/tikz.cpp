@@ -1,5 +1,4 @@
 #include "engine/draw/files/encoders.hpp"
-#include "engine/draw/files/number_text.hpp"
 
 namespace zeroset {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/frame_rate.hpp"
+#include "engine/base/clock.hpp"
 #include "engine/export/codecs/video_pixels.hpp"
 
 #include <cstdint>

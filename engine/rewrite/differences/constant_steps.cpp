@@ -1,7 +1,6 @@
-#include "engine/rewrite/differences/constant_steps.hpp"
-
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/rewrite/differences/differences.hpp"
 
 namespace zeroset {
 namespace {

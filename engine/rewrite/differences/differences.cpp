@@ -4,8 +4,6 @@
 #include "engine/expr/copy.hpp"
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
-#include "engine/rewrite/differences/constant_steps.hpp"
-#include "engine/rewrite/differences/divided_difference.hpp"
 
 #include <algorithm>
 #include <optional>

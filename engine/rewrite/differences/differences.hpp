@@ -1,6 +1,10 @@
 #pragma once
 
+#include "engine/algebra/node_facts.hpp"
+#include "engine/expr/exact.hpp"
 #include "engine/expr/expr.hpp"
+
+#include <optional>
 
 namespace zeroset {
 
@@ -11,5 +15,26 @@ namespace zeroset {
 /// - v) cos((u + v)/2) sinc((u - v)/2). Differences whose terms differ by more than constants are
 /// left alone, and so are those of large c.
 Expr without_small_differences(const Expr& expr);
+
+/// A difference f1 - f0 is delta dd(f).
+struct Difference {
+    NodeId delta;
+    NodeId divided;
+};
+
+/// The divided difference of two values of a function whose variables differ by constants; delta is
+/// one of these. Nothing
+/// where they differ by more, or by much.
+std::optional<Difference> divided_difference(ExprBuilder& builder, NodeFacts& facts, NodeId f1,
+                                             NodeId f0);
+
+// Nodes that differ by constants. Private to the divided differences.
+
+/// The constant f1 - f0, if they are the same but for a constant summand.
+std::optional<Fraction> step_between(ExprBuilder& builder, NodeId f1, NodeId f0);
+
+NodeId constant_of(ExprBuilder& builder, const Fraction& value);
+/// The quotient of two constants.
+NodeId ratio(ExprBuilder& builder, NodeId a, NodeId b);
 
 }  // namespace zeroset

@@ -2,11 +2,9 @@
 // variables differ by constants, one of which is delta. See Reps and Rall, "Computational divided
 // differencing and divided-difference arithmetics", Higher-Order and Symbolic Computation 16, 2003.
 
-#include "engine/rewrite/differences/divided_difference.hpp"
-
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
-#include "engine/rewrite/differences/constant_steps.hpp"
+#include "engine/rewrite/differences/differences.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,3 @@
-#include "engine/rewrite/polynomial/collected_terms.hpp"
-
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/rewrite/polynomial/polynomial.hpp"

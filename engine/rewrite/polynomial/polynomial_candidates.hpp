@@ -3,6 +3,7 @@
 #include "engine/algebra/facts.hpp"
 #include "engine/expr/expr.hpp"
 #include "engine/rewrite/polynomial/polynomial.hpp"
+#include "engine/rewrite/sample/box_sample.hpp"
 
 #include <cstddef>
 #include <span>
@@ -22,5 +23,10 @@ struct AnalysedExpr {
 std::vector<NodeId> polynomial_candidates(ExprBuilder& builder, const AnalysedExpr& graph,
                                           std::span<const NodeId> now, NodeId id,
                                           std::size_t max_new_nodes);
+
+/// A long polynomial with equal monomials added up, nested in the way that beams are likely traced
+/// through soonest in the region; the formula itself where it is none, or short, or that saves
+/// little. Equal in the reals. A sum of 500 terms in numbers that have names becomes one of 200.
+Expr with_collected_terms(const Expr& expr, const SampleRegion& region);
 
 }  // namespace zeroset

@@ -11,7 +11,7 @@
 
 #include "engine/kernel/surface_facts.hpp"
 #include "engine/trace/beam/beam_rays-inl.hpp"
-#include "engine/trace/closed_jump.hpp"
+#include "engine/trace/jumps.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {

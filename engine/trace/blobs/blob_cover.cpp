@@ -3,11 +3,10 @@
 // all of their rays miss. Pixels for which a few cells do not prove that are left to a closer
 // search.
 
-#include "engine/trace/blobs/blob_cover.hpp"
-
 #include "engine/real/scalar.hpp"
 #include "engine/trace/blobs/ball_bins.hpp"
 #include "engine/trace/blobs/ball_sums.hpp"
+#include "engine/trace/blobs/blob_kernel.hpp"
 
 #include <glm/glm.hpp>
 

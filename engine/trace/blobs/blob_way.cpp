@@ -1,10 +1,8 @@
 #include "engine/trace/blobs/blob_way.hpp"
 
-#include "engine/trace/blobs/blob_cover.hpp"
 #include "engine/trace/blobs/blob_kernel.hpp"
 #include "engine/trace/blobs/blob_surface.hpp"
 #include "engine/trace/blobs/blob_tile.hpp"
-#include "engine/trace/blobs/follow_blobs.hpp"
 
 #include <memory>
 

@@ -1,10 +1,9 @@
 // Stretches of parallel rays through soft balls: blocks of them go through slabs of depth as those
 // of pixels do (blob_tile.cpp), but begin and end where they like, and are anywhere in the view.
 
-#include "engine/trace/blobs/follow_blobs.hpp"
-
 #include "engine/real/unbounded.hpp"
 #include "engine/trace/blobs/blob_surface.hpp"
+#include "engine/trace/blobs/blob_way.hpp"
 #include "engine/trace/blobs/slab_balls.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/trace/patch/patch_rays.hpp"
+#include "engine/trace/patch/patch_tracer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "engine/trace/patch/patch_way.hpp"
 
 #include "engine/kernel/patch_code.hpp"
-#include "engine/trace/patch/patch_rays.hpp"
 #include "engine/trace/patch/patch_tracer.hpp"
 #include "engine/trace/patch/patch_tree.hpp"
 

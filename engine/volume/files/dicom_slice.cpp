@@ -1,6 +1,5 @@
 #include "engine/volume/files/dicom_slice.hpp"
 
-#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/volume/files/dicom_elements.hpp"
 #include "engine/volume/files/dicom_packed.hpp"

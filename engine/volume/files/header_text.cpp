@@ -1,6 +1,6 @@
 #include "engine/volume/files/header_text.hpp"
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "engine/volume/files/sample_file.hpp"
 
 #include "engine/base/parallel.hpp"
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/volume/files/mapped_file.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "engine/annotate/axis_shapes.hpp"
 #include "engine/annotate/label_font.hpp"
-#include "engine/annotate/paint_shapes.hpp"
+#include "engine/annotate/paint.hpp"
 #include "engine/annotate/ticks.hpp"
 #include "engine/view/image_plane.hpp"
 

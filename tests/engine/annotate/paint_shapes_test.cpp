@@ -1,4 +1,4 @@
-#include "engine/annotate/paint_shapes.hpp"
+#include "engine/annotate/paint.hpp"
 
 #include <gtest/gtest.h>
 

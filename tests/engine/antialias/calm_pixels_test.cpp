@@ -1,4 +1,4 @@
-#include "engine/antialias/calm_pixels.hpp"
+#include "engine/antialias/mixed_pixels.hpp"
 
 #include <gtest/gtest.h>
 

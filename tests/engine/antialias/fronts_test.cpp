@@ -1,5 +1,4 @@
 #include "engine/antialias/front_block.hpp"
-#include "engine/antialias/square_cells.hpp"
 #include "engine/antialias/square_depths.hpp"
 #include "engine/antialias/square_field.hpp"
 #include "engine/real/rounding.hpp"

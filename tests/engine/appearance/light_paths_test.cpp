@@ -1,4 +1,4 @@
-#include "engine/appearance/surroundings.hpp"
+#include "engine/appearance/lights.hpp"
 #include "engine/image/gamma.hpp"
 #include "engine/rays/first_roots.hpp"
 #include "engine/real/rounding.hpp"

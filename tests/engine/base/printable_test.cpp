@@ -1,4 +1,4 @@
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/draw/bezier_fit.hpp"
+#include "engine/draw/page_curve.hpp"
 
 #include <gtest/gtest.h>
 

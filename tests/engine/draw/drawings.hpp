@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/draw/bezier_fit.hpp"
 #include "engine/draw/draw_scene.hpp"
+#include "engine/draw/page_curve.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/rewrite/traceable.hpp"

@@ -1,7 +1,8 @@
+#include "engine/trace/jumps.hpp"
+
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/render/render.hpp"
-#include "engine/trace/jump_normals.hpp"
 #include "engine/view/pixel_ray.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "engine/trace/caps.hpp"
 
-#include "engine/light/cap_tone.hpp"
+#include "engine/light/shade.hpp"
 #include "engine/num/interval.hpp"
 #include "engine/render/render.hpp"
 #include "engine/rewrite/surface_functions.hpp"

@@ -3,7 +3,7 @@
 #include "tests/ui/panels.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/inspection.hpp"
-#include "ui/picture/side_by_side.hpp"
+#include "ui/picture/layers.hpp"
 #include "ui/style/screen_areas.hpp"
 
 #include <gtest/gtest.h>

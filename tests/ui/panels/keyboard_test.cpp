@@ -2,7 +2,7 @@
 
 #include "tests/ui/panels.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/parameter_row.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/window/offscreen_window.hpp"
 
 #include <GLFW/glfw3.h>

@@ -1,8 +1,8 @@
 // Tests of the section of markers: the typed point, labels, and the wish to snap.
 
 #include "tests/ui/panels.hpp"
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/actions/marker_moves.hpp"
 #include "ui/actions/view_moves.hpp"
 
 #include <GLFW/glfw3.h>

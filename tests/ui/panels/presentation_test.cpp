@@ -1,11 +1,10 @@
 // Tests of the presentation: only the picture and the sliders chosen for it, in larger letters; of
 // a read-only session, and of the size of letters.
 
-#include "ui/actions/presentation.hpp"
-
 #include "tests/ui/panels.hpp"
+#include "ui/actions/action_functions.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/panels/parameter_row.hpp"
+#include "ui/panels/setting_rows.hpp"
 #include "ui/window/gui_context.hpp"
 
 #include <GLFW/glfw3.h>

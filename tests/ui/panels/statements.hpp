@@ -4,7 +4,7 @@
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/statement_list.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/offscreen_window.hpp"

@@ -1,8 +1,7 @@
-#include "ui/picture/clip_handle_layer.hpp"
-
-#include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/axes.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "tests/ui/picture_layers.hpp"
+#include "ui/picture/layers.hpp"
 #include "ui/picture/viewport.hpp"
 #include "ui/style/screen_areas.hpp"
 

@@ -3,7 +3,7 @@
 #include "engine/annotate/label_font.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/annotate/markers.hpp"
-#include "engine/annotate/paint_shapes.hpp"
+#include "engine/annotate/paint.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/offscreen_window.hpp"
 

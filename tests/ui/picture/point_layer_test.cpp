@@ -1,7 +1,6 @@
-#include "ui/picture/point_layer.hpp"
-
 #include "engine/view/pixel_ray.hpp"
 #include "tests/ui/picture_layers.hpp"
+#include "ui/picture/layers.hpp"
 #include "ui/picture/viewport.hpp"
 #include "ui/style/screen_areas.hpp"
 

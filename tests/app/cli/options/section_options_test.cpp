@@ -1,5 +1,4 @@
-#include "app/cli/options/section_options.hpp"
-
+#include "app/cli/options/view_options.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "engine/draw/files/formats.hpp"
 
-#include "engine/draw/files/number_text.hpp"
+#include "engine/draw/files/encoders.hpp"
 
 #include <gtest/gtest.h>
 

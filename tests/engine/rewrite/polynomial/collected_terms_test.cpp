@@ -1,7 +1,6 @@
-#include "engine/rewrite/polynomial/collected_terms.hpp"
-
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
+#include "engine/rewrite/polynomial/polynomial_candidates.hpp"
 
 #include <gtest/gtest.h>
 

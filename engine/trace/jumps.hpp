@@ -25,4 +25,13 @@ using PointAsker = std::function<std::vector<double>(const std::vector<glm::dvec
 /// tell.
 std::vector<glm::dvec3> jump_normals(std::span<const JumpPlace> places, const PointAsker& f);
 
+/// Whether |f| falls towards 0 on the way to a jump: it is `far` at one place and `near` at another
+/// that is half as far from the jump or nearer. Where it does so on both sides, from either sign,
+/// the jump is closed: f is 0 there as far as numbers tell.
+template <class Real>
+bool falls_to_zero(Real near, Real far) {
+    constexpr Real most = static_cast<Real>(0.75);  // half, if it falls evenly
+    return near <= most * far;
+}
+
 }  // namespace zeroset

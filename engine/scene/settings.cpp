@@ -1,6 +1,5 @@
-#include "engine/scene/antialias.hpp"
-
 #include "engine/base/enum_names.hpp"
+#include "engine/scene/settings.hpp"
 
 namespace zeroset {
 namespace {

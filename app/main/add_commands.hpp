@@ -1,12 +1,13 @@
 #pragma once
 
 #include "app/cli/commands.hpp"
+#include "papers/commands/paper_commands.hpp"
 
 #include <CLI/CLI.hpp>
 
-// The subcommands that write files to take away: each adds its options to `app`.
-
 namespace zeroset {
+
+// The subcommands that write files to take away: each adds its options to `app`.
 
 CLI::App* add_render(CLI::App& app, RenderCommand& render);
 CLI::App* add_turntable(CLI::App& app, FilmCommand& film);
@@ -18,5 +19,8 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& draw);
 /// Adds what the options of all of these say of formats; to be called before `app` shows its help,
 /// and only then, as it asks FFmpeg's libraries what they can write.
 void describe_formats(CLI::App& app);
+
+CLI::App* add_compare(CLI::App& app, CompareCommand& compare);
+CLI::App* add_traversal(CLI::App& app, TraversalCommand& traversal);
 
 }  // namespace zeroset
