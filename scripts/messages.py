@@ -45,6 +45,8 @@ DEFINITIONS = {
     "engine/language/vocabulary/library.def": r'ZEROSET_LIBRARY\("\w+", "[^"]*", ',
     "engine/language/vocabulary/noises.def":
         r'ZEROSET_NOISE\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
+    "engine/language/vocabulary/written_out.def":
+        r'ZEROSET_WRITTEN\(\w+, \w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/shapes.def": r'ZEROSET_WORD\(\w+, "\w+", "[^"]*", "\w+", ',
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'

@@ -76,8 +76,13 @@ constexpr Line expressions[] = {
     {"x\u00b2  x^(1/3)  x^-2", marked("powers; a root of odd degree takes negative numbers, too")},
     {"sin x  sin 2x  ln xy", marked("a function without parentheses takes the product behind it")},
     {"sin^2 x  sin^-1 x", marked("(sin x)^2, but the inverse function asin x")},
-    {"T_4(x)  U_3(x)",
-     marked("Chebyshev's polynomials of the first and the second kind, for n up to 20")},
+    {"T_4(x)  U_3(x)  P_2(x)  H_3(x)  L_2(x)",
+     marked("Chebyshev's polynomials of the first and the second kind, for n up to 20, Legendre's, "
+            "Hermite's and Laguerre's")},
+    {"z = |x + i y|  z = Re((x + i y)^3)",
+     marked("i is the imaginary unit where the text asks for Re, Im, arg or conj, or for |.| of a "
+            "sum with i; elsewhere it is a parameter. Powers, exp, ln, sqrt and trigonometric "
+            "functions have their principal values")},
     {R"(\frac{a}{b}  \sqrt{x}  \sin)", marked("LaTeX as copied from a paper")},
     {"x < y <= z  x == y  x != y", marked("conditions, for if, { } and behind a comma")},
     {"and or not  & | !  && ||",
@@ -192,8 +197,10 @@ std::vector<HelpSection> language_help() {
         {.title = marked("Blends and walls"), .entries = {}},
         {.title = marked("Things made of points"), .entries = {}},
         {.title = marked("Noise and blobs"), .entries = {}},
+        {.title = marked("Complex numbers"), .entries = {}},
+        {.title = marked("Polynomials with names"), .entries = {}},
         {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
-    const std::size_t fixed = help.size() - 8;
+    const std::size_t fixed = help.size() - 10;
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";

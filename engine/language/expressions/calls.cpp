@@ -5,6 +5,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/expr/simplify.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace zeroset {
@@ -44,6 +45,7 @@ ExpressionReader::Built ExpressionReader::call(const Syntax& syntax, const Conte
         composed == Composed::Blinn)
         return read_blobs(site);
     if (function.is_noise()) return read_noise(site);
+    if (function.is_polynomial()) return read_polynomial(site);
     if (composed == Composed::DistanceEstimate) return read_distance_estimate(site);
     if (function.iterates()) return read_iteration(site);
     if (composed == Composed::Keep || composed == Composed::Kept)
@@ -84,6 +86,10 @@ ExpressionReader::Built ExpressionReader::applied(const Syntax& syntax,
                                                   const Context& context) {
     const std::size_t offset = context.at(syntax.offset);
     const Function& function = *syntax.function;
+    if (function.is_of_complex() || std::ranges::any_of(arguments, &BuiltValue::is_complex)) {
+        note_if_real(syntax, arguments.front(), context);
+        return values_.complex_call(function, arguments, offset);
+    }
     const bool is_alone = arguments.size() == 1;
     const bool is_bundle = is_alone && !arguments[0].is_single();
     if (function.composed == Composed::Length || function.composed == Composed::Hypot)
@@ -103,6 +109,16 @@ ExpressionReader::Built ExpressionReader::applied(const Syntax& syntax,
     return values_.mapped(arguments, offset, [&](std::span<const NodeId> of) {
         return make_function(values_.builder(), function, of);
     });
+}
+
+/// Notes that Re, Im, arg or conj is asked of a real number: z is the coordinate.
+void ExpressionReader::note_if_real(const Syntax& call, const BuiltValue& of,
+                                    const Context& context) {
+    if (of.is_complex()) return;
+    note(context.at(call.offset),
+         filled(tr("{0} is of a real number here, as x, y and z are; a complex one is typed {1}"),
+                {std::string(call.function->name), "x + i y"}),
+         context);
 }
 
 ExpressionReader::Built ExpressionReader::volume(const Syntax& syntax, const Context& context) {

@@ -44,6 +44,8 @@ GraphValues::Built read_distance_estimate(const CallSite& site);
 GraphValues::Built read_library_call(const CallSite& site);
 /// noise(p, seed) and its like.
 GraphValues::Built read_noise(const CallSite& site);
+/// legendre(n, a) and its like: the polynomial of the degree n.
+GraphValues::Built read_polynomial(const CallSite& site);
 /// blobs(list), blobs(p, list) and the like: a field where the numbers of the balls are constants,
 /// else a formula.
 GraphValues::Built read_blobs(const CallSite& site);

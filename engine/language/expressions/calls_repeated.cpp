@@ -66,7 +66,8 @@ GraphValues::Built repeated_up_to(const CallSite& site, double first, NodeId las
         if (!term) return std::nullopt;
         if (is_extreme && i == first) otherwise = *term;
         const NodeId counts = make_call(builder, Op::LessEqual, number, last);
-        const std::array<BuiltValue, 3> choice{BuiltValue{.id = counts}, *term, otherwise};
+        std::array<BuiltValue, 3> choice{BuiltValue{.id = counts}, *term, otherwise};
+        values.make_alike(std::span(choice).subspan(1));
         term = values.mapped(choice, site.offset(), [&](std::span<const NodeId> of) {
             return make_call(builder, Op::If, of[0], of[1], of[2]);
         });

@@ -109,8 +109,9 @@ GraphValues::Built DefinitionValues::call(const Syntax& call, const Context& con
     const GraphValues::Built result = value(*function, *arguments, context);
     if (result && function->called_with.empty()) {
         for (const BuiltValue& argument : *arguments)
-            function->called_with.push_back(argument.is_list() ? argument.part(0).size()
-                                                               : argument.size());
+            function->called_with.push_back(argument.is_complex() ? 1
+                                            : argument.is_list()  ? argument.part(0).size()
+                                                                  : argument.size());
     }
     return result;
 }
@@ -120,7 +121,8 @@ void DefinitionValues::add_key(const BuiltValue& value, std::vector<NodeId>& key
     if (value.is_single()) return key.push_back(value.id);
     constexpr NodeId lists = ~NodeId{0};
     constexpr NodeId vectors = lists - 1;
-    key.push_back(value.is_list() ? lists : vectors);
+    constexpr NodeId complex = vectors - 1;
+    key.push_back(value.is_list() ? lists : value.is_vector() ? vectors : complex);
     key.push_back(static_cast<NodeId>(value.size()));
     for (const BuiltValue& part : *value.parts) {
         reader_.values().count_step();

@@ -7,6 +7,7 @@
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
+#include "engine/language/expressions/imaginary_unit.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
 #include "engine/language/words/words.hpp"
 
@@ -142,6 +143,13 @@ ExpressionReader::Built ExpressionReader::name(const Syntax& syntax, const Conte
     return unknown(syntax, context);
 }
 
+/// Whether a name that nothing defines is the imaginary unit here.
+bool ExpressionReader::is_imaginary_unit(std::string_view name) {
+    if (!may_be_imaginary_unit(name)) return false;
+    if (!has_complex_) has_complex_ = has_complex_numbers(tree_, table_);
+    return *has_complex_;
+}
+
 /// The parameter of this name, or the error for a name that can be none.
 ExpressionReader::Built ExpressionReader::unknown(const Syntax& syntax, const Context& context) {
     const std::string& name = syntax.text;
@@ -153,7 +161,18 @@ ExpressionReader::Built ExpressionReader::unknown(const Syntax& syntax, const Co
         return values_.fail(offset, filled(tr("{0} is a function"), {quoted(name)}),
                             filled(tr("type {0}"), {call + ")"}));
     }
+    if (is_imaginary_unit(name)) {
+        note(offset, filled(tr("{0} is the imaginary unit"), {name}), context);
+        return values_.complex(
+            {.re = values_.builder().constant(0.0), .im = values_.builder().constant(1.0)}, offset);
+    }
     if (is_parameter_name(name)) return names_.parameter(name, offset);
+    if (const Function* const word = find_function(name);
+        word != nullptr && (word->is_of_complex() || word->is_polynomial())) {
+        return values_.fail(offset, filled(tr("'(' is missing after {0}"), {quoted(name)}),
+                            filled(tr("type {0}"), {std::string(word->name) + "(" +
+                                                    std::string(word->arguments) + ")"}));
+    }
     if (auto foreign = error_for_foreign(name, offset))
         return values_.fail(foreign->offset, std::move(foreign->reason), std::move(foreign->hint));
     return values_.fail({.offset = offset,

@@ -63,6 +63,7 @@ public:
 private:
     Built literal(const Syntax& syntax, const Context& context);
     Built name(const Syntax& syntax, const Context& context);
+    [[nodiscard]] bool is_imaginary_unit(std::string_view name);
     Built unknown(const Syntax& syntax, const Context& context);
     Built negated(const Syntax& syntax, const Context& context);
     Built power(const Syntax& syntax, const Context& context);
@@ -90,6 +91,7 @@ private:
     Built argument_of(const Function& function, std::size_t place, SyntaxId id,
                       const Context& context);
     Built applied(const Syntax& syntax, const BuiltValues& arguments, const Context& context);
+    void note_if_real(const Syntax& call, const BuiltValue& of, const Context& context);
     Built kept_value(const Syntax& syntax, const Context& context);
     Built volume(const Syntax& syntax, const Context& context);
 
@@ -100,8 +102,9 @@ private:
     DefinitionValues definitions_{*this};
     FieldFiles files_;
     std::unordered_map<SyntaxId, BuiltValue> earlier_;  ///< values of lists
-    std::map<double, NodeId> kept_;                     ///< values kept by psh, by index
-    int depth_ = 0;  ///< how many expressions are being built within each other
+    std::optional<bool> has_complex_;  ///< whether the text has complex numbers, once asked
+    std::map<double, NodeId> kept_;    ///< values kept by psh, by index
+    int depth_ = 0;                    ///< how many expressions are being built within each other
 };
 
 }  // namespace zeroset

@@ -24,6 +24,8 @@ ExpressionReader::Built ExpressionReader::list(const Syntax& syntax, const Conte
     auto values = operands(syntax.operands, context);
     if (!values) return std::nullopt;
     for (std::size_t i = 0; i < values->size(); ++i) {
+        if ((*values)[i].is_complex())
+            return values_.refuse_complex(context.at(tree_[syntax.operands[i]].offset));
         if ((*values)[i].is_list())
             return values_.fail(context.at(tree_[syntax.operands[i]].offset),
                                 tr("a list cannot hold a list"),
@@ -120,6 +122,7 @@ ExpressionReader::Built ExpressionReader::cases(const Syntax& syntax, const Cont
         if (!there) return std::nullopt;
         BuiltValues all{{.id = *where}, *there};
         if (value) all.push_back(*value);
+        values_.make_alike(std::span(all).subspan(1));
         value = values_.mapped(all, context.at(syntax.offset), [&](std::span<const NodeId> of) {
             return of.size() == 3 ? make_call(values_.builder(), Op::If, of[0], of[1], of[2])
                                   : make_call(values_.builder(), Op::Where, of[1], of[0]);

@@ -59,7 +59,10 @@ GraphValues::Built FreeNames::parameter(const std::string& name, std::size_t off
 /// Notes that X, E and i are parameters here, but the coordinate, 2.718... and the imaginary unit
 /// elsewhere.
 void FreeNames::note_other_meaning(const std::string& name, std::size_t offset) {
-    if (name == "i") values_.note(offset, tr("i is a parameter, as complex numbers are not read"));
+    if (name == "i") {
+        values_.note(offset, filled(tr("i is a parameter; it is the imaginary unit in {0}"),
+                                    {"|x + i y|, Re(...), Im(...), arg(...)"}));
+    }
     const bool is_axis = name == "X" || name == "Y" || name == "Z";
     if (!is_axis && name != "E") return;
     const char* const note = is_axis ? tr("{0} is a parameter; for the coordinate type {1}")

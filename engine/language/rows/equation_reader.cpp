@@ -18,6 +18,10 @@ std::unexpected<ParseError> refuse_row(GraphValues& values, const BuiltValue& va
             offset, tr("a list in brackets is a point or a parametric surface, no equation"),
             tr("type an equation in x, y and z"));
     }
+    if (value.is_complex()) {
+        values.refuse_complex(offset);
+        return values.failure();
+    }
     return values.failure(offset, filled(tr("this is {0}, and no surface"), {value.described()}),
                           tr("type an equation in x, y and z"));
 }

@@ -17,6 +17,8 @@ ReadingText::ReadingText(const GraphValues& values, const FreeNames& names, std:
 
 std::string ReadingText::of(const BuiltValue& value, std::span<const std::string> names) const {
     if (value.is_single()) return of(value.id, names);
+    if (value.is_complex())
+        return of(value.part(0).id, names) + " + i*(" + of(value.part(1).id, names) + ")";
     const bool is_list = value.is_list();
     std::string text(is_list ? "[" : "(");
     for (std::size_t i = 0; i < value.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "engine/language/words/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <span>
 #include <utility>
@@ -153,24 +154,57 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     return with_exponent(result, token, function, *exponent);
 }
 
-/// Whether the name at this index is T_n or U_n and called: the bracket stands directly behind it,
-/// and it is no name of the text. T_0, U_0, T_1 and U_1 are parameters unless one of a higher
-/// degree is called in the text.
-bool SyntaxParser::is_chebyshev(std::size_t at, int degree) {
+/// Whether the bracket at this index holds no comma of its own.
+bool SyntaxParser::has_one_argument(std::size_t opener) const {
+    int open = 0;
+    for (std::size_t at = opener; tokens_[at].kind != TokenKind::End; ++at) {
+        if (is_symbol(tokens_[at], {"(", "[", "{"})) ++open;
+        if (is_symbol(tokens_[at], {")", "]", "}"}) && --open == 0) return true;
+        if (open == 1 && is_symbol(tokens_[at], {","})) return false;
+    }
+    return true;
+}
+
+/// Whether the name at this index is T_n, U_n, P_n, H_n or L_n and called: the bracket stands
+/// directly behind it, and it is no name of the text, nor a point P_2(1, 2, 3). T_0 and T_1 are
+/// parameters unless one of a higher degree is called in the text, and so with the others.
+bool SyntaxParser::is_polynomial(std::size_t at, int degree) {
     const Token& token = tokens_[at];
     const Token& opener = tokens_[at + 1];
     if (!is_symbol(opener, {"(", "["}) || !adjacent(token, opener)) return false;
     if (defined_.find(full_name(token), token.offset)) return false;
+    const char letter = token.text[0] == 'U' ? 'T' : token.text[0];
+    if (letter != 'T' && !has_one_argument(at + 1)) return false;
     if (degree >= 2) return true;
-    if (!calls_chebyshev_) {
-        calls_chebyshev_ = false;
-        for (std::size_t i = 0; !*calls_chebyshev_ && i < tokens_.size(); ++i) {
-            if (tokens_[i].kind != TokenKind::Name) continue;
-            const auto higher = chebyshev_degree(full_name(tokens_[i]));
-            calls_chebyshev_ = higher && *higher >= 2 && is_chebyshev(i, *higher);
-        }
+    const auto [known, is_new] = calls_polynomial_.try_emplace(letter, false);
+    for (std::size_t i = 0; is_new && !known->second && i < tokens_.size(); ++i) {
+        if (tokens_[i].kind != TokenKind::Name) continue;
+        const char other = tokens_[i].text[0] == 'U' ? 'T' : tokens_[i].text[0];
+        const auto higher =
+            other == letter ? polynomial_degree(full_name(tokens_[i])) : std::nullopt;
+        known->second = higher && *higher >= 2 && is_polynomial(i, *higher);
     }
-    return *calls_chebyshev_;
+    return known->second;
+}
+
+/// Reads P_n(a), H_n(a) or L_n(a), which is legendre(n, a), hermite(n, a) or laguerre(n, a); T_n(a)
+/// and U_n(a).
+SyntaxParser::Parsed SyntaxParser::polynomial_of(const Token& token, int degree) {
+    static constexpr std::array<std::array<std::string_view, 3>, 3> others{
+        {{"P", "legendre", "Legendre"},
+         {"H", "hermite", "Hermite"},
+         {"L", "laguerre", "Laguerre"}}};
+    const auto* const found =
+        std::ranges::find_if(others, [&](const auto& other) { return other[0] == token.text; });
+    if (found == others.end()) return chebyshev(token, degree);
+    const Token& opener = next();
+    const List values = arguments();
+    if (!values || !close(opener)) return std::nullopt;
+    const std::string name = full_name(token);
+    tree_.notes.add(token.offset, filled(tr("{0} is {1}'s polynomial; for a product type {2}"),
+                                         {name, (*found)[2], name + "*(...)"}));
+    const SyntaxId count = add(SyntaxKind::Number, token.offset, {}, {}, std::to_string(degree));
+    return add_call(*find_function((*found)[1]), token.offset, {count, values->front()});
 }
 
 /// Reads T_n(a) or U_n(a) as a polynomial: p(n + 1) = 2 a p(n) - p(n - 1), from 1 and a or 2 a on.

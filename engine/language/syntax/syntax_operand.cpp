@@ -120,8 +120,8 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
-    if (const auto degree = chebyshev_degree(full); degree && is_chebyshev(at_ - 1, *degree))
-        return chebyshev(token, *degree);
+    if (const auto degree = polynomial_degree(full); degree && is_polynomial(at_ - 1, *degree))
+        return polynomial_of(token, *degree);
     if (called && !defined && !is_letter_name) return refuse_call(token, full);
     note_product(token, full);
     return add(SyntaxKind::Name, token.offset, {}, {}, name_in_branch(full));

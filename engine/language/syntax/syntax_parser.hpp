@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -139,8 +140,10 @@ private:
     Parsed radical(const Token& token);
     Parsed part();
     Parsed call(const Token& token, const Function& function);
-    [[nodiscard]] bool is_chebyshev(std::size_t at, int degree);
+    [[nodiscard]] bool is_polynomial(std::size_t at, int degree);
+    [[nodiscard]] bool has_one_argument(std::size_t opener) const;
     Parsed chebyshev(const Token& token, int degree);
+    Parsed polynomial_of(const Token& token, int degree);
     SyntaxId polynomial(std::size_t offset, const std::string& name,
                         std::span<const long long> coefficients);
     void note_base(const Token& token, const std::vector<SyntaxId>& values);
@@ -200,8 +203,8 @@ private:
     std::size_t branch_ = 0;           ///< branches of a body that are being read
     /// The branches that declare a name, the innermost last, each by the branches around it.
     NameMap<std::vector<std::size_t>> names_in_branches_;
-    std::optional<bool> calls_chebyshev_;  ///< whether T_n or U_n with n >= 2 is called
-    int steps_read_ = 0;                   ///< steps of a body, each as often as it was read
+    std::map<char, bool> calls_polynomial_;  ///< whether P_n with n >= 2 is called, by the letter
+    int steps_read_ = 0;                     ///< steps of a body, each as often as it was read
 };
 
 }  // namespace zeroset

@@ -17,6 +17,7 @@ std::optional<std::array<NodeId, 3>> BuiltValue::point() const {
 }
 
 std::string BuiltValue::described() const {
+    if (is_complex()) return tr("a complex number");
     const std::string count = std::to_string(size());
     if (is_vector()) return filled(tr("a vector of {0} numbers"), {count});
     return is_list() ? filled(tr("a list of {0}"), {count}) : tr("a number");

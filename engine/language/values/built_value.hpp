@@ -16,8 +16,9 @@ namespace zeroset {
 struct BuiltValue {
     enum class Kind : std::uint8_t {
         Single,
-        Vector,  ///< 2 to 4 numbers: (x, y, z)
-        List,    ///< any number of numbers or vectors: [1, 2, 3]
+        Complex,  ///< 2 numbers: the real part and the imaginary one
+        Vector,   ///< 2 to 4 numbers: (x, y, z)
+        List,     ///< any number of numbers or vectors: [1, 2, 3]
     };
 
     NodeId id = 0;
@@ -26,6 +27,9 @@ struct BuiltValue {
     std::shared_ptr<const std::vector<BuiltValue>> parts{};  ///< nullptr: a single one
 
     static BuiltValue of_parts(Kind kind, std::vector<BuiltValue> parts);
+    static BuiltValue complex(NodeId re, NodeId im) {
+        return of_parts(Kind::Complex, {{.id = re}, {.id = im}});
+    }
     static BuiltValue vector(std::vector<BuiltValue> numbers) {
         return of_parts(Kind::Vector, std::move(numbers));
     }
@@ -34,6 +38,7 @@ struct BuiltValue {
     }
 
     [[nodiscard]] bool is_single() const { return kind == Kind::Single; }
+    [[nodiscard]] bool is_complex() const { return kind == Kind::Complex; }
     [[nodiscard]] bool is_vector() const { return kind == Kind::Vector; }
     [[nodiscard]] bool is_list() const { return kind == Kind::List; }
     /// Number of parts; 1 for a single value.

@@ -2,6 +2,7 @@
 
 #include "engine/algebra/facts.hpp"
 #include "engine/language/values/built_value.hpp"
+#include "engine/language/values/complex_functions.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 
@@ -87,6 +88,16 @@ public:
     /// The error for p[1], which is no product where p is a vector or a list.
     std::nullopt_t refuse_index(const BuiltValue& of, std::size_t offset);
 
+    // Complex numbers (graph_values_complex.cpp).
+    Built complex(const ComplexNodes& number, std::size_t offset);
+    /// A function of numbers some of which are complex, or one that asks for something of a complex
+    /// number.
+    Built complex_call(const Function& function, const BuiltValues& values, std::size_t offset);
+    /// Makes numbers complex where another one of them is, so that `mapped` takes part by part.
+    void make_alike(std::span<BuiltValue> values);
+    /// Keeps the error that a complex number stands where a real one is wanted.
+    std::nullopt_t refuse_complex(std::size_t offset);
+
     // Truth values (graph_values_conditions.cpp).
     /// A single value as a number: a condition as 1 where it holds, 0 elsewhere, with a note.
     Number number_of(const BuiltValue& value, std::size_t offset);
@@ -98,6 +109,9 @@ public:
 private:
     [[nodiscard]] bool divides_by_zero(const Node& node) const;
     Built sizes_differ(const BuiltValue& a, const BuiltValue& b, std::size_t offset);
+    ComplexNodes nodes_of(const BuiltValue& value);
+    Built complex_combined(const BuiltValue& a, const BuiltValue& b, std::size_t offset,
+                           Binary make);
     bool numbers_of(const BuiltValue& value, std::size_t offset, std::vector<NodeId>& numbers);
     Number equality(const BuiltValue& left, const BuiltValue& right, std::size_t offset);
     Number same_truth(const BuiltValue& condition, const BuiltValue& other);

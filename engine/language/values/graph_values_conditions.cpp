@@ -8,6 +8,7 @@
 namespace zeroset {
 
 GraphValues::Number GraphValues::number_of(const BuiltValue& value, std::size_t offset) {
+    if (value.is_complex()) return refuse_complex(offset);
     if (!value.is_single()) {
         return fail(offset, filled(tr("a number is wanted here, not {0}"), {value.described()}),
                     value.is_vector() ? tr("type its length(...), or a part of it such as p.x")

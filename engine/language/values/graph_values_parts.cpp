@@ -52,6 +52,7 @@ GraphValues::Built GraphValues::mapped(std::span<const BuiltValue> values, std::
 GraphValues::Built GraphValues::combined(const BuiltValue& a, const BuiltValue& b,
                                          std::size_t offset, Binary make) {
     if (a.is_single() && b.is_single()) return done(make(builder_, a.id, b.id), offset);
+    if (a.is_complex() || b.is_complex()) return complex_combined(a, b, offset, make);
     return mapped(std::array{a, b}, offset,
                   [&](std::span<const NodeId> of) { return make(builder_, of[0], of[1]); });
 }

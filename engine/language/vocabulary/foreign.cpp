@@ -67,12 +67,6 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
                           .reason = filled(tr("matrices are not read: {0}"), {quoted(name)}),
                           .hint = tr("to turn a point type rotate(p, axis, angle)")};
     }
-    if (is_one_of(name, {"Re", "Im", "Conjugate", "conj"})) {
-        return ParseError{
-            .offset = offset,
-            .reason = filled(tr("complex numbers are not read: {0}"), {quoted(name)}),
-            .hint = filled(tr("type the real formula, such as {0}"), {"x^3 - 3 x y^2"})};
-    }
     constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
     const bool is_noise =
         std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||

@@ -72,6 +72,25 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"soft_objects", "blobs"},
     {"metaball", "metaballs"},
     {"surd", "root"},
+    {"real", "Re"},
+    {"imag", "Im"},
+    {"Arg", "arg"},
+    {"Conjugate", "conj"},
+    {"conjugate", "conj"},
+    {"LegendreP", "legendre"},
+    {"legendreP", "legendre"},
+    {"eval_legendre", "legendre"},
+    {"HermiteH", "hermite"},
+    {"hermiteH", "hermite"},
+    {"eval_hermite", "hermite"},
+    {"LaguerreL", "laguerre"},
+    {"laguerreL", "laguerre"},
+    {"eval_laguerre", "laguerre"},
+    {"ChebyshevT", "chebyshev"},
+    {"chebyshevT", "chebyshev"},
+    {"eval_chebyt", "chebyshev"},
+    {"SphericalHarmonicY", "spherical_harmonic"},
+    {"sph_harm_y", "spherical_harmonic"},
     {"√", "sqrt"},
     {"∛", "cbrt"},
 };
@@ -152,6 +171,17 @@ std::vector<Function> make_table() {
                      .section = WordSection::Noise});
 #include "engine/language/vocabulary/noises.def"
 #undef ZEROSET_NOISE
+#define ZEROSET_WRITTEN(part, id, word, fewest, greatest, list, about) \
+    table.push_back({.name = (word),                                   \
+                     .least = (fewest),                                \
+                     .most = (greatest),                               \
+                     .arguments = (list),                              \
+                     .meaning = (about),                               \
+                     .op = std::nullopt,                               \
+                     .composed = Composed::id,                         \
+                     .section = WordSection::part});
+#include "engine/language/vocabulary/written_out.def"
+#undef ZEROSET_WRITTEN
     return table;
 }
 

@@ -230,7 +230,16 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Turbulence:
         case Composed::Blobs:
         case Composed::Metaballs:
-        case Composed::Blinn: break;
+        case Composed::Blinn:
+        case Composed::RealPart:
+        case Composed::ImaginaryPart:
+        case Composed::Argument:
+        case Composed::Conjugate:
+        case Composed::Legendre:
+        case Composed::Hermite:
+        case Composed::Laguerre:
+        case Composed::Chebyshev:
+        case Composed::Harmonic: break;
     }
     assert(false);  // the elaborator writes these functions out
     return a[0];

@@ -58,7 +58,7 @@ bool is_known_by_name(std::string_view name) {
     constexpr std::array<std::string_view, 14> names{"erf",     "erfc", "erfi", "gamma", "Gamma",
                                                      "lgamma",  "zeta", "beta", "Beta",  "Ai",
                                                      "digamma", "Bi",   "Si",   "Ci"};
-    return std::ranges::find(names, name) != names.end() || chebyshev_degree(name);
+    return std::ranges::find(names, name) != names.end() || polynomial_degree(name);
 }
 
 /// Whether a function's value has a coordinate in it, but none of its arguments, which are
@@ -77,9 +77,11 @@ bool relates_coordinates(const Candidate& candidate) {
 
 }  // namespace
 
-std::optional<int> chebyshev_degree(std::string_view plain_name) {
+std::optional<int> polynomial_degree(std::string_view plain_name) {
     constexpr int highest = 20;  // its coefficients are exact
-    if (!plain_name.starts_with("T_") && !plain_name.starts_with("U_")) return std::nullopt;
+    if (plain_name.size() < 3 || plain_name[1] != '_' ||
+        !std::string_view("TUPHL").contains(plain_name[0]))
+        return std::nullopt;
     const std::string digits(plain_name.substr(2));
     const bool is_number =
         !digits.empty() && digits.size() <= 2 && std::ranges::all_of(digits, is_digit);

@@ -20,8 +20,9 @@ bool is_type_word(std::string_view word);
 /// Whether the word belongs to a declaration of what follows: `float a`, `in vec3 p`.
 bool declares(const Token& word, const Token& next);
 
-/// The degree n of T_n and U_n, Chebyshev's polynomials, as far as these are read.
-std::optional<int> chebyshev_degree(std::string_view plain_name);
+/// The degree n of T_n and U_n, Chebyshev's polynomials, and of P_n, H_n and L_n, those of
+/// Legendre, Hermite and Laguerre, as far as these are read.
+std::optional<int> polynomial_degree(std::string_view plain_name);
 
 /// The form of a name in which it is looked up: c_12 for c_{12} and c₁₂, theta1 for θ1.
 std::string plain_name(std::string_view run);
