@@ -13,7 +13,7 @@
 namespace zeroset::test::extent_search_test {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
+constexpr auto patience = std::chrono::minutes(10);
 
 bool comes_to_an_end(const ExtentSearch& search) {
     const auto end = std::chrono::steady_clock::now() + patience;

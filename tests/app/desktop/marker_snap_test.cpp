@@ -14,7 +14,7 @@
 namespace zeroset::test::marker_snap_test {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
+constexpr auto patience = std::chrono::minutes(10);
 
 class MarkerSnaps : public testing::Test {
 protected:

@@ -21,7 +21,7 @@
 namespace zeroset::test::picture_feed_test {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
+constexpr auto patience = std::chrono::minutes(10);
 
 Document with_text(const std::string& text) {
     Document document = empty_document();

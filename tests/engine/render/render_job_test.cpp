@@ -22,7 +22,7 @@
 namespace zeroset::test::render_job_test {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);
+constexpr auto patience = std::chrono::minutes(10);
 
 RenderRequest request_for(std::string_view text, int width, int height) {
     RenderRequest request;
