@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 // The encoding of DICOM (dicomstandard.org, part 5, section 7).
 
 namespace zeroset {
 namespace {
 
-constexpr std::size_t preamble = 132;
+constexpr std::size_t preamble = 128;
+constexpr std::string_view mark = "DICM";
 constexpr DicomTag syntax_tag = 0x00020010;
 constexpr DicomTag float_pixel_data = 0x7fe00008;
 constexpr DicomTag double_pixel_data = 0x7fe00009;
@@ -25,6 +27,12 @@ constexpr DicomTag item_end = 0xfffee00d;
 constexpr DicomTag sequence_end = 0xfffee0dd;
 constexpr std::uint32_t undefined_length = 0xffffffff;
 
+constexpr const char* implicit_syntax = "1.2.840.10008.1.2";
+constexpr const char* explicit_syntax = "1.2.840.10008.1.2.1";
+
+/// Types of the elements that a file without a preamble may begin with.
+constexpr std::array first_types{"UL", "OB", "CS", "DA", "UI"};
+
 /// Types whose lengths have 32 bits.
 constexpr std::array long_types{"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
                                 "SV", "UC", "UN", "UR", "UT", "UV"};
@@ -34,42 +42,17 @@ struct Encoding {
     bool big_endian = false;
 };
 
+bool has_mark(std::string_view bytes) {
+    return bytes.size() >= preamble && bytes.substr(preamble).starts_with(mark);
+}
+
 class Reader {
 public:
     explicit Reader(std::string_view bytes) : bytes_(bytes) {}
 
-    Expected<DicomElements> read(DeflatedPart part) {
-        at_ = preamble;
-        Encoding encoding;
-        while (const auto head = next(encoding)) {
-            if (head->tag >> 16U != 2) {
-                at_ = head->start;
-                break;
-            }
-            if (!take(*head)) return damaged();
-        }
-        found_.transfer_syntax = found_.text(bytes_, syntax_tag);
-        encoding = {.explicit_types = found_.transfer_syntax != "1.2.840.10008.1.2",
-                    .big_endian = found_.transfer_syntax == "1.2.840.10008.1.2.2"};
-        found_.big_endian = encoding.big_endian;
-        if (found_.transfer_syntax == "1.2.840.10008.1.2.1.99" && part == DeflatedPart::Packed) {
-            found_.deflated_from = at_;
-            return found_;
-        }
-        while (at_ < bytes_.size()) {
-            const auto head = next(encoding);
-            if (!head) return damaged();
-            if (head->tag == pixel_data) {
-                found_.elements[pixel_data] = {
-                    .offset = at_,
-                    .length = std::min<std::size_t>(head->length, bytes_.size() - at_)};
-                return found_;
-            }
-            if (head->tag == float_pixel_data || head->tag == double_pixel_data)
-                return std::unexpected("its samples are no whole numbers, but floats");
-            if (!take_any(*head, encoding)) return damaged();
-        }
-        return std::unexpected("it ends before its samples");
+    DicomElements read(DeflatedPart part) && {
+        found_.problem = read_all(part);
+        return std::move(found_);
     }
 
 private:
@@ -80,8 +63,50 @@ private:
         bool unknown_type;  ///< "UN"
     };
 
-    static std::unexpected<std::string> damaged() {
-        return std::unexpected(std::string("its header is damaged or cut off"));
+    /// Why it was read no further, or nothing.
+    std::string read_all(DeflatedPart part) {
+        constexpr const char* damaged = "its header is damaged or cut off";
+        if (!starts_as_dicom(bytes_)) return "it ends before its header";
+        at_ = has_mark(bytes_) ? preamble + mark.size() : 0;
+        Encoding encoding;
+        while (const auto head = next(encoding)) {
+            if (head->tag >> 16U != 2) {
+                at_ = head->start;
+                break;
+            }
+            if (!take(*head)) return damaged;
+        }
+        found_.transfer_syntax = found_.text(bytes_, syntax_tag);
+        if (found_.transfer_syntax.empty())
+            found_.transfer_syntax = has_type(at_) ? explicit_syntax : implicit_syntax;
+        encoding = {.explicit_types = found_.transfer_syntax != implicit_syntax,
+                    .big_endian = found_.transfer_syntax == "1.2.840.10008.1.2.2"};
+        found_.big_endian = encoding.big_endian;
+        if (found_.transfer_syntax == "1.2.840.10008.1.2.1.99" && part == DeflatedPart::Packed) {
+            found_.deflated_from = at_;
+            return {};
+        }
+        while (at_ < bytes_.size()) {
+            const auto head = next(encoding);
+            if (!head) return damaged;
+            if (head->tag == pixel_data) {
+                found_.elements[pixel_data] = {
+                    .offset = at_,
+                    .length = std::min<std::size_t>(head->length, bytes_.size() - at_)};
+                return {};
+            }
+            if (head->tag == float_pixel_data || head->tag == double_pixel_data)
+                return "its samples are no whole numbers, but floats";
+            if (!take_any(*head, encoding)) return damaged;
+        }
+        return {};
+    }
+    /// Whether the element there has a type of two capitals.
+    [[nodiscard]] bool has_type(std::size_t at) const {
+        constexpr std::size_t tag_bytes = 4;
+        const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+        return bytes_.size() - at >= tag_bytes + 2 && is_capital(bytes_[at + tag_bytes]) &&
+               is_capital(bytes_[at + tag_bytes + 1]);
     }
     template <class Number>
     std::optional<Number> number(bool big_endian) {
@@ -234,9 +259,25 @@ int DicomElements::number(std::string_view bytes, DicomTag tag, int otherwise) c
     return number_at<std::uint16_t>(bytes, found->second.offset, big_endian);
 }
 
-Expected<DicomElements> read_dicom_elements(std::string_view bytes, DeflatedPart part) {
-    if (bytes.size() < preamble) return std::unexpected("it ends before its header");
+DicomElements read_dicom_elements(std::string_view bytes, DeflatedPart part) {
     return Reader(bytes).read(part);
+}
+
+bool starts_as_dicom(std::string_view start) {
+    if (has_mark(start)) return true;
+    // Without a preamble the first element is a low one of group 2, or of group 8 (the length of
+    // the group, the character set, the kind of image), with a type or with a short length.
+    constexpr std::size_t head = 8;
+    if (start.size() < head) return false;
+    const auto group = number_at<std::uint16_t>(start, 0, false);
+    const auto element = number_at<std::uint16_t>(start, 2, false);
+    const bool is_first = (group == 2 && element <= 2) || (group == 8 && element <= 0x18);
+    if (!is_first) return false;
+    const auto type = start.substr(4, 2);
+    if (std::ranges::find(first_types, type) != first_types.end()) return true;
+    constexpr std::uint32_t longest = 128;
+    const auto length = number_at<std::uint32_t>(start, 4, false);
+    return group == 8 && length > 0 && length <= longest && length % 2 == 0;
 }
 
 }  // namespace zeroset

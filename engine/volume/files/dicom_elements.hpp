@@ -28,6 +28,7 @@ struct DicomElements {
     std::string transfer_syntax;
     bool big_endian = false;
     std::size_t deflated_from = 0;  ///< where the rest of the file is packed by zlib; 0: nowhere
+    std::string problem;  ///< why it was read no further, without the file's name; or nothing
 
     [[nodiscard]] bool has(DicomTag tag) const { return elements.contains(tag); }
     /// A value's text without what fills it up; empty where it is missing. `bytes` is the file.
@@ -40,9 +41,13 @@ struct DicomElements {
 
 enum class DeflatedPart : std::uint8_t { Packed, Unpacked };
 
-/// Reads the elements of a file up to its samples, which are the last, or up to what is packed.
-/// The error is one line without the file's name. Reads no byte beyond `bytes`, whatever they are.
-Expected<DicomElements> read_dicom_elements(std::string_view bytes,
-                                            DeflatedPart part = DeflatedPart::Packed);
+/// Reads the elements of a file up to its samples, up to what is packed, or to its end where it has
+/// no samples. Reads no byte beyond `bytes`, whatever they are.
+DicomElements read_dicom_elements(std::string_view bytes, DeflatedPart part = DeflatedPart::Packed);
+
+/// Bytes that tell whether a file is one of DICOM.
+inline constexpr std::size_t dicom_start = 160;
+/// Whether a file that starts with these bytes is one of DICOM: after a preamble or without one.
+bool starts_as_dicom(std::string_view start);
 
 }  // namespace zeroset

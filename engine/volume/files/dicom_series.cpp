@@ -1,6 +1,8 @@
 // A DICOM series: files of one slice or several each, in a folder (dicomstandard.org, part 3,
 // C.7.6).
 
+#include "engine/base/printable.hpp"
+#include "engine/volume/files/dicom_folder.hpp"
 #include "engine/volume/files/dicom_slice.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/volume_file.hpp"
@@ -23,58 +25,47 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-std::string named(const std::filesystem::path& file) {
-    return "'" + file.filename().string() + "' of the series: ";
-}
-
-/// The slices of one series: that of the file, or the only one in the folder.
-Expected<std::vector<DicomSlice>> slices_of(const std::filesystem::path& path) {
-    std::error_code error;
-    const bool whole = std::filesystem::is_directory(path, error);
-    std::string wanted;
-    if (!whole) {
-        const auto own = read_dicom_header(path);
-        if (!own) return std::unexpected(own.error());
-        wanted = own->front().series;
-    }
-    std::vector<DicomSlice> slices;
-    std::set<std::string> series;
-    const std::filesystem::path folder = whole ? path : path.parent_path();
-    for (const auto& entry : std::filesystem::directory_iterator(
-             folder.empty() ? std::filesystem::path(".") : folder, error)) {
-        if (!entry.is_regular_file(error) || !is_dicom_file(entry.path())) continue;
-        auto of_file = read_dicom_header(entry.path());
-        if (!of_file) return std::unexpected(named(entry.path()) + of_file.error());
-        if (!whole && of_file->front().series != wanted) continue;
-        series.insert(of_file->front().series);
-        std::ranges::move(*of_file, std::back_inserter(slices));
-    }
-    if (slices.empty()) return std::unexpected("it holds no DICOM file");
-    if (series.size() > 1) {
-        return std::unexpected("it holds " + std::to_string(series.size()) +
-                               " series: name a file of one of them, as '" +
-                               slices.front().file.filename().string() + "'");
-    }
-    return slices;
-}
-
 bool are_near(const Vector& a, const Vector& b) {
     constexpr double most = 1e-3;
     return std::abs(a[0] - b[0]) < most && std::abs(a[1] - b[1]) < most &&
            std::abs(a[2] - b[2]) < most;
 }
 
+/// Whether two spacings may be one number that was rounded to two texts; those of few digits are
+/// exact rather than rounded by as much as these allow.
+bool are_one(double a, double b, double rounding) {
+    constexpr double least = 1e-6, most = 0.01;  // of the spacing
+    return std::abs(a - b) <= std::clamp(rounding, least * std::abs(a), most * std::abs(a));
+}
+
 /// The reason why the slices are no grid, or nothing.
 std::string uneven(const std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
     for (const DicomSlice& slice : slices) {
-        if (!slice.placed) return named(slice.file) + "it does not say where it lies";
+        if (!slice.placed) return of_the_series(slice.file) + "it does not say where it lies";
+        const double rounding = first.spacing_rounding + slice.spacing_rounding;
         if (!are_near(slice.along_row, first.along_row) ||
             !are_near(slice.down_column, first.down_column) ||
-            slice.row_spacing != first.row_spacing || slice.column_spacing != first.column_spacing)
-            return named(slice.file) + "it is turned or spaced otherwise than others";
+            !are_one(slice.row_spacing, first.row_spacing, rounding) ||
+            !are_one(slice.column_spacing, first.column_spacing, rounding))
+            return of_the_series(slice.file) + "it is turned or spaced otherwise than others";
     }
     return {};
+}
+
+/// How far a difference of heights along the normal may be off by the rounding of positions to
+/// their texts. Trailing zeros are left out of texts, so the longest of them tells.
+double rounding_of_gaps(const std::vector<DicomSlice>& slices, const Vector& normal) {
+    double rounding = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        double least = 0;
+        for (const DicomSlice& slice : slices) {
+            const double own = slice.position_rounding[i];
+            if (own > 0 && (least == 0 || own < least)) least = own;
+        }
+        rounding += 2 * std::abs(normal[i]) * least;
+    }
+    return rounding;
 }
 
 /// Orders the slices along their normal; what keeps them from being evenly spaced, or nothing.
@@ -83,43 +74,46 @@ std::string order(std::vector<DicomSlice>& slices) {
     const auto height = [&](const DicomSlice& slice) { return dot(normal, slice.position); };
     std::ranges::sort(slices, {}, height);
     if (slices.size() < 2) return {};
-    const double mean =
-        (height(slices.back()) - height(slices.front())) / static_cast<double>(slices.size() - 1);
-    const auto gap = [&](std::size_t k) { return height(slices[k]) - height(slices[k - 1]); };
+    std::vector<double> gaps;
+    for (std::size_t k = 1; k < slices.size(); ++k)
+        gaps.push_back(height(slices[k]) - height(slices[k - 1]));
     const auto name = [&](std::size_t k) {
         const DicomSlice& slice = slices[k];
-        const std::string file = "'" + slice.file.filename().string() + "'";
+        const std::string file = "'" + printable(slice.file.filename().string()) + "'";
         return slice.frames == 1 ? file
                                  : "slice " + std::to_string(slice.frame + 1) + " of " + file;
     };
     for (std::size_t k = 1; k < slices.size(); ++k) {
         constexpr double least = 1e-4;  // millimetres
-        if (gap(k) < least) {
+        if (gaps[k - 1] < least) {
             return "two of its slices lie at one place, as " + name(k) + " and " + name(k - 1) +
                    ": a volume has one time and one echo";
         }
     }
-    for (std::size_t k = 1; k < slices.size(); ++k) {
-        constexpr double tolerance = 0.01;
-        if (std::abs(gap(k) - mean) > tolerance * mean) {
-            return "its slices are not evenly spaced: below " + name(k) + " lie " +
-                   short_number(gap(k), 4) + " mm, elsewhere about " + short_number(mean, 4) +
-                   " mm";
-        }
-    }
-    return {};
+    std::vector<double> sorted = gaps;
+    std::ranges::sort(sorted);
+    const double usual = sorted[(sorted.size() - 1) / 2];
+    const auto off = [&](double gap) { return std::abs(gap - usual); };
+    const auto worst = std::ranges::max_element(gaps, {}, off);
+    constexpr double tolerance = 0.01;
+    const double rounding = std::min(rounding_of_gaps(slices, normal), usual / 2);
+    if (off(*worst) <= tolerance * usual + rounding) return {};
+    const auto k = static_cast<std::size_t>(worst - gaps.begin()) + 1;
+    return "its slices are not evenly spaced: below " + name(k) + " lie " +
+           short_number(*worst, 4) + " mm, elsewhere about " + short_number(usual, 4) + " mm";
 }
 
 /// From the format's axes to those of RAS.
 Geometry geometry_of(const std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
     const DicomSlice& last = slices.back();
+    const DicomSlice& spaced = *std::ranges::min_element(slices, {}, &DicomSlice::spacing_rounding);
     const double steps = std::max<double>(1, static_cast<double>(slices.size()) - 1);
     Geometry geometry;
     for (std::size_t r = 0; r < 3; ++r) {
         const double sign = r < 2 ? -1 : 1;
-        geometry.world_from_index[r] = {sign * first.along_row[r] * first.column_spacing,
-                                        sign * first.down_column[r] * first.row_spacing,
+        geometry.world_from_index[r] = {sign * first.along_row[r] * spaced.column_spacing,
+                                        sign * first.down_column[r] * spaced.row_spacing,
                                         sign * (last.position[r] - first.position[r]) / steps};
         geometry.origin[r] = sign * first.position[r];
     }
@@ -135,20 +129,20 @@ Expected<Samples> stacked(const std::vector<DicomSlice>& slices) {
         if (!read.contains(slice.file)) {
             if (slice.frames == 1) read.clear();
             auto samples = read_dicom_samples(slice.file);
-            if (!samples) return std::unexpected(named(slice.file) + samples.error());
+            if (!samples) return std::unexpected(of_the_series(slice.file) + samples.error());
             read[slice.file] = std::move(*samples);
         }
         const Samples& samples = read[slice.file];
         if (&slice == &slices.front()) all = samples;
         if (samples.type != all.type || samples.size[0] != all.size[0] ||
             samples.size[1] != all.size[1]) {
-            return std::unexpected(named(slice.file) + "it has other sizes than others, " +
+            return std::unexpected(of_the_series(slice.file) + "it has other sizes than others, " +
                                    std::to_string(samples.size[0]) + " x " +
                                    std::to_string(samples.size[1]) + " samples of " +
                                    std::string(name_of(samples.type)));
         }
         if (slice.frame >= samples.size[2])
-            return std::unexpected(named(slice.file) + "it changed while it was read");
+            return std::unexpected(of_the_series(slice.file) + "it changed while it was read");
         const std::uint64_t each = samples.size[0] * samples.size[1] * size_of(samples.type);
         const auto* const first = static_cast<const char*>(samples.data.get()) + slice.frame * each;
         bytes->insert(bytes->end(), first, first + each);
@@ -187,7 +181,7 @@ Expected<Samples> scaled(const Samples& samples, const std::vector<DicomSlice>& 
 }  // namespace
 
 Expected<VolumeFile> read_dicom(const std::filesystem::path& path) {
-    auto slices = slices_of(path);
+    auto slices = slices_of_series(path);
     if (!slices) return std::unexpected(slices.error());
     if (auto problem = uneven(*slices); !problem.empty()) return std::unexpected(problem);
     if (auto problem = order(*slices); !problem.empty()) return std::unexpected(problem);
@@ -195,7 +189,18 @@ Expected<VolumeFile> read_dicom(const std::filesystem::path& path) {
     if (!samples) return std::unexpected(samples.error());
     const auto whole = scaled(*samples, *slices);
     if (!whole) return std::unexpected(whole.error());
-    return VolumeFile{.samples = *whole, .geometry = geometry_of(*slices)};
+    VolumeFile volume{.samples = *whole, .geometry = geometry_of(*slices)};
+    // The folder that was asked for has a stamp already.
+    std::error_code error;
+    const std::filesystem::path folder =
+        std::filesystem::is_directory(path, error) ? path : path.parent_path();
+    std::set<std::filesystem::path> others;
+    for (const DicomSlice& slice : *slices)
+        others.insert(slice.file.parent_path());
+    others.erase(folder);
+    for (const std::filesystem::path& other : others)
+        volume.sample_files.push_back(FileStamp::now(other));
+    return volume;
 }
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #include "engine/volume/files/volume_file.hpp"
 
+#include "engine/volume/files/dicom_elements.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 
@@ -107,12 +108,10 @@ bool is_dicom_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 bool is_dicom_file(const std::filesystem::path& file) {
-    constexpr std::size_t preamble = 128;
-    constexpr std::string_view mark = "DICM";
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return false;
-    const auto bytes = first_bytes(file, preamble + mark.size());
-    return bytes && bytes->size() > preamble && bytes->substr(preamble) == mark;
+    const auto start = first_bytes(file, dicom_start);
+    return start && starts_as_dicom(*start);
 }
 
 std::string known_endings() {

@@ -1,5 +1,5 @@
 #include "engine/volume/files/volume_file.hpp"
-#include "tests/support/dicom_elements.hpp"
+#include "tests/support/dicom_slice.hpp"
 #include "tests/support/sample_field.hpp"
 #include "tests/support/test_folder.hpp"
 
@@ -16,55 +16,7 @@
 namespace zeroset::test::dicom_test {
 namespace {
 
-/// A slice of 4 x 3 samples, i + 10 j + 100 k, as a file of its own.
-struct Slice {
-    int k = 0;
-    std::string series = "1.2.3.4";
-    std::string position = {};  ///< "0\0\(2 k)" where it is empty
-    std::string orientation = R"(1\0\0\0\1\0)";
-    std::string spacing = R"(3\0.5)";  ///< between rows, between columns
-    std::string slope = "1", intercept = "0";
-    bool is_signed = false;
-    int bits = 16, stored = 12;
-    int add = 0;  ///< to all samples
-    std::string frames = {};
-    std::string syntax = "1.2.840.10008.1.2.1";
-
-    [[nodiscard]] std::string samples() const {
-        std::string bytes;
-        for (int j = 0; j < 3; ++j) {
-            for (int i = 0; i < 4; ++i) {
-                const int number = i + 10 * j + 100 * k + add;
-                bytes += bits == 8 ? bytes_of(static_cast<std::uint8_t>(number))
-                                   : bytes_of(static_cast<std::uint16_t>(number));
-            }
-        }
-        return bytes;
-    }
-    [[nodiscard]] std::string bytes() const {
-        const std::string uid = "1.2.3.4.5." + std::to_string(k + 1);
-        const std::string meta = element(2, 1, "OB", std::string("\0\1", 2)) +
-                                 element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") +
-                                 element(2, 3, "UI", uid) + element(2, 0x10, "UI", syntax) +
-                                 element(2, 0x12, "UI", "1.2.3");
-        const std::string place = position.empty() ? "0\\0\\" + std::to_string(2 * k) : position;
-        return std::string(128, '\0') + "DICM" +
-               element(2, 0, "UL", bytes_of(static_cast<std::uint32_t>(meta.size()))) + meta +
-               element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", uid) +
-               element(8, 0x60, "CS", "CT") + element(0x20, 0xd, "UI", "1.2.3") +
-               element(0x20, 0xe, "UI", series) +
-               (place == "none" ? "" : element(0x20, 0x32, "DS", place)) +
-               element(0x20, 0x37, "DS", orientation) + short_element(0x28, 2, 1) +
-               element(0x28, 4, "CS", "MONOCHROME2") +
-               (frames.empty() ? "" : element(0x28, 8, "IS", frames)) +
-               short_element(0x28, 0x10, 3) + short_element(0x28, 0x11, 4) +
-               element(0x28, 0x30, "DS", spacing) + short_element(0x28, 0x100, bits) +
-               short_element(0x28, 0x101, stored) + short_element(0x28, 0x102, stored - 1) +
-               short_element(0x28, 0x103, is_signed ? 1 : 0) +
-               element(0x28, 0x1052, "DS", intercept) + element(0x28, 0x1053, "DS", slope) +
-               element(0x7fe0, 0x10, bits == 8 ? "OB" : "OW", samples());
-    }
-};
+using Slice = DicomTestSlice;
 
 class Dicom : public ::testing::Test {
 protected:
@@ -192,7 +144,7 @@ TEST_F(Dicom, WhatIsNoGridGetsItsLine) {
                               [](Slice& slice) {
                                   if (slice.k == 2) slice.position = R"(0\0\9)";
                               })),
-              "its slices are not evenly spaced: below 'IM2' lie 2 mm, elsewhere about 4.5 mm");
+              "its slices are not evenly spaced: below 'IM0' lie 7 mm, elsewhere about 2 mm");
     EXPECT_TRUE(error_of(series("twice", [](Slice& slice) {
                     if (slice.k == 2) slice.position = R"(0\0\2)";
                 })).starts_with("two of its slices lie at one place, as 'IM"));
