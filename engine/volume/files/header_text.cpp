@@ -117,6 +117,20 @@ std::string wrong_field(std::string_view name, std::string_view value, std::stri
            std::string(wanted);
 }
 
+std::string no_volume(const std::vector<std::uint64_t>& sizes) {
+    std::string text;
+    for (const std::uint64_t size : sizes)
+        text += (text.empty() ? "" : " x ") + std::to_string(size);
+    if (sizes.size() < 3) return "it is a picture of " + text + " samples, no volume";
+    return "it has " + text + " samples; a volume has three axes and one number at each point";
+}
+
+bool is_packed(const std::filesystem::path& file) {
+    constexpr std::string_view mark = "\x1f\x8b";
+    const auto start = first_bytes(file, mark.size());
+    return start && *start == mark;
+}
+
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t offset, bool big_endian) {
     std::array<char, sizeof(Number)> raw{};

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <filesystem>
 #include <optional>
@@ -49,6 +50,12 @@ std::optional<SampleType> sample_type(std::string_view name);
 
 /// "its 'NAME' is 'VALUE'; WANTED"
 std::string wrong_field(std::string_view name, std::string_view value, std::string_view wanted);
+
+/// Why a grid of these sizes is no volume: a picture, or several numbers at each point.
+std::string no_volume(const std::vector<std::uint64_t>& sizes);
+
+/// Whether a file begins as gzip's do, whatever its name says.
+bool is_packed(const std::filesystem::path& file);
 
 /// Numbers in a header of bytes.
 template <class Number>

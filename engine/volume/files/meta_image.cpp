@@ -5,8 +5,10 @@
 #include "engine/volume/files/sample_pieces.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <vector>
 
 namespace zeroset {
@@ -54,24 +56,28 @@ Expected<MetaHeader> read_meta_header(const std::string& text) {
     return std::unexpected("its header lacks ElementDataFile");
 }
 
-/// The numbers of a field, `otherwise` where it is missing.
-Expected<std::vector<double>> numbers_of(const MetaHeader& header,
+/// The numbers of a field for the first three of `axes`, in rows; `otherwise` where it is missing.
+Expected<std::vector<double>> numbers_of(const MetaHeader& header, std::size_t axes,
                                          std::initializer_list<const char*> names,
                                          std::vector<double> otherwise) {
     const std::string text = header.field(names);
     if (text.empty()) return otherwise;
     const auto numbers = numbers_in<double>(text);
-    if (!numbers || numbers->size() != otherwise.size()) {
-        return std::unexpected(wrong_field(
-            *names.begin(), text, std::to_string(otherwise.size()) + " numbers are wanted"));
+    const std::size_t wanted = otherwise.size() == 3 ? axes : axes * axes;
+    if (!numbers || numbers->size() != wanted) {
+        return std::unexpected(
+            wrong_field(*names.begin(), text, std::to_string(wanted) + " numbers are wanted"));
     }
-    return *numbers;
+    if (wanted == 3) return *numbers;
+    for (std::size_t i = 0; i < otherwise.size(); ++i)
+        otherwise[i] = (*numbers)[i / 3 * axes + i % 3];
+    return otherwise;
 }
 
-Expected<Geometry> geometry_of(const MetaHeader& header) {
-    const auto spacing = numbers_of(header, {"elementspacing", "elementsize"}, {1, 1, 1});
-    const auto origin = numbers_of(header, {"offset", "position", "origin"}, {0, 0, 0});
-    const auto turn = numbers_of(header, {"transformmatrix", "orientation", "rotation"},
+Expected<Geometry> geometry_of(const MetaHeader& header, std::size_t axes) {
+    const auto spacing = numbers_of(header, axes, {"elementspacing", "elementsize"}, {1, 1, 1});
+    const auto origin = numbers_of(header, axes, {"offset", "position", "origin"}, {0, 0, 0});
+    const auto turn = numbers_of(header, axes, {"transformmatrix", "orientation", "rotation"},
                                  {1, 0, 0, 0, 1, 0, 0, 0, 1});
     for (const auto* const numbers : {&spacing, &origin, &turn}) {
         if (!*numbers) return std::unexpected(numbers->error());
@@ -89,14 +95,23 @@ Expected<Geometry> geometry_of(const MetaHeader& header) {
     return geometry;
 }
 
-Expected<SampleBlock> block_of(const MetaHeader& header, const std::filesystem::path& file) {
+/// The samples along all axes: three, behind which others have one each.
+Expected<std::vector<std::uint64_t>> sizes_of(const MetaHeader& header) {
+    const std::string text = header.field({"dimsize"});
+    const auto sizes = numbers_in<std::uint64_t>(text);
+    if (!sizes || sizes->empty())
+        return std::unexpected(wrong_field("DimSize", text, "three whole numbers are wanted"));
+    if (sizes->size() < 3) return std::unexpected(no_volume(*sizes));
+    const bool one_each = std::ranges::all_of(*sizes | std::views::drop(3),
+                                              [](std::uint64_t size) { return size == 1; });
+    if (!one_each) return std::unexpected(no_volume(*sizes));
+    return *sizes;
+}
+
+Expected<SampleBlock> block_of(const MetaHeader& header, const std::vector<std::uint64_t>& sizes,
+                               const std::filesystem::path& file) {
     SampleBlock block{.file = file, .offset = header.end};
-    const auto sizes = numbers_in<std::uint64_t>(header.field({"dimsize"}));
-    if (!sizes || sizes->size() != 3) {
-        return std::unexpected(
-            wrong_field("DimSize", header.field({"dimsize"}), "three whole numbers are wanted"));
-    }
-    block.size = {(*sizes)[0], (*sizes)[1], (*sizes)[2]};
+    block.size = {sizes[0], sizes[1], sizes[2]};
     const std::string channels = header.field({"elementnumberofchannels"});
     if (!channels.empty() && channels != "1") {
         return std::unexpected("it has " + channels + " numbers at each point; a volume has one");
@@ -127,15 +142,13 @@ Expected<SampleBlock> at_start(const MetaHeader& header, SampleBlock block) {
 }
 
 Expected<FoundSamples> samples_of(const MetaHeader& header, const std::filesystem::path& file,
-                                  SampleBlock block) {
+                                  SampleBlock block, const std::vector<std::uint64_t>& sizes) {
     const std::string data = header.field({"elementdatafile"});
     if (lower_case(data) == "local") return read_samples_of(file, block);
     const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
-    if (names_several_files(data)) {
-        const SeveralFiles files{.field = data,
-                                 .lines = header.list,
-                                 .folder = file.parent_path(),
-                                 .sizes = {block.size.begin(), block.size.end()}};
+    if (names_several_files(data, file.parent_path())) {
+        const SeveralFiles files{
+            .field = data, .lines = header.list, .folder = file.parent_path(), .sizes = sizes};
         return read_several(files, block, started);
     }
     block.file = file.parent_path() / data;
@@ -151,11 +164,13 @@ Expected<VolumeFile> read_meta_image(const std::filesystem::path& file) {
     if (!text) return std::unexpected(text.error());
     const auto header = read_meta_header(*text);
     if (!header) return std::unexpected(header.error());
-    const auto block = block_of(*header, file);
+    const auto sizes = sizes_of(*header);
+    if (!sizes) return std::unexpected(sizes.error());
+    const auto block = block_of(*header, *sizes, file);
     if (!block) return std::unexpected(block.error());
-    const auto geometry = geometry_of(*header);
+    const auto geometry = geometry_of(*header, sizes->size());
     if (!geometry) return std::unexpected(geometry.error());
-    auto found = samples_of(*header, file, *block);
+    auto found = samples_of(*header, file, *block, *sizes);
     if (!found) return std::unexpected(found.error());
     return VolumeFile{.samples = std::move(found->samples),
                       .geometry = *geometry,

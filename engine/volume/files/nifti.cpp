@@ -1,5 +1,8 @@
-// NIfTI-1 and NIfTI-2 files, in one piece or with a header of their own (nifti.nimh.nih.gov).
+// NIfTI-1 and NIfTI-2 files, in one piece or with a header of their own (nifti.nimh.nih.gov), and
+// pairs of Analyze 7.5, which are older.
 
+#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/sample_pieces.hpp"
@@ -7,6 +10,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -15,6 +19,8 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t longest_header = 540;
+constexpr int rgb = 128;  // types of samples
+constexpr int rgba = 2304;
 
 /// Where the header's numbers stand in the two versions of the format.
 struct Layout {
@@ -81,13 +87,21 @@ public:
     [[nodiscard]] int units() const {
         return version_ == 1 ? static_cast<unsigned char>(bytes_[at().units]) : whole(at().units);
     }
-    [[nodiscard]] std::string_view magic() const {
-        return std::string_view(bytes_).substr(version_ == 1 ? 344 : 4, 3);
+    /// Whether it is of Analyze 7.5, whose header NIfTI's is made from.
+    [[nodiscard]] bool is_analyze() const { return version_ == 1 && !magic().starts_with('n'); }
+    /// Whether the samples lie in a file of their own.
+    [[nodiscard]] bool is_apart() const {
+        return is_analyze() || magic() == "ni1" || magic() == "ni2";
     }
+    /// Where samples begin at least that lie behind the header.
+    [[nodiscard]] double least_offset() const { return version_ == 1 ? 352 : 544; }
 
 private:
     NiftiHeader(std::string bytes, bool big_endian, int version)
         : bytes_(std::move(bytes)), big_endian_(big_endian), version_(version) {}
+    [[nodiscard]] std::string_view magic() const {
+        return std::string_view(bytes_).substr(version_ == 1 ? 344 : 4, 3);
+    }
 
     std::string bytes_;
     bool big_endian_;
@@ -174,8 +188,25 @@ Geometry by_spacing(const NiftiHeader& header) {
     return geometry;
 }
 
+/// Where SPM and what followed it place volumes of Analyze: x runs to the left; 0 is at the sample
+/// that is told, counted from 1, else in the middle.
+Geometry of_analyze(const NiftiHeader& header) {
+    constexpr std::size_t originator = 253;
+    Geometry geometry = by_spacing(header);
+    const bool told = header.whole(originator) != 0 || header.whole(originator + 2) != 0 ||
+                      header.whole(originator + 4) != 0;
+    geometry.world_from_index[0][0] *= -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double at = told ? header.whole(originator + 2 * i) - 1
+                               : (static_cast<double>(header.dim(i + 1)) - 1) / 2;
+        geometry.origin[i] = -at * geometry.world_from_index[i][i];
+    }
+    return geometry;
+}
+
 /// Method 3 (sform), else method 2 (qform), else method 1 of the format; in millimetres.
 Geometry geometry_of(const NiftiHeader& header) {
+    if (header.is_analyze()) return of_analyze(header);
     const Layout& at = header.at();
     Geometry geometry = header.whole(at.sform) > 0   ? by_rows(header)
                         : header.whole(at.qform) > 0 ? by_quaternion(header)
@@ -190,11 +221,43 @@ Geometry geometry_of(const NiftiHeader& header) {
     return geometry;
 }
 
+/// The other file of a pair, packed or not: the one of the same name that ends in `ending`, in
+/// capitals where the file's own ending is.
+Expected<std::filesystem::path> beside(const std::filesystem::path& file,
+                                       const std::string& ending) {
+    const bool packed = lower_case(file.extension().string()) == ".gz";
+    const std::filesystem::path plain =
+        packed ? std::filesystem::path(file).replace_extension() : file;
+    const std::string own = plain.extension().string();
+    if (lower_case(own) != ".hdr" && lower_case(own) != ".img")
+        return std::unexpected(
+            "its header says that its samples lie in a file of their own: then its name ends in "
+            ".hdr");
+    std::string other = ending;
+    if (own != lower_case(own))
+        std::ranges::transform(other, other.begin(), [](char c) {
+            return c == '.' ? c : static_cast<char>(c - 'a' + 'A');
+        });
+    std::filesystem::path wanted = plain;
+    wanted.replace_extension(other);
+    std::error_code error;
+    for (const char* const behind : {"", ".gz", ".GZ"}) {
+        const std::filesystem::path found = wanted.string() + behind;
+        if (std::filesystem::exists(found, error)) return found;
+    }
+    return std::unexpected("its other file '" + printable(wanted.filename().string()) +
+                           "' is not there, nor packed as .gz");
+}
+
 Expected<SampleBlock> block_of(const NiftiHeader& header, const std::filesystem::path& file) {
     SampleBlock block{.file = file};
-    const bool packed = file.extension() == ".gz";
-    if (packed) block.encoding = SampleEncoding::Gzip;
     const std::int64_t dimensions = header.dim(0);
+    if (dimensions == 2) {
+        const auto size = [&](std::size_t axis) {
+            return static_cast<std::uint64_t>(std::max<std::int64_t>(header.dim(axis), 0));
+        };
+        return std::unexpected(no_volume({size(1), size(2)}));
+    }
     if (dimensions < 3 || dimensions > 7)
         return std::unexpected("it has " + std::to_string(dimensions) +
                                " axes; a volume has three");
@@ -205,30 +268,46 @@ Expected<SampleBlock> block_of(const NiftiHeader& header, const std::filesystem:
             return std::unexpected(
                 "it has several volumes or numbers at each point; a volume has one");
     }
-    const auto type = type_of(header.whole(header.at().datatype));
+    const int type_code = header.whole(header.at().datatype);
+    if (type_code == rgb || type_code == rgba)
+        return std::unexpected("its samples are colors; a volume has one number at each point");
+    const auto type = type_of(type_code);
     if (!type) {
-        return std::unexpected("its samples are of type " +
-                               std::to_string(header.whole(header.at().datatype)) +
+        return std::unexpected("its samples are of type " + std::to_string(type_code) +
                                " of the format; only single numbers of up to 64 bits are read");
     }
     block.type = *type;
     block.big_endian = header.big_endian();
-    const bool apart = header.magic() == "ni1" || header.magic() == "ni2";
-    const double offset = header.vox_offset();
+    double offset = header.vox_offset();
     if (!(offset >= 0) || offset > 1e15)
         return std::unexpected("its 'vox_offset' is no place in it");
+    if (header.is_apart()) {
+        const auto samples = beside(file, ".img");
+        if (!samples) return std::unexpected(samples.error());
+        block.file = *samples;
+    } else if (offset == 0) {
+        offset = header.least_offset();  // where the standard has them begin that it is left out of
+    } else if (offset < header.least_offset()) {
+        return std::unexpected("its 'vox_offset' is " + short_number(offset) +
+                               "; behind its header samples begin at " +
+                               short_number(header.least_offset()));
+    }
+    const bool packed = is_packed(block.file);
+    if (packed) block.encoding = SampleEncoding::Gzip;
     (packed ? block.skip_unpacked : block.offset) = static_cast<std::uint64_t>(offset);
-    if (!apart) return block;
-    std::string name = file.string();
-    const std::size_t place = name.rfind(".hdr");
-    if (place == std::string::npos) return std::unexpected("its header says that it ends in .hdr");
-    block.file = name.replace(place, 4, ".img");
     return block;
 }
 
 }  // namespace
 
-Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
+Expected<VolumeFile> read_nifti(const std::filesystem::path& asked) {
+    std::filesystem::path file = asked;
+    if (const std::string name = lower_case(asked.filename().string());
+        name.ends_with(".img") || name.ends_with(".img.gz")) {
+        const auto header_file = beside(asked, ".hdr");
+        if (!header_file) return std::unexpected(header_file.error());
+        file = *header_file;
+    }
     auto bytes = unpacked_start(file);
     if (!bytes) return std::unexpected(bytes.error());
     const auto header = NiftiHeader::read(std::move(*bytes));
@@ -237,11 +316,12 @@ Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
     if (!block) return std::unexpected(block.error());
     auto found = read_samples_of(file, *block);
     if (!found) return std::unexpected(found.error());
+    if (file != asked) found->files.push_back(FileStamp::now(file));
     VolumeFile volume{.samples = std::move(found->samples),
                       .geometry = geometry_of(*header),
                       .sample_files = std::move(found->files)};
     const double slope = header->real(header->at().slope);
-    const double shift = header->real(header->at().inter);
+    const double shift = header->is_analyze() ? 0 : header->real(header->at().inter);
     const bool scales = slope != 0 && std::isfinite(slope) && std::isfinite(shift);
     if (!scales || (slope == 1 && shift == 0)) return volume;
     const auto scaled = rescaled(volume.samples, slope, shift);

@@ -1,5 +1,6 @@
 // NRRD and NHDR files (teem.sourceforge.net/nrrd/format.html).
 
+#include "engine/base/printable.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/sample_pieces.hpp"
@@ -106,30 +107,53 @@ Expected<std::array<std::size_t, 3>> grid_axes(const std::vector<std::uint64_t>&
         if (sizes.size() == 3 || sizes[i] != 1) axes.push_back(i);
     }
     if (axes.size() == 3) return std::array{axes[0], axes[1], axes[2]};
-    std::string text;
-    for (const std::uint64_t size : sizes)
-        text += (text.empty() ? "" : " x ") + std::to_string(size);
-    return std::unexpected("it has " + text +
-                           " samples; a volume has three axes and one number at "
-                           "each point");
+    return std::unexpected(no_volume(sizes));
 }
 
-/// The spacings and first places of axes without directions.
+/// Why an axis of the grid is none of a volume, but holds the numbers at each point; or nothing.
+std::string wrong_kind(const NrrdHeader& header, const std::array<std::size_t, 3>& axes) {
+    constexpr std::array in_space{"domain", "space", "time", "none", "???"};
+    const std::string text = header.field("kinds");
+    const auto kinds = words_of(text);
+    for (const std::size_t axis : axes) {
+        if (axis >= kinds.size()) continue;
+        const std::string kind = lower_case(kinds[axis]);
+        if (std::ranges::find(in_space, kind) != in_space.end()) continue;
+        const bool is_color = kind.contains("color");
+        return std::string(is_color ? "it is a picture in colors" : "it is a picture") +
+               ", no volume: its axis " + std::to_string(axis + 1) + " is of kind '" +
+               printable(kinds[axis]) + "'";
+    }
+    return {};
+}
+
+/// The spacings and first places of axes without directions. Between an axis's two ends lie as many
+/// cells as it has samples, which are in their middles, unless its center is said to be "node".
 void take_spacings(const NrrdHeader& header, const std::array<std::size_t, 3>& axes,
-                   std::size_t dimension, Geometry& geometry) {
+                   const std::vector<std::uint64_t>& sizes, Geometry& geometry) {
     const std::string spacing_text = header.field("spacings");
     const std::string min_text = header.field("axis mins", "axismins");
-    const auto spacings = words_of(spacing_text);
-    const auto mins = words_of(min_text);
-    const auto number = [&](const std::vector<std::string_view>& words, std::size_t axis,
-                            double otherwise) {
-        if (words.size() != dimension) return otherwise;
-        const double value = number_from<double>(words[axis]).value_or(otherwise);
-        return std::isfinite(value) ? value : otherwise;
+    const std::string max_text = header.field("axis maxs", "axismaxs");
+    const std::string center_text = lower_case(header.field("centers", "centerings"));
+    const auto centers = words_of(center_text);
+    const auto number = [&](const std::string& text, std::size_t axis) -> std::optional<double> {
+        const auto words = words_of(text);
+        if (words.size() != sizes.size()) return std::nullopt;
+        const auto value = number_from<double>(words[axis]);
+        return value && std::isfinite(*value) ? value : std::nullopt;
     };
     for (std::size_t i = 0; i < 3; ++i) {
-        geometry.world_from_index[i][i] = number(spacings, axes[i], 1.0);
-        geometry.origin[i] = number(mins, axes[i], 0.0);
+        const std::size_t axis = axes[i];
+        const auto spacing = number(spacing_text, axis);
+        const auto min = number(min_text, axis);
+        const auto max = number(max_text, axis);
+        const std::string_view center = axis < centers.size() ? centers[axis] : std::string_view();
+        const auto cells = static_cast<double>(sizes[axis]) - (center == "node" ? 1 : 0);
+        const bool by_ends = !spacing && min && max && *min != *max && cells > 0;
+        double& step = geometry.world_from_index[i][i];
+        step = by_ends ? (*max - *min) / cells : spacing.value_or(1.0);
+        const bool in_middle = min && (center == "cell" || (by_ends && center != "node"));
+        geometry.origin[i] = min.value_or(0.0) + (in_middle ? step / 2 : 0);
     }
 }
 
@@ -148,7 +172,7 @@ bool take_directions(const std::string& directions, const std::array<std::size_t
 }
 
 Expected<Geometry> geometry_of(const NrrdHeader& header, const std::array<std::size_t, 3>& axes,
-                               std::size_t dimension) {
+                               const std::vector<std::uint64_t>& sizes) {
     Geometry geometry;
     const std::string directions = header.field("space directions");
     const auto signs = signs_of(header.field("space"));
@@ -158,8 +182,8 @@ Expected<Geometry> geometry_of(const NrrdHeader& header, const std::array<std::s
                                            "left-anterior-superior, left-posterior-superior"));
     }
     if (!directions.contains('(')) {  // Teem writes "none" for each axis that has a spacing
-        take_spacings(header, axes, dimension, geometry);
-    } else if (!take_directions(directions, axes, dimension, geometry)) {
+        take_spacings(header, axes, sizes, geometry);
+    } else if (!take_directions(directions, axes, sizes.size(), geometry)) {
         return std::unexpected(wrong_field("space directions", directions,
                                            "a volume has three vectors of three numbers"));
     }
@@ -244,7 +268,7 @@ Expected<FoundSamples> samples_of(const NrrdHeader& header, const std::filesyste
                                   SampleBlock block, const std::vector<std::uint64_t>& sizes) {
     const std::string data = header.field("data file", "datafile");
     const auto started = [&](const SampleBlock& piece) { return at_start(header, piece); };
-    if (names_several_files(data)) {
+    if (names_several_files(data, file.parent_path())) {
         const SeveralFiles files{
             .field = data, .lines = header.list, .folder = file.parent_path(), .sizes = sizes};
         return read_several(files, block, started);
@@ -271,7 +295,9 @@ Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
         return std::unexpected(wrong_field("sizes", sizes_text, "whole numbers are wanted"));
     const auto axes = grid_axes(*sizes);
     if (!axes) return std::unexpected(axes.error());
-    const auto geometry = geometry_of(*header, *axes, sizes->size());
+    if (auto problem = wrong_kind(*header, *axes); !problem.empty())
+        return std::unexpected(problem);
+    const auto geometry = geometry_of(*header, *axes, *sizes);
     if (!geometry) return std::unexpected(geometry.error());
     auto block = block_of(*header, file);
     if (!block) return std::unexpected(block.error());

@@ -185,8 +185,10 @@ Expected<Samples> joined_samples(const std::vector<SampleBlock>& pieces, const G
 
 }  // namespace
 
-bool names_several_files(std::string_view field) {
-    return field.starts_with(list_word) || field.contains('%');
+bool names_several_files(std::string_view field, const std::filesystem::path& folder) {
+    if (field.starts_with(list_word)) return true;
+    std::error_code error;
+    return field.contains('%') && !std::filesystem::exists(folder / field, error);
 }
 
 Expected<FoundSamples> read_samples_of(const std::filesystem::path& header,

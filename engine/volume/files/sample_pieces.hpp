@@ -14,8 +14,9 @@
 
 namespace zeroset {
 
-/// Whether a header's field names several files: "LIST", or a name with a number to count.
-bool names_several_files(std::string_view field);
+/// Whether a header's field names several files in its folder: "LIST", or a name with a number to
+/// count; a file of that very name is one.
+bool names_several_files(std::string_view field, const std::filesystem::path& folder);
 
 /// Samples, and the files beside the header's that hold them.
 struct FoundSamples {

@@ -28,6 +28,9 @@ constexpr std::array formats{Format{.ending = ".nrrd", .read = read_nrrd},
                              Format{.ending = ".nii", .read = read_nifti},
                              Format{.ending = ".nii.gz", .read = read_nifti},
                              Format{.ending = ".hdr", .read = read_nifti},
+                             Format{.ending = ".hdr.gz", .read = read_nifti},
+                             Format{.ending = ".img", .read = read_nifti},
+                             Format{.ending = ".img.gz", .read = read_nifti},
                              Format{.ending = ".vti", .read = read_vtk_image}};
 
 const Format* format_of(const std::filesystem::path& file) {
@@ -42,7 +45,11 @@ ReadFile read_raw(const std::filesystem::path& file, const RawLayout& layout) {
     block.type = layout.type;
     block.big_endian = layout.big_endian;
     block.size = *layout.size;
-    if (file.extension() == ".gz") {
+    // The first bytes of samples may look like gzip's, but then there are enough of them.
+    std::error_code error;
+    const auto needed = bytes_of(block.size, block.type);
+    if (is_packed(file) && (lower_case(file.extension().string()) == ".gz" || !needed ||
+                            std::filesystem::file_size(file, error) < *needed)) {
         block.encoding = SampleEncoding::Gzip;
         block.skip_unpacked = std::exchange(block.offset, 0);
     }

@@ -1,6 +1,8 @@
 // VTI, the image data of VTK in XML
 // (docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html).
 
+#include "engine/volume/files/base64.hpp"
+#include "engine/volume/files/grid_pieces.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/volume_file.hpp"
@@ -45,26 +47,6 @@ Expected<VtkText> read_text(const std::filesystem::path& file) {
     return result;
 }
 
-/// The bytes of base64 up to the first character that is none; nothing where it is cut.
-std::optional<std::string> from_base64(std::string_view text) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        if (c == '=') break;
-        const std::size_t digit = digits.find(c);
-        if (digit == std::string_view::npos) return std::nullopt;
-        bits = bits << 6U | static_cast<std::uint32_t>(digit);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> static_cast<unsigned>(count) & 0xFFU);
-    }
-    return bytes;
-}
-
 /// How an array's bytes are written.
 struct Coding {
     bool big_endian = false;
@@ -82,25 +64,26 @@ struct Coding {
 
 constexpr const char* damaged = "its data are damaged or cut off";
 
-/// The bytes of an array of base64: with a header that tells its length, or in packed blocks.
+/// The bytes of an array of base64, behind the header that tells their length unless that is of
+/// packed blocks. The header is encoded with them or apart.
 Expected<std::string> decoded(std::string_view text, const Coding& coding) {
-    text = without_spaces(text);
-    const auto encoded = [](std::size_t bytes) { return (bytes + 2) / 3 * 4; };
-    if (!coding.packed) {
-        auto bytes = from_base64(text);
-        if (!bytes || bytes->size() < coding.width()) return std::unexpected(damaged);
-        return bytes->substr(coding.width());
+    auto bytes = from_base64(text);
+    if (!bytes || bytes->size() < coding.width()) return std::unexpected(damaged);
+    return coding.packed ? std::move(*bytes) : bytes->substr(coding.width());
+}
+
+/// The first and last points along the axes that an attribute tells.
+Expected<Extent> extent_in(const pugi::xml_node& node, const char* name) {
+    const auto numbers = numbers_in<std::int64_t>(node.attribute(name).value());
+    constexpr std::int64_t most = std::int64_t{1} << 40;
+    const auto is_place = [](std::int64_t place) { return place > -most && place < most; };
+    if (!numbers || numbers->size() != 6 || !std::ranges::all_of(*numbers, is_place)) {
+        return std::unexpected(
+            wrong_field(name, node.attribute(name).value(), "six whole numbers are wanted"));
     }
-    const auto start = from_base64(text.substr(0, encoded(3 * coding.width())));
-    if (!start || start->size() < coding.width()) return std::unexpected(damaged);
-    const std::uint64_t blocks = coding.number(*start, 0);
-    if (blocks > text.size()) return std::unexpected(damaged);
-    const std::size_t header = encoded((3 + blocks) * coding.width());
-    if (header > text.size()) return std::unexpected(damaged);
-    const auto sizes = from_base64(text.substr(0, header));
-    const auto data = from_base64(text.substr(header));
-    if (!sizes || !data) return std::unexpected(damaged);
-    return *sizes + *data;
+    Extent extent{};
+    std::ranges::copy(*numbers, extent.begin());
+    return extent;
 }
 
 class VtkImage {
@@ -115,35 +98,27 @@ public:
         const pugi::xml_node root = document_.child("VTKFile");
         const pugi::xml_node image = root.child("ImageData");
         if (!image) return std::unexpected("it holds no ImageData");
-        const pugi::xml_node piece = image.child("Piece");
-        if (piece.next_sibling("Piece"))
-            return std::unexpected("its samples lie in several pieces; join them in one");
-        auto extent = numbers_in<std::int64_t>(image.attribute("WholeExtent").value());
-        constexpr std::int64_t most = std::int64_t{1} << 40;
-        const auto is_place = [](std::int64_t place) { return place > -most && place < most; };
-        if (!extent || extent->size() != 6 || !std::ranges::all_of(*extent, is_place)) {
-            return std::unexpected(wrong_field("WholeExtent",
-                                               image.attribute("WholeExtent").value(),
-                                               "six whole numbers are wanted"));
-        }
-        pugi::xml_node array = array_of(piece.child("PointData"));
-        const bool in_cells = !array;
-        if (in_cells) array = array_of(piece.child("CellData"));
-        if (!array)
-            return std::unexpected(
-                "it has no array of single numbers at its points or in its cells");
         coding_.big_endian = std::string_view(root.attribute("byte_order").value()) == "BigEndian";
         coding_.long_header = std::string_view(root.attribute("header_type").value()) == "UInt64";
         const std::string_view compressor = root.attribute("compressor").value();
         coding_.packed = !compressor.empty();
         if (coding_.packed && compressor != "vtkZLibDataCompressor")
             return std::unexpected(wrong_field("compressor", compressor, "only zlib is read"));
-        auto place = geometry(image, *extent);
+        const auto whole = extent_in(image, "WholeExtent");
+        if (!whole) return std::unexpected(whole.error());
+        const bool in_cells = !array_of(image.child("Piece").child("PointData"));
+        std::vector<GridPiece> pieces;
+        for (const pugi::xml_node& node : image.children("Piece")) {
+            const auto piece = read_piece(node, *whole, in_cells);
+            if (!piece) return std::unexpected(piece.error());
+            pieces.push_back(*piece);
+        }
+        if (pieces.empty()) return std::unexpected("it holds no Piece of ImageData");
+        const auto all = joined(pieces);
+        if (!all) return std::unexpected(all.error());
+        auto place = geometry(image, all->extent, in_cells ? 0.5 : 0);
         if (!place) return std::unexpected(place.error());
-        if (in_cells) to_middles(*extent, *place);
-        auto samples = samples_of(array, *extent);
-        if (!samples) return std::unexpected(samples.error());
-        return VolumeFile{.samples = *samples, .geometry = *place};
+        return VolumeFile{.samples = all->samples, .geometry = *place};
     }
 
 private:
@@ -159,8 +134,25 @@ private:
         return first;
     }
 
-    static Expected<Geometry> geometry(const pugi::xml_node& image,
-                                       const std::vector<std::int64_t>& extent) {
+    /// A piece by its numbers at the points or in the cells, which are one less along each axis.
+    [[nodiscard]] Expected<GridPiece> read_piece(const pugi::xml_node& node, const Extent& whole,
+                                                 bool in_cells) const {
+        const pugi::xml_node array = array_of(node.child(in_cells ? "CellData" : "PointData"));
+        if (!array)
+            return std::unexpected(
+                "it has no array of single numbers at its points or in its cells");
+        auto extent = node.attribute("Extent") ? extent_in(node, "Extent") : whole;
+        if (!extent) return std::unexpected(extent.error());
+        for (std::size_t c = 0; c < 3 && in_cells; ++c)
+            --(*extent)[2 * c + 1];
+        const auto samples = samples_of(array, size_of_extent(*extent));
+        if (!samples) return std::unexpected(samples.error());
+        return GridPiece{.extent = *extent, .samples = *samples};
+    }
+
+    /// Where samples lie that are `off` of a step from the first point of the extent.
+    static Expected<Geometry> geometry(const pugi::xml_node& image, const Extent& extent,
+                                       double off) {
         const auto numbers = [&](const char* name,
                                  std::vector<double> otherwise) -> Expected<std::vector<double>> {
             const pugi::xml_attribute attribute = image.attribute(name);
@@ -182,28 +174,15 @@ private:
             for (std::size_t c = 0; c < 3; ++c) {
                 place.world_from_index[r][c] = (*turn)[3 * r + c] * (*spacing)[c];
                 place.origin[r] +=
-                    place.world_from_index[r][c] * static_cast<double>(extent[2 * c]);
+                    place.world_from_index[r][c] * (static_cast<double>(extent[2 * c]) + off);
             }
         }
         return place;
     }
 
-    /// From a grid's points to the middles of its cells, which are one less along each axis.
-    static void to_middles(std::vector<std::int64_t>& extent, Geometry& place) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            --extent[2 * c + 1];
-            for (std::size_t r = 0; r < 3; ++r)
-                place.origin[r] += place.world_from_index[r][c] / 2;
-        }
-    }
-
     [[nodiscard]] Expected<Samples> samples_of(const pugi::xml_node& array,
-                                               const std::vector<std::int64_t>& extent) const {
-        SampleBlock block{.file = file_};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::int64_t samples = extent[2 * i + 1] - extent[2 * i];
-            block.size[i] = samples < 0 ? 0 : static_cast<std::uint64_t>(samples) + 1;
-        }
+                                               const GridSize& size) const {
+        SampleBlock block{.file = file_, .size = size};
         const auto type = sample_type(array.attribute("type").value());
         if (!type) {
             return std::unexpected(
@@ -236,7 +215,7 @@ private:
         if (block.offset > bytes->size()) return std::unexpected(damaged);
         std::string_view rest = std::string_view(*bytes).substr(block.offset);
         if (text_.appended_raw) return coded(rest, block);
-        rest = rest.substr(0, rest.find_first_of("< \n\r"));
+        rest = rest.substr(0, rest.find('<'));
         const auto plain = decoded(rest, coding_);
         if (!plain) return std::unexpected(plain.error());
         return coded(*plain, block);

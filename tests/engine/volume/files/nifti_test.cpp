@@ -47,6 +47,60 @@ TEST_F(VolumeFiles, NiftiIsRead) {
     expect_grid(write("d.hdr", header));
 }
 
+TEST_F(VolumeFiles, NiftiIsReadByItsBytesWhateverItsName) {
+    const std::string whole = NiftiHeader(512).bytes() + grid_bytes<std::uint16_t>();
+    expect_grid(write("a.NII.GZ", gzipped(whole)));
+    expect_grid(write("b.nii", gzipped(whole)));
+    expect_grid(write("c.nii.gz", whole));
+    expect_grid(
+        write("d.nii", NiftiHeader(512).put(108, 0.0F).bytes() + grid_bytes<std::uint16_t>()));
+}
+
+/// Pairs of headers and samples, each packed or not, named by either file.
+TEST_F(VolumeFiles, NiftiPairsAreReadByEitherFile) {
+    std::string header = NiftiHeader(2).put(108, 5.0F).bytes();
+    header.replace(344, 3, "ni1");
+    const std::string samples = "12345" + grid_bytes<std::uint8_t>();
+    for (const bool capitals : {false, true}) {
+        const std::string hdr = capitals ? ".HDR" : ".hdr";
+        const std::string img = capitals ? ".IMG" : ".img";
+        const std::string gz = capitals ? ".GZ" : ".gz";
+        write("a" + hdr, header);
+        write("a" + img, samples);
+        write("b" + hdr + gz, gzipped(header));
+        write("b" + img + gz, gzipped(samples));
+        write("c" + hdr, header);
+        write("c" + img + gz, gzipped(samples));
+        write("d" + hdr + gz, gzipped(header));
+        write("d" + img, samples);
+        for (const std::string& name : {"a" + hdr, "a" + img, "b" + hdr + gz, "b" + img + gz,
+                                        "c" + hdr, "c" + img + gz, "d" + hdr + gz, "d" + img}) {
+            EXPECT_TRUE(is_volume_file(folder_ / name));
+            expect_grid(folder_ / name);
+        }
+    }
+}
+
+/// Headers of Analyze 7.5 lack the mark of NIfTI. SPM's origin is counted from 1, and x runs to the
+/// left (as nibabel places them).
+TEST_F(VolumeFiles, AnalyzePairsAreReadAsSpmPlacesThem) {
+    NiftiHeader header(4, true);
+    header.put<std::int32_t>(344, 0).put(108, 0.0F);
+    for (std::size_t i = 1; i < 4; ++i)
+        header.put(76 + 4 * i, static_cast<float>(i));
+    write("a.img", grid_bytes<std::int16_t>(true));
+    const auto file = write("a.hdr", header.bytes().substr(0, 348));
+    expect_grid(file);
+    EXPECT_EQ(place_of(file), (Geometry{.world_from_index = {{{-1, 0, 0}, {0, 2, 0}, {0, 0, 3}}},
+                                        .origin = {1.5, -2, -1.5}}));
+    header.put<std::int16_t>(253, 3).put<std::int16_t>(255, 1).put<std::int16_t>(257, 2);
+    write("b.img", grid_bytes<std::int16_t>(true));
+    EXPECT_EQ(
+        place_of(write("b.hdr", header.put(112, 2.0F).bytes().substr(0, 348))),
+        (Geometry{.world_from_index = {{{-1, 0, 0}, {0, 2, 0}, {0, 0, 3}}}, .origin = {2, 0, -3}}));
+    EXPECT_EQ(sample_at(**open_volume(folder_ / "b.hdr", {}), 3, 2, 1), 246);
+}
+
 TEST_F(VolumeFiles, NiftiTellsItsPlaceAndScale) {
     NiftiHeader header(4);
     for (std::size_t i = 0; i < 4; ++i)
@@ -94,8 +148,19 @@ TEST_F(VolumeFiles, DamagedNiftiGetsItsLine) {
     const auto error = [&](const std::string& bytes) { return error_of(write("a.nii", bytes)); };
     EXPECT_EQ(error("no header"), "it does not begin with a header of NIfTI");
     EXPECT_EQ(error(NiftiHeader(128).bytes()),
-              "its samples are of type 128 of the format; only single numbers of up to 64 bits are "
+              "its samples are colors; a volume has one number at each point");
+    EXPECT_EQ(error(NiftiHeader(32).bytes()),
+              "its samples are of type 32 of the format; only single numbers of up to 64 bits are "
               "read");
+    EXPECT_EQ(error(NiftiHeader(4).put<std::int16_t>(40, 2).bytes()),
+              "it is a picture of 4 x 3 samples, no volume");
+    EXPECT_EQ(error(NiftiHeader(4).put(108, 348.0F).bytes()),
+              "its 'vox_offset' is 348; behind its header samples begin at 352");
+    EXPECT_EQ(error(NiftiHeader(4).put(344, '\0').bytes()),
+              "its header says that its samples lie in a file of their own: then its name ends in "
+              ".hdr");
+    EXPECT_EQ(error_of(write("alone.hdr", NiftiHeader(4).put<std::int32_t>(344, 0).bytes())),
+              "its other file 'alone.img' is not there, nor packed as .gz");
     EXPECT_EQ(error(NiftiHeader(4).put<std::int16_t>(40, 1).bytes()),
               "it has 1 axes; a volume has three");
     EXPECT_EQ(error(NiftiHeader(4).put<std::int16_t>(40, 4).put<std::int16_t>(48, 2).bytes()),

@@ -61,6 +61,17 @@ TEST_F(VolumeFiles, NrrdTellsItsPlaceAsRas) {
     EXPECT_EQ(with("s.nrrd",
                    "space: 3D-left-handed\nspacings: 2 3 4\nspace directions: none none none\n"),
               (Geometry{.world_from_index = {{{2, 0, 0}, {0, 3, 0}, {0, 0, 4}}}, .origin = {}}));
+    // From the ends of its axes: of the cells around samples, or the samples themselves
+    const std::string ends = "axis mins: -4 0 10\naxis maxs: 4 6 6\n";
+    EXPECT_EQ(
+        with("e.nrrd", ends),
+        (Geometry{.world_from_index = {{{2, 0, 0}, {0, 2, 0}, {0, 0, -2}}}, .origin = {-3, 1, 9}}));
+    EXPECT_EQ(with("f.nrrd", ends + "centers: node node cell\n").world_from_index,
+              (Matrix3{{{8.0 / 3, 0, 0}, {0, 3, 0}, {0, 0, -2}}}));
+    EXPECT_EQ(with("g.nrrd", ends + "centerings: node node cell\n").origin,
+              (std::array<double, 3>{-4, 0, 9}));
+    EXPECT_EQ(with("h.nrrd", "spacings: 2 3 4\naxis mins: 0 0 0\ncenters: cell node ???\n").origin,
+              (std::array<double, 3>{1, 0, 0}));
     const std::string turned =
         "space directions: (0, 2, 0) (3,0,0) (0,0,4)\nspace origin: (7,8,9)\n";
     EXPECT_EQ(
@@ -88,6 +99,11 @@ TEST_F(VolumeFiles, DamagedNrrdGetsItsLine) {
               "its 'sizes' is '4 -3 2'; whole numbers are wanted");
     EXPECT_EQ(error(nrrd("short", raw, "3 4 3 2")),
               "it has 3 x 4 x 3 x 2 samples; a volume has three axes and one number at each point");
+    EXPECT_EQ(error(nrrd("uchar", raw + "kinds: domain space vector\n")),
+              "it is a picture, no volume: its axis 3 is of kind 'vector'");
+    EXPECT_EQ(error(nrrd("uchar", raw + "kinds: RGBA-color domain domain\n")),
+              "it is a picture in colors, no volume: its axis 1 is of kind 'RGBA-color'");
+    EXPECT_EQ(error(nrrd("uchar", raw, "4 6")), "it is a picture of 4 x 6 samples, no volume");
     EXPECT_EQ(error(nrrd("block", raw)), "its 'type' is 'block'; a number type is wanted");
     EXPECT_EQ(error(nrrd("short", "encoding: raw\n") + grid_bytes<short>()),
               "its header lacks 'endian: little' or 'endian: big'");

@@ -42,6 +42,22 @@ TEST_F(VolumeFiles, RawSamplesTakeTheirLayoutFromElsewhere) {
     EXPECT_EQ(error_of(file), "it is read as raw samples only, of sizes that are typed behind it");
 }
 
+TEST_F(VolumeFiles, RawSamplesArePackedWhereTheirBytesSaySo) {
+    RawLayout layout{.size = GridSize{4, 3, 2}, .type = SampleType::UInt16};
+    const std::string grid = grid_bytes<std::uint16_t>();
+    expect_grid(write("a.raw.GZ", gzipped(grid)), layout);
+    expect_grid(write("b.gz", grid), layout);
+    layout.size = GridSize{40, 30, 20};
+    const auto large = open_volume(write("c.raw", gzipped(std::string(48000, '\1'))), layout);
+    ASSERT_TRUE(large.has_value()) << large.error();
+    EXPECT_EQ(sample_at(**large, 39, 29, 19), 257);
+    // Samples that begin like a packed file
+    layout = {.size = GridSize{4, 3, 2}};
+    const auto plain = open_volume(write("d.raw", "\x1f\x8b" + std::string(22, '\0')), layout);
+    ASSERT_TRUE(plain.has_value()) << plain.error();
+    EXPECT_EQ(sample_at(**plain, 1, 0, 0), 139);
+}
+
 TEST_F(VolumeFiles, AnUnchangedFileIsReadOnce) {
     const std::string header =
         "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nencoding: raw\n\n";

@@ -82,6 +82,73 @@ TEST_F(VolumeFiles, VtkImagesAreRead) {
                                         .origin = {6, 6, 7}}));
 }
 
+/// Writers encode the header with the samples or apart, and break lines or not.
+TEST_F(VolumeFiles, VtkImagesHaveBase64InAnyLayout) {
+    const std::string grid = grid_bytes<std::int16_t>();
+    const auto in_lines = [](const std::string& text) {
+        std::string lines = "\n";
+        for (std::size_t at = 0; at < text.size(); at += 10)
+            lines += "  " + text.substr(at, 10) + "\r\n";
+        return lines;
+    };
+    const std::string header = numbers_32({grid.size()});
+    const std::string apart = base64(header) + base64(grid);
+    const std::string together = base64(header + grid);
+    const auto appended = [](const std::string& text) {
+        return "<AppendedData encoding=\"base64\">\n  _" + text + "\n</AppendedData>";
+    };
+    int n = 0;
+    for (const std::string& text : {apart, together, in_lines(apart), in_lines(together)}) {
+        expect_grid(write(std::to_string(n) + "a.vti", vti("format=\"binary\"", text, "")));
+        expect_grid(write(std::to_string(n++) + "b.vti",
+                          vti("format=\"appended\" offset=\"0\"", "", appended(text))));
+    }
+    const std::string wide = numbers_32({grid.size(), 0});
+    expect_grid(write("wide.vti", vti("format=\"binary\"", base64(wide) + base64(grid), "",
+                                      " header_type=\"UInt64\"")));
+}
+
+/// A piece of the grid with the numbers in it, x from `first` to `last`.
+std::string piece(int first, int last, const std::string& data = "PointData") {
+    std::string text = "<Piece Extent=\"" + std::to_string(first) + " " + std::to_string(last) +
+                       (data == "PointData" ? " 0 2 0 1" : " 0 3 0 2") + "\"><" + data +
+                       "><DataArray type=\"Int16\" format=\"ascii\">";
+    const int end = data == "PointData" ? last + 1 : last;
+    for (int row = 0; row < 6; ++row) {
+        for (int i = first; i < end; ++i)
+            text += std::to_string(i + 10 * (row % 3) + 100 * (row / 3)) + " ";
+    }
+    return text + "</DataArray></" + data + "></Piece>";
+}
+
+TEST_F(VolumeFiles, VtkImagesMayLieInPieces) {
+    const auto whole = [](const std::string& pieces) {
+        return "<VTKFile><ImageData WholeExtent=\"-3 4 0 3 0 2\" Origin=\"5 6 7\" "
+               "Spacing=\"1 2 3\">" +
+               pieces + "</ImageData></VTKFile>";
+    };
+    const auto file = write("a.vti", whole(piece(1, 3) + piece(0, 1)));  // x = 1 is in both
+    expect_grid(file);
+    EXPECT_EQ(place_of(file).origin, (std::array<double, 3>{5, 6, 7}));
+    expect_grid(write("b.vti", whole(piece(0, 0) + piece(1, 3))));
+    expect_grid(write("c.vti", whole(piece(2, 4, "CellData") + piece(0, 2, "CellData"))));
+    EXPECT_EQ(place_of(folder_ / "c.vti").origin, (std::array<double, 3>{5.5, 7, 8.5}));
+    // One that is less than the file's whole grid is the grid.
+    const auto one = open_volume(write("d.vti", whole(piece(2, 3))), {});
+    ASSERT_TRUE(one.has_value()) << one.error();
+    EXPECT_EQ((*one)->samples().size, (GridSize{2, 3, 2}));
+    EXPECT_EQ((*one)->geometry().origin, (std::array<double, 3>{7, 6, 7}));
+    EXPECT_EQ(sample_at(**one, 1, 2, 1), 123);
+    EXPECT_EQ(error_of(write("e.vti", whole(piece(0, 1) + piece(3, 4)))),
+              "its pieces leave points between them out");
+    EXPECT_EQ(error_of(write("f.vti", whole(piece(0, 1) + piece(2, 3, "CellData")))),
+              "it has no array of single numbers at its points or in its cells");
+    std::string far = piece(2, 3);
+    far.replace(far.find("2 3"), 3, "900000002 900000003");
+    EXPECT_EQ(error_of(write("g.vti", whole(piece(0, 1) + far))),
+              "its pieces leave points between them out");
+}
+
 TEST_F(VolumeFiles, VtkImagesMayHaveTheirNumbersInCells) {
     std::string numbers;
     for (std::uint64_t n = 0; n < 24; ++n)
