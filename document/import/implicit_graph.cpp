@@ -83,11 +83,28 @@ constexpr std::array<std::string_view, 14> of_vectors_kinds{"composevector",
                                                             "matrixvectormultiplication",
                                                             "functioncall"};
 
+/// The node's kind, where a draft of the extension called it otherwise.
+std::string_view kind_of(const pugi::xml_node& node) {
+    using Names = std::pair<std::string_view, std::string_view>;
+    constexpr std::array drafts{Names{"sinus", "sin"},
+                                Names{"cosinus", "cos"},
+                                Names{"dotproduct", "dot"},
+                                Names{"crossproduct", "cross"},
+                                Names{"composematrixfromcolumnvectors", "matrixfromcolumns"},
+                                Names{"composematrixfromrowvectors", "matrixfromrows"}};
+    const std::string_view kind = local_name(node);
+    const auto* const draft = std::ranges::find(drafts, kind, &Names::first);
+    return draft == drafts.end() ? kind : draft->second;
+}
+
 bool is_known(std::string_view kind) {
     return kind.starts_with("const") ||
            std::ranges::find(of_vectors_kinds, kind) != of_vectors_kinds.end() ||
            std::ranges::find(componentwise, kind, &Componentwise::node) != componentwise.end();
 }
+
+/// Whether a component is 0 at every place.
+bool is_zero(const std::string& component) { return component == "0" || component == "(-0)"; }
 
 bool is_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -118,6 +135,9 @@ std::expected<std::string, std::string> GraphWriter::output(const std::string& i
 GraphWriter::Result GraphWriter::call(const std::string& id, const std::string& channel,
                                       const Inputs& inputs) {
     const auto found = functions_.find(id);
+    if (images_.contains(id))
+        return std::unexpected(
+            filled(tr("function {0} is made of an image, which is not taken over"), {id}));
     if (found == functions_.end())
         return std::unexpected(filled(tr("there is no implicit function {0} before it"), {id}));
     if (depth_ >= deepest_call || ++calls_ > most_function_calls)
@@ -174,7 +194,7 @@ std::expected<GraphWriter::Inputs, std::string> GraphWriter::inputs_of(const pug
 std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& node, Scope& scope) {
     ++nodes_;
     if (is_too_long()) return std::unexpected(tr("its functions have too many nodes"));
-    const std::string_view kind = local_name(node);
+    const std::string_view kind = kind_of(node);
     if (!is_known(kind)) return std::unexpected(filled(tr("nodes {0} are not taken over"), {kind}));
     const std::string name = node.attribute("identifier").value();
     auto& values = scope.values;
@@ -195,6 +215,8 @@ std::expected<void, std::string> GraphWriter::evaluate(const pugi::xml_node& nod
     }
     auto result = of_vectors(kind, node, *inputs);
     if (!result) return std::unexpected(result.error());
+    if (result->empty() && kind == "division" && std::ranges::any_of((*inputs)["B"], is_zero))
+        return std::unexpected(filled(tr("node {0} divides by 0"), {name}));
     if (result->empty()) result = of_components(kind, *inputs);
     if (!result) return std::unexpected(result.error());
     // The outputs have one value; constants call it value, vector or matrix.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <expected>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ class GraphWriter {
 public:
     /// Makes `function` known, an implicitfunction element. Its nodes may stand in any order.
     void add_function(const pugi::xml_node& function);
+    /// Makes known that a function is made of an image, which none can call here.
+    void add_image(const std::string& id) { images_.insert(id); }
 
     /// The output `channel` of a function at a position; the error is one line.
     std::expected<std::string, std::string> output(const std::string& id,
@@ -65,6 +68,7 @@ private:
         std::vector<pugi::xml_node> nodes;  ///< each behind those that it refers to
     };
     std::map<std::string, Function, std::less<>> functions_;
+    std::set<std::string, std::less<>> images_;  ///< functions that are made of images
     std::string definitions_;
     std::size_t count_ = 0;
     std::size_t nodes_ = 0;  ///< that were evaluated

@@ -1,6 +1,7 @@
 #include "document/import/import.hpp"
 
 #include "document/import/cannot_open.hpp"
+#include "document/import/plain_text.hpp"
 #include "document/import/readers.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <system_error>
 
 namespace zeroset {
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// A reader whose texts name no files.
 template <ReadImport (*read)(std::string_view)>
-ReadImport alone(std::string_view bytes, const FieldSource* /*files*/) {
+ReadImport alone(std::string_view bytes, const ImportFiles& /*files*/) {
     return read(bytes);
 }
 
@@ -30,10 +32,13 @@ constexpr std::array formats{
     ImportFormat{.name = "K3DSurf", .endings = ".k3ds", .read = alone<read_k3ds>},
     ImportFormat{.name = "Fidget, libfive", .endings = ".vm", .read = alone<read_instructions>},
     ImportFormat{.name = "ImpVis", .endings = ".toml", .read = alone<read_impvis>},
-    ImportFormat{
-        .name = "3MF", .endings = ".3mf", .read = alone<read_three_mf>, .largest = 64U << 20U},
+    ImportFormat{.name = "3MF",
+                 .endings = ".3mf",
+                 .read = alone<read_three_mf>,
+                 .is_text = false,
+                 .largest = 64U << 20U},
     ImportFormat{.name = "formulas", .endings = ".txt", .read = read_formulas},
-    ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = alone<read_pov>},
+    ImportFormat{.name = "POV-Ray", .endings = ".pov .inc", .read = read_pov},
 };
 
 std::expected<std::string, std::string> bytes_of(const fs::path& path, std::size_t largest) {
@@ -47,12 +52,44 @@ std::expected<std::string, std::string> bytes_of(const fs::path& path, std::size
     return bytes;
 }
 
+/// The text of a file in a folder or in those below it. Links and ".." that lead out of it are not
+/// followed, so that a scene reads nothing that lies elsewhere.
+std::optional<std::string> text_below(const fs::path& folder, std::string_view name) {
+    std::string path(name);
+    std::ranges::replace(path, '\\', '/');
+    std::error_code error;
+    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path file = fs::weakly_canonical(root / path, error);
+    if (std::ranges::mismatch(root, file).in1 != root.end()) return std::nullopt;
+    const auto bytes = bytes_of(file, largest_script);
+    return bytes ? std::optional(plain_text(*bytes)) : std::nullopt;
+}
+
 /// `name` without blanks and signs that a list of names could not show.
 std::string clean_name(std::string_view name) {
     std::string result;
     for (const char letter : trimmed(name))
         result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
     return result.substr(0, 100);
+}
+
+/// Reads the bytes of a file of this name; see read_import.
+ReadImport read_bytes(std::string_view file_name, std::string_view bytes,
+                      const std::shared_ptr<const FieldSource>& fields, const ImportFiles& files) {
+    const ImportFormat* const format = import_format(file_name);
+    if (format == nullptr) return import_error(0, tr("it is no file of a format that is read"));
+    if (bytes.size() > format->largest) return import_error(0, tr("it is too large"));
+    ReadImport imported =
+        format->is_text ? format->read(plain_text(bytes), files) : format->read(bytes, files);
+    if (!imported) return imported;
+    const std::string stem = fs::path(file_name).stem().string();
+    for (ImportedDocument& document : imported->documents) {
+        document.name = clean_name(document.name);
+        if (document.name.empty()) document.name = stem;
+        document.document.files = fields;
+        check_rows(document);
+    }
+    return imported;
 }
 
 }  // namespace
@@ -77,26 +114,18 @@ std::string import_endings() {
 
 ReadImport read_import(std::string_view file_name, std::string_view bytes,
                        const std::shared_ptr<const FieldSource>& files) {
-    const ImportFormat* const format = import_format(file_name);
-    if (format == nullptr) return import_error(0, tr("it is no file of a format that is read"));
-    if (bytes.size() > format->largest) return import_error(0, tr("it is too large"));
-    ReadImport imported = format->read(bytes, files.get());
-    if (!imported) return imported;
-    const std::string stem = fs::path(file_name).stem().string();
-    for (ImportedDocument& document : imported->documents) {
-        document.name = clean_name(document.name);
-        if (document.name.empty()) document.name = stem;
-        document.document.files = files;
-        check_rows(document);
-    }
-    return imported;
+    return read_bytes(file_name, bytes, files, {.fields = files.get()});
 }
 
 ReadImport load_import(const fs::path& path, const std::shared_ptr<const FieldSource>& files) {
     const ImportFormat* const format = import_format(path.filename().string());
     const auto bytes = bytes_of(path, format ? format->largest : largest_script);
     if (!bytes) return cannot_open(path, bytes.error());
-    ReadImport imported = read_import(path.filename().string(), *bytes, files);
+    const auto text_beside = [&](std::string_view name) {
+        return text_below(path.parent_path(), name);
+    };
+    ReadImport imported = read_bytes(path.filename().string(), *bytes, files,
+                                     {.fields = files.get(), .text_beside = text_beside});
     if (!imported) return cannot_open(path, imported.error());
     return imported;
 }

@@ -15,8 +15,8 @@ namespace zeroset {
 struct ImportFormat {
     std::string_view name;     ///< of the program or the format, for people
     std::string_view endings;  ///< of its files' names, each with its point, apart by blanks
-    /// `files`: where files that its texts name come from; nullptr: they must not name any.
-    ReadImport (*read)(std::string_view bytes, const FieldSource* files);
+    ReadImport (*read)(std::string_view bytes, const ImportFiles& files);
+    bool is_text = true;                   ///< and may have the encodings of plain_text
     std::size_t largest = largest_script;  ///< of its files, in bytes
 };
 

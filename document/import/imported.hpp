@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,6 +47,14 @@ struct ImportedDocument {
 struct Imported {
     std::vector<ImportedDocument> documents;  ///< at least one
     std::vector<ImportNote> notes = {};       ///< about no single document
+};
+
+/// Other files that a text may name.
+struct ImportFiles {
+    const FieldSource* fields = nullptr;  ///< nullptr: it must not name volumes
+    /// The text of a file in the folder of the one that is read, or in those below it; nothing
+    /// where there is none.
+    std::function<std::optional<std::string>(std::string_view name)> text_beside = {};
 };
 
 /// The result of a reader; the error is one line without the file's name, with "line N: " before it

@@ -47,10 +47,10 @@ ReadImport read_instructions(std::string_view text) {
     return imported;
 }
 
-ReadImport read_formulas(std::string_view text, const FieldSource* files) {
+ReadImport read_formulas(std::string_view text, const ImportFiles& files) {
     if (trimmed(text).empty()) return import_error(0, tr("it is empty"));
     ImportedDocument formulas{.name = {}};
-    for (const std::string& row : rows_of(text, files))
+    for (const std::string& row : rows_of(text, files.fields))
         formulas.add_row(row, 0);
     Imported imported;
     imported.documents.push_back(std::move(formulas));

@@ -34,11 +34,13 @@ constexpr std::size_t most_surfaces = 90;
 
 class SceneReader {
 public:
-    explicit SceneReader(std::string_view text)
+    SceneReader(std::string_view text, const ImportFiles& files)
         : script_(text), formulas_(script_, modifiers_, result_) {
         script_.on_note = [this](std::size_t line, std::string_view entry, std::string reason) {
             result_.note(line, entry, std::move(reason));
+            if (!missed_ && entry.starts_with("#include")) missed_ = result_.notes.back();
         };
+        script_.on_include = files.text_beside;
         script_.on_declare = [this](const std::string& name) { return declare(name); };
     }
 
@@ -47,6 +49,8 @@ public:
             item(shown_);
         if (shown_.empty()) show_declared();
         if (shown_.empty()) {
+            if (!lost_) lost_ = missed_;
+            if (lost_) tell_file(lost_->line, lost_->entry);
             return import_error(
                 lost_ ? lost_->line : 0,
                 lost_ ? lost_->entry + ": " + lost_->reason
@@ -55,6 +59,11 @@ public:
         }
         add_rows();
         note_axes();
+        for (ImportNote& note : result_.notes)
+            tell_file(note.line, note.entry);
+        std::string entry;
+        for (std::size_t& line : result_.row_lines)
+            tell_file(line, entry);
         Imported imported;
         imported.documents.push_back(std::move(result_));
         return imported;
@@ -78,6 +87,14 @@ private:
         shown_ = found->second;
         result_.note(0, last_declared_,
                      tr("the file shows nothing; this, which it declares, is drawn"));
+    }
+
+    /// Names the file of an included line, and takes the line that includes it.
+    void tell_file(std::size_t& line, std::string& entry) const {
+        const PovScript::FileLine place = script_.file_line(line);
+        line = place.file.empty() ? place.line : place.included_at;
+        if (place.file.empty()) return;
+        entry = place.file + ":" + std::to_string(place.line) + (entry.empty() ? "" : ": ") + entry;
     }
 
     [[nodiscard]] PovAxes axes() const { return camera_ ? camera_->axes : PovAxes::LeftHanded; }
@@ -334,14 +351,17 @@ private:
     Surfaces shown_;
     std::map<std::string, Surfaces, std::less<>> objects_;
     std::optional<PovCamera> camera_;
-    std::optional<ImportNote> lost_;  ///< why the first surface that is left out is so
-    std::string last_declared_;       ///< the last name of surfaces
+    std::optional<ImportNote> lost_;    ///< why the first surface that is left out is so
+    std::optional<ImportNote> missed_;  ///< the first file that is not read
+    std::string last_declared_;         ///< the last name of surfaces
     std::size_t read_ = 0;
     int depth_ = 0;
 };
 
 }  // namespace
 
-ReadImport read_pov(std::string_view text) { return SceneReader(text).run(); }
+ReadImport read_pov(std::string_view text, const ImportFiles& files) {
+    return SceneReader(text, files).run();
+}
 
 }  // namespace zeroset

@@ -13,6 +13,9 @@ constexpr std::size_t most_repeated = 10'000'000;  // tokens
 constexpr int deepest_directive = 100;
 constexpr std::array<std::string_view, 7> openers{"if",  "ifdef",  "ifndef", "while",
                                                   "for", "switch", "macro"};
+constexpr std::size_t most_included = 100;
+/// Lines of an included file are counted from a multiple of this on.
+constexpr std::size_t lines_of_file = std::size_t{1} << 32U;
 /// Files of POV-Ray's own whose functions, constants and colours are known.
 constexpr std::array<std::string_view, 5> known_files{"functions.inc", "colors.inc", "math.inc",
                                                       "consts.inc", "transforms.inc"};
@@ -87,6 +90,7 @@ void PovScript::skip_line(std::size_t line) {
 
 void PovScript::directive() {
     const std::size_t line = tokens_.line();
+    const std::size_t begin = tokens_.position();
     tokens_.next();
     const std::string word(tokens_.next().text);
     if (word == "declare" || word == "local") return declare(word == "local");
@@ -116,7 +120,7 @@ void PovScript::directive() {
     }
     if (word == "end") return end_block();
     if (word == "macro") return define_macro();
-    if (word == "include") return include();
+    if (word == "include") return include(begin);
     if (word == "default") return tokens_.skip_block("{", "}");
     if (word == "undef") {
         values_.erase(std::string(tokens_.next().text));
@@ -125,14 +129,36 @@ void PovScript::directive() {
     skip_line(line);
 }
 
-void PovScript::include() {
+void PovScript::include(std::size_t begin) {
     const ScriptToken file = tokens_.peek();
     if (file.kind != ScriptKind::Text) return;
     tokens_.next();
-    if (!is_one_of(known_files, file.text)) {
+    if (is_one_of(known_files, file.text)) return;
+    auto text = on_include && included_.size() < most_included ? on_include(file.text)
+                                                               : std::optional<std::string>();
+    if (text) included_bytes_ += text->size();
+    if (!text || included_bytes_ > largest_script) {
         note(file.line, "#include " + std::string(file.text.substr(0, 60)),
-             tr("other files are not read"));
+             tr("it is not read; files beside the scene, and in folders below, are"));
+        return;
     }
+    included_.push_back(
+        {.name = std::string(file.text), .text = std::move(*text), .line = file.line});
+    std::vector<ScriptToken> tokens = script_tokens(included_.back().text, true);
+    tokens.pop_back();  // the End
+    for (ScriptToken& token : tokens)
+        token.line += included_.size() * lines_of_file;
+    tokens_.replace_from(begin, tokens);
+}
+
+PovScript::FileLine PovScript::file_line(std::size_t line) const {
+    const std::size_t number = line / lines_of_file;
+    if (number == 0 || number > included_.size()) return {.line = line};
+    const Included& file = included_[number - 1];
+    const FileLine outer = file_line(file.line);
+    return {.line = line % lines_of_file,
+            .file = file.name,
+            .included_at = outer.file.empty() ? outer.line : outer.included_at};
 }
 
 void PovScript::declare(bool local) {

@@ -36,6 +36,16 @@ public:
     /// Reads what follows "#declare NAME =" where it is no value, and returns whether it knew it.
     std::function<bool(const std::string& name)> on_declare;
     std::function<void(std::size_t line, std::string_view entry, std::string reason)> on_note;
+    /// The text of a file that the scene includes; nothing where it must not be read.
+    std::function<std::optional<std::string>(std::string_view name)> on_include;
+
+    /// Tells of a token's line of which file it is: empty for the scene's own.
+    struct FileLine {
+        std::size_t line = 0;  ///< of the file
+        std::string file = {};
+        std::size_t included_at = 0;  ///< in the scene
+    };
+    [[nodiscard]] FileLine file_line(std::size_t line) const;
 
     /// The next token that is no directive's.
     const ScriptToken& peek();
@@ -142,7 +152,8 @@ private:
     /// Reads "{ ... }" as the elements of an array, or of a part of one; false where a value is
     /// not known.
     bool read_elements(const std::string& name, bool local, int depth);
-    void include();
+    /// Puts the tokens of a file in place of the directive that begins there.
+    void include(std::size_t begin);
     void leave_loop();
     void begin_if(bool holds);
     void begin_while(std::size_t begin);
@@ -165,7 +176,15 @@ private:
     /// The values of seed(n) and rand(stream).
     std::optional<PovValue> random(std::string_view name, const PovValue& argument);
 
+    struct Included {
+        std::string name;
+        std::string text;  ///< which its tokens are views of
+        std::size_t line;  ///< of the directive
+    };
+
     TokenReader tokens_;
+    std::deque<Included> included_;
+    std::size_t included_bytes_ = 0;
     std::map<std::string, PovValue, std::less<>> values_;
     /// Sizes of arrays; their elements are values.
     std::map<std::string, std::vector<double>, std::less<>> arrays_;

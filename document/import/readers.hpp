@@ -20,9 +20,9 @@ ReadImport read_instructions(std::string_view text);
 /// Presets of ImpVis: TOML.
 ReadImport read_impvis(std::string_view text);
 /// A scene of POV-Ray: its isosurfaces.
-ReadImport read_pov(std::string_view text);
+ReadImport read_pov(std::string_view text, const ImportFiles& files);
 /// Formulas of the language, a row for each.
-ReadImport read_formulas(std::string_view text, const FieldSource* files);
+ReadImport read_formulas(std::string_view text, const ImportFiles& files);
 /// A package of 3MF with implicit functions.
 ReadImport read_three_mf(std::string_view bytes);
 

@@ -160,6 +160,13 @@ void TokenReader::append(std::span<const ScriptToken> tokens) {
     tokens_.insert(tokens_.end(), tokens.begin(), tokens.end());
 }
 
+void TokenReader::replace_from(std::size_t begin, std::span<const ScriptToken> tokens) {
+    const auto first = tokens_.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = tokens_.begin() + static_cast<std::ptrdiff_t>(at_);
+    tokens_.insert(tokens_.erase(first, last), tokens.begin(), tokens.end());
+    at_ = begin;
+}
+
 void TokenReader::skip_block(std::string_view open, std::string_view close) {
     if (!take_sign(open)) return;
     for (std::size_t depth = 1; depth > 0 && !at_end(); next()) {

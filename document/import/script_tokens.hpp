@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::span<const ScriptToken> tokens() const { return tokens_; }
     /// Adds tokens behind the end; the last one should be an End.
     void append(std::span<const ScriptToken> tokens);
+    /// Puts tokens in place of those from `begin` up to the next one, and goes on with them.
+    void replace_from(std::size_t begin, std::span<const ScriptToken> tokens);
     /// Leaves only the first `count` tokens, at least one.
     void truncate(std::size_t count) { tokens_.resize(count); }
     /// Passes over what is between the bracket that is next and the one that closes it.

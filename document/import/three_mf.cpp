@@ -2,16 +2,14 @@
 #include "document/import/implicit_nodes.hpp"
 #include "document/import/placement.hpp"
 #include "document/import/readers.hpp"
+#include "document/import/three_mf_package.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-
-#include <zip.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 
 // Packages of 3MF: the level sets of the volumetric extension whose functions are implicit. What is
 // inside has f <= 0 and is in the box of the level set's mesh.
@@ -19,45 +17,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t largest_model = 64U << 20U;
 constexpr int deepest_component = 16;
-
-struct ZipClosed {
-    void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-struct ZipFileClosed {
-    void operator()(zip_file_t* file) const { zip_fclose(file); }
-};
-
-/// The first part whose name ends in .model; nothing is allocated on the word of its header.
-std::expected<std::string, std::string> model_of(std::string_view bytes) {
-    zip_error_t error{};
-    zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-    if (source == nullptr) return std::unexpected(tr("it is no package of 3MF"));
-    const std::unique_ptr<zip_t, ZipClosed> archive(
-        zip_open_from_source(source, ZIP_RDONLY, &error));
-    if (!archive) {
-        zip_source_free(source);
-        return std::unexpected(tr("it is no package of 3MF"));
-    }
-    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-    for (zip_int64_t i = 0; i < count; ++i) {
-        const char* const name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
-        if (name == nullptr || !lower_case(name).ends_with(".model")) continue;
-        const std::unique_ptr<zip_file_t, ZipFileClosed> file(
-            zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(i), 0));
-        std::string text;
-        std::string block(1U << 16U, '\0');
-        while (file) {
-            const zip_int64_t read = zip_fread(file.get(), block.data(), block.size());
-            if (read <= 0) break;
-            text.append(block.data(), static_cast<std::size_t>(read));
-            if (text.size() > largest_model) return std::unexpected(tr("it is too large"));
-        }
-        return text;
-    }
-    return std::unexpected(tr("it is no package of 3MF: it has no model"));
-}
 
 /// A matrix of 3MF: 12 numbers, for points as rows.
 std::optional<Placement> placement_of(const char* text) {
@@ -114,6 +74,8 @@ private:
                 objects_.insert_or_assign(resource.attribute("id").value(), resource);
             else if (kind == "colorgroup" || kind == "basematerials")
                 colors_.insert_or_assign(resource.attribute("id").value(), resource);
+            else if (kind == "functionfromimage3d")
+                functions_.add_image(resource.attribute("id").value());
             else if (resource.type() == pugi::node_element)
                 result_.note(0, kind, tr("not taken over"));
         }
@@ -134,8 +96,9 @@ private:
         for (const pugi::xml_node& part : found->second.children()) {
             const std::string_view kind = local_name(part);
             if (kind == "levelset")
-                add_level_set(part, placement, "object " + id, color_of(found->second));
-            if (kind == "mesh") result_.note(0, "object " + id, tr("meshes are not taken over"));
+                add_level_set(part, placement, "object " + id, color_of(found->second),
+                              part.attribute("meshid").value());
+            if (kind == "mesh") add_mesh(part, placement, id, color_of(found->second));
             if (kind != "components") continue;
             for (const pugi::xml_node& component : part.children()) {
                 if (++components_ > 1000) return;
@@ -144,6 +107,17 @@ private:
                            inner.value_or(Placement{}).then(placement), depth + 1);
             }
         }
+    }
+
+    /// A mesh as drafts of the extension have it: with a function that is its boundary.
+    void add_mesh(const pugi::xml_node& mesh, const Placement& placement, const std::string& id,
+                  std::optional<std::uint32_t> color) {
+        const pugi::xml_node volume = child_named(mesh, "volumedata");
+        for (const char* const name : {"boundary", "levelset"}) {
+            if (const pugi::xml_node boundary = child_named(volume, name))
+                return add_level_set(boundary, placement, "object " + id, color, id);
+        }
+        result_.note(0, "object " + id, tr("meshes are not taken over"));
     }
 
     /// The colour of an object: that of its property group at its index, "#RRGGBB" or "#RRGGBBAA".
@@ -190,10 +164,11 @@ private:
     }
 
     void add_level_set(const pugi::xml_node& set, const Placement& placement,
-                       const std::string& entry, std::optional<std::uint32_t> color) {
+                       const std::string& entry, std::optional<std::uint32_t> color,
+                       const std::string& mesh) {
         const auto to_field = placement_of(set.attribute("transform").value());
         const auto back = placement.inverse();
-        const auto box = box_of_mesh(set.attribute("meshid").value());
+        const auto box = box_of_mesh(mesh);
         if (!to_field || !back || !box) {
             return lose(entry,
                         tr("it has no mesh that bounds it, or a transform that is no matrix; "
@@ -253,7 +228,7 @@ private:
 }  // namespace
 
 ReadImport read_three_mf(std::string_view bytes) {
-    const auto model = model_of(bytes);
+    const auto model = model_of_package(bytes);
     if (!model) return std::unexpected(model.error());
     return PackageReader().run(*model);
 }

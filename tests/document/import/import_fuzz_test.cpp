@@ -14,7 +14,7 @@ namespace {
 void expect_an_answer(std::string_view file, const std::string& bytes) {
     const ImportFormat* const format = import_format(file);
     ASSERT_NE(format, nullptr);
-    const ReadImport imported = format->read(bytes, nullptr);
+    const ReadImport imported = format->read(bytes, {});
     if (imported) {
         EXPECT_FALSE(imported->documents.empty());
         for (const ImportedDocument& document : imported->documents)

@@ -11,18 +11,26 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace zeroset::test::three_mf_test {
 namespace {
 
-/// A package with this model, stored in memory.
-std::string package(const std::string& model) {
+/// A part of a package: its name and its text.
+struct Part {
+    std::string name, text;
+};
+
+/// A package with these parts, stored in memory.
+std::string package(const std::vector<Part>& parts) {
     zip_error_t error{};
     zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, &error);
     zip_source_keep(target);
     zip_t* const archive = zip_open_from_source(target, ZIP_TRUNCATE, &error);
-    zip_source_t* const part = zip_source_buffer(archive, model.data(), model.size(), 0);
-    zip_file_add(archive, "3D/3dmodel.model", part, ZIP_FL_ENC_UTF_8);
+    for (const auto& [name, text] : parts) {
+        zip_source_t* const part = zip_source_buffer(archive, text.data(), text.size(), 0);
+        zip_file_add(archive, name.c_str(), part, ZIP_FL_ENC_UTF_8);
+    }
     zip_close(archive);
     zip_source_open(target);
     zip_source_seek(target, 0, SEEK_END);
@@ -34,6 +42,8 @@ std::string package(const std::string& model) {
     zip_source_free(target);
     return bytes;
 }
+
+std::string package(const std::string& model) { return package({{"3D/3dmodel.model", model}}); }
 
 /// A sphere of radius 3 about (1, 0, 0), by a call of a function with a radius; in a box of [-4,
 /// 4]^3 that the build moves by (10, 0, 0).
@@ -274,6 +284,70 @@ TEST(ThreeMf, ArcsHaveTwoNames) {
     }
 }
 
+/// Packages of several models, as of the production extension, name their root.
+TEST(ThreeMf, TheModelIsThatOfTheRelationships) {
+    const std::string empty = "<model><resources/><build/></model>";
+    const std::string relations =
+        R"(<Relationships><Relationship Target="/Metadata/a.png" Type="http://x/thumbnail"/>
+<Relationship Target="/3D/Root.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>)";
+    for (const std::string name : {"_rels/.rels", "_RELS/.rels"}) {
+        const auto imported = read_import("a.3mf", package({{"3D/a.model", empty},
+                                                            {"3d/root.model", sphere_model},
+                                                            {"3D/z.model", empty},
+                                                            {name, relations}}));
+        EXPECT_TRUE(imported) << imported.error();
+    }
+    EXPECT_TRUE(read_import(
+        "a.3mf",
+        package({{"_rels/.rels", relations}, {"other.model", sphere_model}, {"z.model", empty}})));
+    EXPECT_FALSE(read_import("a.3mf", package(std::vector<Part>{{"_rels/.rels", relations}})));
+}
+
+/// A mesh whose volume has a boundary, and names of nodes, as the extension's drafts had them.
+TEST(ThreeMf, DraftsAreRead) {
+    const std::string nodes =
+        node("decomposevector", "p", input("A", "inputs.pos")) +
+        R"(<constvec identifier="w" x="2" y="0" z="0"/>)" +
+        node("dotproduct", "d", input("A", "inputs.pos") + input("B", "w.vector")) +
+        node("sinus", "s", input("A", "p.y")) + node("cosinus", "c", input("A", "p.z")) +
+        node("addition", "sc", input("A", "s.result") + input("B", "c.result")) +
+        node("addition", "r", input("A", "sc.result") + input("B", "d.result"));
+    for (const std::string tag : {"boundary", "levelset"}) {
+        const auto imported = read_import(
+            "a.3mf",
+            package(
+                R"(<model><resources><implicitfunction id="6"><in><vector identifier="pos"/></in>)" +
+                nodes +
+                R"(<out><scalarref identifier="shape" ref="r.result"/></out></implicitfunction>
+<object id="1"><mesh><vertices><vertex x="-9" y="-9" z="-9"/><vertex x="9" y="9" z="9"/></vertices>
+<triangles/><volumedata><)" +
+                tag + R"( functionid="6" channel="shape"/></volumedata></mesh></object>
+</resources><build><item objectid="1"/></build></model>)"));
+        ASSERT_TRUE(imported) << imported.error();
+        EXPECT_NEAR(level(imported->documents[0], 0.5, 0.25, -2.0),
+                    std::sin(0.25) + std::cos(-2.0) + 1.0, 1e-12);
+    }
+}
+
+TEST(ThreeMf, WhatHasNoValueIsNamed) {
+    const auto zero = [](const std::string& value) {
+        std::string model = with("ref=\"R.value\"", "ref=\"Half.result\"");
+        model.insert(
+            model.find("<i:constvec"),
+            "<i:constant identifier=\"None\" value=\"" + value + "\"/>" +
+                node("division", "Half", input("A", "R.value") + input("B", "None.value")));
+        return why_refused(model);
+    };
+    EXPECT_EQ(zero("2"), "");
+    EXPECT_EQ(zero("0"), "object 2: node Half divides by 0; it is left out");
+    EXPECT_EQ(zero("-0.0"), "object 2: node Half divides by 0; it is left out");
+    std::string image = with("functionid=\"6\"", "functionid=\"7\"");
+    image.insert(image.find("<object"), "<v:functionfromimage3d id=\"7\" image3did=\"8\"/>");
+    EXPECT_EQ(why_refused(image),
+              "object 2: function 7 is made of an image, which is not taken over; it is left out");
+}
+
 TEST(ThreeMf, WhatIsNoLevelSetIsRefused) {
     EXPECT_FALSE(read_import("a.3mf", "PK"));
     EXPECT_FALSE(read_import("a.3mf", package("no xml <")));
@@ -294,7 +368,7 @@ TEST(ThreeMf, DamagedPackagesEnd) {
             whole.substr(0, round % 2 == 0 ? random() % whole.size() : whole.size());
         for (int i = 0; i < 3 && !bytes.empty(); ++i)
             bytes[random() % bytes.size()] = static_cast<char>(random());
-        const auto imported = import_format("a.3mf")->read(bytes, nullptr);
+        const auto imported = import_format("a.3mf")->read(bytes, {});
         EXPECT_TRUE(imported || !imported.error().empty());
     }
 }
