@@ -116,6 +116,7 @@ void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choic
                            .region = region,
                            .choice = choice,
                            .files = std::move(files)};
+        style_ = text_style();
         interpreted_.reset();
     }
     wake_.notify_all();
@@ -164,6 +165,7 @@ void FormulaJob::prepare_sheets() {
             wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
             if (stop_) return;
             request = std::move(*std::exchange(pending_, std::nullopt));
+            set_language(style_.language, style_.decimal_mark);
         }
         FormulaResult result = preparer.prepare(std::move(request.sheet), request.region,
                                                 request.choice, request.files);
@@ -201,6 +203,7 @@ void FormulaJob::compile_more() {
             lock.lock();
         } else if (interpreted_ && Clock::now() >= compile_at_) {
             FormulaResult interpreted = std::move(*std::exchange(interpreted_, std::nullopt));
+            set_language(style_.language, style_.decimal_mark);
             lock.unlock();
             publish(compiled(std::move(interpreted)));
             lock.lock();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/sheet.hpp"
+#include "engine/base/translation.hpp"
 #include "pipeline/color_formulas.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
@@ -77,6 +78,7 @@ private:
     std::optional<Request> pending_;
     std::optional<FormulaResult> interpreted_;  ///< the result whose formula waits for machine code
     Clock::time_point compile_at_;              ///< when compiling `interpreted_` begins
+    TextStyle style_;                           ///< of who submits
     std::shared_ptr<const Formula> deep_;       ///< the formula that waits for code in double
     std::shared_ptr<const Formula> double_;     ///< the formula whose code in double is ready
     std::optional<FormulaResult> finished_;

@@ -10,12 +10,12 @@ namespace zeroset {
 void ExportRun::start(std::string name, ExportWork work) {
     name_ = std::move(name);
     news_ = std::make_unique<ExportNews>(wake_);
-    work_ =
-        std::async(std::launch::async, [work = std::move(work), news = news_.get(), wake = wake_] {
-            ExportOutcome outcome = work(*news);
-            wake();
-            return outcome;
-        });
+    work_ = std::async(std::launch::async,
+                       in_this_style([work = std::move(work), news = news_.get(), wake = wake_] {
+                           ExportOutcome outcome = work(*news);
+                           wake();
+                           return outcome;
+                       }));
 }
 
 void ExportRun::cancel() {

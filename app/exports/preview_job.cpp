@@ -26,6 +26,7 @@ void PreviewJob::want(std::optional<PreviewRequest> request) {
     if (!request) made_.reset();
     wanted_ = request;
     waiting_ = std::move(request);
+    style_ = text_style();
     changed_.notify_one();
 }
 
@@ -48,6 +49,7 @@ std::optional<PreviewRequest> PreviewJob::next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stop_ || waiting_; });
     if (stop_) return std::nullopt;
+    set_language(style_.language, style_.decimal_mark);
     making_ = std::exchange(waiting_, std::nullopt);
     news_ = std::make_shared<ExportNews>(wake_);
     return making_;

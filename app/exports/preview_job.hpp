@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/exports/make_preview.hpp"
+#include "engine/base/translation.hpp"
 
 #include <atomic>
 #include <condition_variable>
@@ -42,6 +43,7 @@ private:
     std::condition_variable changed_;
     std::optional<PreviewRequest> wanted_;  ///< last
     std::optional<PreviewRequest> waiting_;
+    TextStyle style_;                   ///< of who wants it
     std::shared_ptr<ExportNews> news_;  ///< of the preview that is being made
     std::optional<PreviewRequest> making_;
     std::optional<Preview> made_;

@@ -1,6 +1,7 @@
 #include "app/platform/portal.hpp"
 
 #include "app/platform/portal_bus.hpp"
+#include "engine/base/translation.hpp"
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -30,6 +31,7 @@ public:
     void ask(const FileRequest& request) {
         command([&] {
             asked_ = request;
+            style_ = text_style();
             given_up_ = false;
             answer_.reset();
         });
@@ -80,6 +82,7 @@ private:
     bool stop_ = false;
     bool given_up_ = false;
     std::optional<FileRequest> asked_;
+    TextStyle style_;  ///< of who asks
     std::optional<ColorWish> wish_;
     std::optional<FileAnswer> answer_;
     std::thread thread_;
@@ -103,6 +106,7 @@ bool Portal::Thread::follow(PortalBus& bus) {
         const std::scoped_lock lock(mutex_);
         if (stop_) return false;
         asked = std::exchange(asked_, std::nullopt);
+        set_language(style_.language, style_.decimal_mark);
         given_up = std::exchange(given_up_, false);
     }
     if (given_up) bus.give_up();

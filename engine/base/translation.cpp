@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -55,20 +54,19 @@ const Messages* messages_of(Language language) {
     return &catalogs.at(static_cast<std::size_t>(language) - 1);
 }
 
-/// The language that was set, as all threads read it.
+/// The style that was set for a thread.
 struct Chosen {
-    std::atomic<Language> language = Language::English;
-    std::atomic<const Messages*> messages = nullptr;  // none: English
-    std::atomic<char> decimal_mark = '.';
+    TextStyle style;
+    const Messages* messages = nullptr;  // none: English
 };
 
 Chosen& chosen() {
-    static Chosen now;
+    thread_local Chosen now;
     return now;
 }
 
 const char* found(const char* context, const char* english) {
-    const Messages* const messages = chosen().messages.load(std::memory_order_acquire);
+    const Messages* const messages = chosen().messages;
     if (messages == nullptr || *english == '\0') return english;
     const char* const text = messages->find(context, english);
     return text != nullptr ? text : english;
@@ -77,14 +75,13 @@ const char* found(const char* context, const char* english) {
 }  // namespace
 
 void set_language(Language language, char decimal_mark) {
-    Chosen& now = chosen();
-    now.messages.store(messages_of(language), std::memory_order_release);
-    now.language = language;
-    now.decimal_mark = decimal_mark;
+    chosen() = {.style = {.language = language, .decimal_mark = decimal_mark},
+                .messages = messages_of(language)};
 }
 
-Language language() { return chosen().language; }
-char decimal_mark() { return chosen().decimal_mark; }
+TextStyle text_style() { return chosen().style; }
+Language language() { return text_style().language; }
+char decimal_mark() { return text_style().decimal_mark; }
 
 const char* tr(const char* english) { return found(nullptr, english); }
 const char* tr_in(const char* context, const char* english) { return found(context, english); }

@@ -6,19 +6,51 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace zeroset {
 
 /// The texts of the program in the user's language, from the catalogs in resources/languages, which
 /// the program holds. The English text is the key; where there is no other it is the result.
 ///
-/// Any thread may ask. The language of a command line is English: only the window sets another.
-/// scripts/messages.py finds the texts by the names of these functions.
+/// Each thread has a language of its own, English at first: only the window sets another, and hands
+/// it to the threads that work for it. scripts/messages.py finds the texts by the names of these
+/// functions.
 
-/// Takes this language, and `decimal_mark` in fields for numbers, from now on.
+/// Lets this thread take this language, and `decimal_mark` in fields for numbers, from now on.
 void set_language(Language language, char decimal_mark = '.');
 Language language();
 char decimal_mark();
+
+/// A thread's language, to be handed to another thread.
+struct TextStyle {
+    Language language = Language::English;
+    char decimal_mark = '.';
+};
+TextStyle text_style();
+
+/// Lets a thread write texts in a style until the end of a scope.
+class WithTextStyle {
+public:
+    explicit WithTextStyle(TextStyle style) : before_(text_style()) {
+        set_language(style.language, style.decimal_mark);
+    }
+    ~WithTextStyle() { set_language(before_.language, before_.decimal_mark); }
+    WithTextStyle(const WithTextStyle&) = delete;
+    WithTextStyle& operator=(const WithTextStyle&) = delete;
+
+private:
+    TextStyle before_;
+};
+
+/// The work, for another thread to be done in the style of this one.
+template <class Work>
+auto in_this_style(Work work) {
+    return [style = text_style(), work = std::move(work)] {
+        const WithTextStyle with(style);
+        return work();
+    };
+}
 
 /// The text in the user's language. The result lives as long as the program.
 const char* tr(const char* english);

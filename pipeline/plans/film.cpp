@@ -209,11 +209,11 @@ public:
 
     /// Begins to hand on a frame, which must stay as it is until the next wait().
     void begin(const NumberedFrame& drawn) {
-        taking_ = std::async(std::launch::async, [this, &drawn] {
-            auto taken = take_(drawn.shown());
-            if (taken && watch_.on_frame) watch_.on_frame(drawn.number);
-            return taken;
-        });
+        taking_ = std::async(std::launch::async, in_this_style([this, &drawn] {
+                                 auto taken = take_(drawn.shown());
+                                 if (taken && watch_.on_frame) watch_.on_frame(drawn.number);
+                                 return taken;
+                             }));
     }
     /// Waits for the frame that was begun last, if there is one; says why it was not taken.
     std::optional<std::string> wait(FilmWork& work) {

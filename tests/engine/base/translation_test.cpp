@@ -39,11 +39,23 @@ TEST_F(Translations, LeaveWhatNoCatalogHas) {
     EXPECT_STREQ(tr(""), "") << "its entry is the catalog's head";
 }
 
-TEST_F(Translations, AreSeenByAllThreads) {
+TEST_F(Translations, AreHandedToOtherThreads) {
     set_language(Language::German, ',');
-    std::string seen;
+    std::string seen, handed;
     std::thread([&seen] { seen = tr("Language"); }).join();
-    EXPECT_EQ(seen, "Sprache");
+    EXPECT_EQ(seen, "Language");
+    std::thread(in_this_style([&handed] { handed = tr("Language") + localized("2.5"); })).join();
+    EXPECT_EQ(handed, "Sprache2,5");
+}
+
+TEST_F(Translations, LastUntilTheEndOfAScope) {
+    set_language(Language::German, ',');
+    {
+        const WithTextStyle french({.language = Language::French, .decimal_mark = '.'});
+        EXPECT_STREQ(tr("Language"), "Langue");
+    }
+    EXPECT_STREQ(tr("Language"), "Sprache");
+    EXPECT_EQ(decimal_mark(), ',');
 }
 
 TEST_F(Translations, StayWhereTheyAreWhenTheLanguageChanges) {
