@@ -4,21 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace zeroset {
 namespace {
 
 constexpr std::uint32_t pieces_a_node = 4;
-
-Box box_about(const std::vector<SurfacePiece>& pieces, std::uint32_t first, std::uint32_t last) {
-    Box box = pieces[first].box;
-    for (std::uint32_t i = first + 1; i < last; ++i) {
-        box.lo = glm::min(box.lo, pieces[i].box.lo);
-        box.hi = glm::max(box.hi, pieces[i].box.hi);
-    }
-    return box;
-}
 
 }  // namespace
 
@@ -44,12 +36,13 @@ std::expected<NearSurface, std::size_t> NearSurface::make(const SurfaceFunction&
 
 /// Puts the pieces from `first` to `last` below a node, near ones together.
 void NearSurface::arrange(std::uint32_t node, std::uint32_t first, std::uint32_t last) {
-    const Box box = box_about(pieces_, first, last);
-    if (last - first <= pieces_a_node) {
-        nodes_[node] = {.box = box, .first = first, .count = last - first};
+    const std::span<const SurfacePiece> pieces(&pieces_[first], last - first);
+    const SurfacePiece hull = hull_of(pieces);
+    if (pieces.size() <= pieces_a_node) {
+        nodes_[node] = {.hull = hull, .first = first, .count = last - first};
         return;
     }
-    const glm::dvec3 size = box.hi - box.lo;
+    const glm::dvec3 size = hull.box.hi - hull.box.lo;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::uint32_t middle = first + (last - first) / 2;
     const auto at = [&](std::uint32_t i) {
@@ -60,7 +53,7 @@ void NearSurface::arrange(std::uint32_t node, std::uint32_t first, std::uint32_t
                          return a.box.lo[axis] + a.box.hi[axis] < b.box.lo[axis] + b.box.hi[axis];
                      });
     const auto below = static_cast<std::uint32_t>(nodes_.size());
-    nodes_[node] = {.box = box, .first = below, .count = 0};
+    nodes_[node] = {.hull = hull, .first = below, .count = 0};
     nodes_.resize(nodes_.size() + 2);
     arrange(below, first, middle);
     arrange(below + 1, middle, last);
@@ -75,21 +68,28 @@ DistanceBounds NearSurface::distance(const glm::dvec3& point, double known) cons
     if (nodes_.empty()) return bounds;
     std::array<Task, 128> tasks;  // two a level, of at most 32
     std::size_t count = 0;
-    tasks[count++] = {.node = 0, .from = distance_below(nodes_[0].box, point)};
+    // A node farther away than a zero that is proved changes neither bound, and one farther away
+    // than the lower bound does not change that.
+    const auto is_far = [&](double from) { return from > (has_zero_ ? bounds.hi : bounds.lo); };
+    const auto task_of = [&](std::uint32_t node) {
+        const SurfacePiece& hull = nodes_[node].hull;
+        const double from = distance_below(hull.box, point);
+        return Task{.node = node, .from = is_far(from) ? from : hull.distance(point).lo};
+    };
+    tasks[count++] = task_of(0);
     while (count > 0) {
         const Task task = tasks[--count];
-        // A node farther away than a zero that is proved changes neither bound, and one farther
-        // away than the lower bound does not change that.
-        if (task.from > (has_zero_ ? bounds.hi : bounds.lo)) continue;
+        if (is_far(task.from)) continue;
         const Node& node = nodes_[task.node];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            if (is_far(distance_below(pieces_[i].box, point))) continue;
             const DistanceBounds own = pieces_[i].distance(point);
             bounds.lo = std::min(bounds.lo, own.lo);
             bounds.hi = std::min(bounds.hi, own.hi);
         }
         if (node.count > 0) continue;
-        Task near{.node = node.first, .from = distance_below(nodes_[node.first].box, point)};
-        Task far{.node = node.first + 1, .from = distance_below(nodes_[node.first + 1].box, point)};
+        Task near = task_of(node.first);
+        Task far = task_of(node.first + 1);
         if (far.from < near.from) std::swap(near, far);
         tasks[count++] = far;
         tasks[count++] = near;

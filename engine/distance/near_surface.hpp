@@ -46,9 +46,9 @@ public:
         const glm::dvec3& point, double known = std::numeric_limits<double>::infinity()) const;
 
 private:
-    /// A box about some of the pieces: two nodes, or a few pieces.
+    /// Some of the pieces: those of two nodes, or a few.
     struct Node {
-        Box box;
+        SurfacePiece hull;
         std::uint32_t first, count;  ///< pieces; count 0: the nodes `first` and `first` + 1
     };
 

@@ -64,6 +64,37 @@ double distance_below(const Box& box, const glm::dvec3& point) {
     return std::max(0.0, glm::length(away) * (1 - unit) - rounding_of(box, point));
 }
 
+SurfacePiece hull_of(std::span<const SurfacePiece> pieces) {
+    SurfacePiece hull{.box = pieces.front().box};
+    for (const SurfacePiece& piece : pieces) {
+        hull.box.lo = glm::min(hull.box.lo, piece.box.lo);
+        hull.box.hi = glm::max(hull.box.hi, piece.box.hi);
+        const bool turned = glm::dot(hull.normal, piece.normal) < 0;
+        hull.normal += turned ? -piece.normal : piece.normal;
+    }
+    const double length = glm::length(hull.normal);
+    constexpr double least_length = 0.1;  // normals that cancel out tell of no direction
+    if (!(length > least_length)) return {.box = hull.box};
+    hull.normal /= length;
+    const glm::dvec3 middle = 0.5 * (hull.box.lo + hull.box.hi);
+    double lo = std::numeric_limits<double>::infinity();
+    double hi = -lo;
+    for (const SurfacePiece& piece : pieces) {
+        // The hull's normal is `along` times the piece's, and a rest over the whole box.
+        const double along = glm::dot(hull.normal, piece.normal);
+        const glm::dvec3 rest = hull.normal - along * piece.normal;
+        const glm::dvec3 half = 0.5 * (piece.box.hi - piece.box.lo);
+        const double center = glm::dot(hull.normal, 0.5 * (piece.box.lo + piece.box.hi) - middle) +
+                              along * piece.offset;
+        const double reach = std::abs(along) * piece.half_width + glm::dot(glm::abs(rest), half);
+        lo = std::min(lo, center - reach);
+        hi = std::max(hi, center + reach);
+    }
+    hull.offset = 0.5 * (lo + hi);
+    hull.half_width = 0.5 * (hi - lo) + rounding_of(hull.box, middle);
+    return hull;
+}
+
 bool SurfacePiece::is_empty() const {
     const glm::dvec3 half = 0.5 * (box.hi - box.lo);
     const double reach = glm::dot(glm::abs(normal), half) + rounding_of(box, glm::dvec3(0.0));

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <limits>
+#include <span>
 
 namespace zeroset {
 
@@ -32,6 +33,10 @@ struct SurfacePiece {
     /// Whether the slab misses the box, so that it holds no zeros.
     [[nodiscard]] bool is_empty() const;
 };
+
+/// A piece that holds all zeros of some pieces, at least one, and tells of none that is proved: a
+/// slab along the mean of their normals.
+SurfacePiece hull_of(std::span<const SurfacePiece> pieces);
 
 /// A lower bound of the distance from a point to a box.
 double distance_below(const Box& box, const glm::dvec3& point);

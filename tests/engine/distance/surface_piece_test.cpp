@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace zeroset::test::surface_piece_test {
 namespace {
@@ -70,6 +71,42 @@ TEST(SurfacePiece, BoundsAreTheDistancesToTheSlabInTheBox) {
     }
     EXPECT_GT(met, 250);
     EXPECT_GT(crossed, 200);
+}
+
+TEST(HullOf, IsNoFartherThanAnyPiece) {
+    RandomNumbers random(72);
+    for (int n = 0; n < 300; ++n) {
+        std::vector<SurfacePiece> pieces;
+        for (int i = 0; i <= n % 7; ++i) {
+            SurfacePiece piece = random_piece(random);
+            if (random.one_in(6)) piece.normal = glm::dvec3(0.0);
+            if (!piece.is_empty()) pieces.push_back(piece);
+        }
+        if (pieces.empty()) continue;
+        const SurfacePiece hull = hull_of(pieces);
+        for (int i = 0; i < 20; ++i) {
+            const glm::dvec3 point = random_point(random, 7);
+            for (const SurfacePiece& piece : pieces)
+                EXPECT_LE(hull.distance(point).lo, piece.distance(point).lo + 1e-9) << n;
+        }
+    }
+}
+
+TEST(HullOf, IsThinWherePiecesLieInLine) {
+    std::vector<SurfacePiece> pieces;
+    for (int i = 0; i < 8; ++i) {
+        const double x = 0.1 * i;
+        // Boxes along the parabola z = x^2 / 10, with slabs along its tangents.
+        const glm::dvec3 normal = glm::normalize(glm::dvec3(-x / 5, 0, 1));
+        const glm::dvec3 middle(x, 0, x * x / 10);
+        pieces.push_back({.box = {.lo = middle - 0.05, .hi = middle + 0.05},
+                          .normal = i % 3 == 0 ? -normal : normal,
+                          .half_width = 0.001});
+    }
+    const SurfacePiece hull = hull_of(pieces);
+    EXPECT_LT(hull.half_width, 0.02);
+    EXPECT_GT(hull.distance({0.35, 0, 1}).lo, 0.95);
+    EXPECT_FALSE(std::isfinite(hull.distance({0.35, 0, 1}).hi));
 }
 
 TEST(SurfacePiece, KnowsWhereItsSlabMissesItsBox) {
