@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <mutex>
 #include <string>
@@ -26,11 +27,32 @@ bool is_device(const fs::path& path) {
     return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
 }
 
+/// The file that a path means, behind links, though it may not be there yet.
+fs::path behind_links(const fs::path& path) {
+    constexpr int most_links = 40;
+    fs::path target = path;
+    std::error_code error;
+    for (int i = 0; i < most_links && fs::is_symlink(target, error); ++i) {
+        const fs::path next = fs::read_symlink(target, error);
+        if (error) break;
+        target = target.parent_path() / next;
+    }
+    return target;
+}
+
 /// A temporary name in the folder of `path` that no other process uses.
 fs::path beside(const fs::path& path) {
     fs::path temporary = path;
     temporary += "." + std::to_string(::getpid()) + ".part";
     return temporary;
+}
+
+/// A temporary name for what goes to the device `path`.
+fs::path apart_from(const fs::path& path) {
+    static std::atomic<int> count;
+    std::error_code ignored;
+    const std::string name = "zeroset_" + std::to_string(count++) + "_" + path.filename().string();
+    return beside(fs::temp_directory_path(ignored) / name);
 }
 
 /// Files that are written but not renamed yet. Holding the mutex keeps all threads from beginning
@@ -49,17 +71,24 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 }  // namespace
 
-NewFile::NewFile(const fs::path& path)
-    : path_(path), grows_at_(is_device(path) ? path : beside(path)) {
-    const std::scoped_lock lock(unfinished().mutex);
-    if (grows_at_ != path_) unfinished().files.push_back(grows_at_);
+NewFile::NewFile(const fs::path& path, Order order)
+    : path_(path), is_device_(is_device(path)), target_(is_device_ ? path : behind_links(path)) {
+    grows_at_ = beside(target_);
+    if (is_device_) grows_at_ = order == Order::Appended ? target_ : apart_from(target_);
+    // A device is opened without the mutex, as that of a pipe waits for its reader.
+    std::unique_lock lock(unfinished().mutex);
+    if (grows_at_ == target_) {
+        lock.unlock();
+    } else {
+        unfinished().files.push_back(grows_at_);
+    }
     errno = 0;
     stream_.open(grows_at_, std::ios::binary);
     if (!stream_) error_ = errno;
 }
 
 NewFile::~NewFile() {
-    if (grows_at_ == path_) return;
+    if (grows_at_ == target_) return;
     const std::scoped_lock lock(unfinished().mutex);
     std::erase(unfinished().files, grows_at_);
     std::error_code ignored;
@@ -84,23 +113,46 @@ std::expected<void, FileError> NewFile::keep() {
     stream_.close();
     if (!stream_ && error_ == 0) error_ = errno;
     if (!stream_) return error();
-    if (grows_at_ == path_) return {};
+    if (grows_at_ == target_) return {};
+    if (is_device_) return copy_to_device();
     const std::scoped_lock lock(unfinished().mutex);
     std::error_code error;
-    fs::rename(grows_at_, path_, error);
+    const fs::file_status before = fs::status(target_, error);
+    if (fs::exists(before)) fs::permissions(grows_at_, before.permissions(), error);
+    fs::rename(grows_at_, target_, error);
     if (error) return cannot_write(path_, error.message());
     kept_ = true;
     return {};
 }
 
+std::expected<void, FileError> NewFile::copy_to_device() {
+    errno = 0;
+    std::ofstream device(target_, std::ios::binary);
+    const std::ifstream grown(grows_at_, std::ios::binary);
+    device << grown.rdbuf();
+    device.close();
+    if (device) return {};
+    error_ = errno;
+    return error();
+}
+
 std::expected<void, FileError> check_writable(const fs::path& path) {
+    constexpr fs::perms writers =
+        fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
     if (path.empty()) return cannot_write(path, tr("the name is empty"));
     std::error_code error;
     const fs::file_status found = fs::status(path, error);
     if (found.type() == fs::file_type::none) return cannot_write(path, error.message());
     if (fs::is_directory(found))
         return cannot_write(path, tr("it is a directory; name a file in it"));
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    // The system lets root write to what nobody may write to.
+    const bool is_protected =
+        fs::is_regular_file(found) && (found.permissions() & writers) == fs::perms::none;
+    if (is_protected || (fs::exists(found) && ::access(path.c_str(), W_OK) != 0))
+        return cannot_write(path, reason_of(EACCES));
+    if (is_device(path)) return {};
+    const fs::path target = behind_links(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {
         return cannot_write(
             path, filled(tr("the folder {0} does not exist"), {"'" + folder.string() + "'"}));

@@ -3,6 +3,7 @@
 #include "engine/export/file.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <filesystem>
 #include <fstream>
@@ -11,11 +12,17 @@
 namespace zeroset {
 
 /// A file that grows beside its place until keep() renames it: its path is complete or untouched. A
-/// device such as /dev/stdout, which a rename would replace, is written into. One thread.
+/// link is followed, and a file that is replaced leaves its permissions. A device or a pipe, which
+/// a rename would replace, is written into. One thread.
 class NewFile {
 public:
-    /// Begins a file, which is destroyed unless it is kept. Not if check_writable refuses.
-    explicit NewFile(const std::filesystem::path& path);
+    /// Whether bytes are only appended, or places before the end are written again, too: then what
+    /// goes to a device grows in a folder for temporary files first.
+    enum class Order : std::uint8_t { Appended, Any };
+
+    /// Begins a file, which is destroyed unless it is kept. Not if check_writable refuses. Waits
+    /// for who reads from a pipe.
+    explicit NewFile(const std::filesystem::path& path, Order order = Order::Appended);
     ~NewFile();
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
@@ -32,8 +39,13 @@ public:
     [[nodiscard]] std::unexpected<FileError> error() const;
 
 private:
-    std::filesystem::path path_;
-    std::filesystem::path grows_at_;  ///< equal to `path_` for a device
+    /// Copies what has grown to the device.
+    std::expected<void, FileError> copy_to_device();
+
+    std::filesystem::path path_;  ///< that was asked for
+    bool is_device_;
+    std::filesystem::path target_;    ///< behind links
+    std::filesystem::path grows_at_;  ///< may be the device
     std::ofstream stream_;
     int error_ = 0;  ///< errno of the first write that failed
     bool kept_ = false;

@@ -7,7 +7,7 @@
 namespace zeroset {
 
 PfmWriter::PfmWriter(const std::filesystem::path& path, int width, int height)
-    : file_(path), height_(height) {
+    : file_(path, NewFile::Order::Any), height_(height) {
     const std::string header =
         "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
     header_ = static_cast<std::streamoff>(header.size());

@@ -118,7 +118,7 @@ WRONG_COMMANDS = [
     (["render", "no_such.json", "-o", "a.png"], ["no_such.json", "no such file"]),
     (["render", "/none/scan-1.dcm", "-o", "a.png"], ["/none/scan-1.dcm", "no such file"]),
     (["render", "x", "-o"], ["output"]),
-    (["render", "x", "-o", "picture.bmp"], ["picture.bmp", ".png", ".exr"]),
+    (["render", "x", "-o", "picture.pcx"], ["picture.pcx", ".png", ".exr"]),
     (["render", "./", "-o", "picture.png"], ["folder", "zeroset ./"]),
     (["render", "x", "-o", ""], [".png"]),
     (["render", "x", "--stats", "-", "--alpha"], ["--alpha", "-o"]),

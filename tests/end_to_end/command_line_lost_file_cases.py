@@ -14,7 +14,7 @@ FILM = ["turntable", SURFACE, "--size", "64x48", "--frames", "6"]
 MESH = ["mesh", SURFACE, "--tolerance", "0.05"]
 DRAWING = ["draw", "z = x^2 + y^2"]
 EXPORTS = [(command, ending) for command, endings in (
-    (PICTURE, ("png", "jpg", "webp", "tif", "exr")),
+    (PICTURE, ("png", "jpg", "webp", "tif", "exr", "bmp", "tga", "hdr")),
     (FILM, ("mp4", "webm", "mov", "mkv", "gif", "apng", "#.png")),
     (MESH, ("stl", "3mf", "ply", "obj", "glb")),
     (DRAWING, ("svg", "pdf", "tex"))) for ending in endings]

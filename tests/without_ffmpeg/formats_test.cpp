@@ -16,7 +16,7 @@ namespace {
 constexpr const char* reason = "this Zeroset was built without FFmpeg";
 
 TEST(WithoutFfmpeg, TheTableSaysWhatCannotBeWritten) {
-    const std::set<std::string_view> written{".png", ".exr"};
+    const std::set<std::string_view> written{".png", ".jpg", ".exr", ".bmp", ".tga", ".hdr"};
     for (const ExportFormat& format : export_formats()) {
         const bool needs_none = format.kind == ExportKind::Mesh ||
                                 format.kind == ExportKind::Drawing ||
@@ -26,19 +26,20 @@ TEST(WithoutFfmpeg, TheTableSaysWhatCannotBeWritten) {
 }
 
 TEST(WithoutFfmpeg, OnlyEndingsThatCanBeWrittenAreOffered) {
-    EXPECT_EQ(export_endings(ExportKind::Picture), ".png or .exr");
+    EXPECT_EQ(export_endings(ExportKind::Picture), ".png, .jpg, .exr, .bmp, .tga or .hdr");
     EXPECT_EQ(export_endings(ExportKind::Film), "");
     EXPECT_EQ(export_endings(ExportKind::Picture, &ExportFormat::deep), ".png");
-    EXPECT_EQ(export_use(ExportKind::Picture, &ExportFormat::quality), "");
+    EXPECT_EQ(export_use(ExportKind::Picture, &ExportFormat::quality), "; it is for .jpg");
     EXPECT_EQ(export_use(ExportKind::Picture, &ExportFormat::density), "; it is for .png or .exr");
-    EXPECT_EQ(missing_endings(ExportKind::Picture),
-              "no .jpg, .webp or .tif: " + std::string(reason));
+    EXPECT_EQ(missing_endings(ExportKind::Picture), "no .webp or .tif: " + std::string(reason));
     EXPECT_EQ(missing_endings(ExportKind::Mesh), "");
 }
 
 TEST(WithoutFfmpeg, OtherNamesAreThoseThatWork) {
-    EXPECT_EQ(other_name(ExportKind::Picture, "a.bmp"), "type a name that ends in .png or .exr");
-    EXPECT_EQ(other_name(ExportKind::Picture, "a.mp4"), "type a name that ends in .png or .exr");
+    EXPECT_EQ(other_name(ExportKind::Picture, "a.pcx"),
+              "type a name that ends in .png, .jpg, .exr, .bmp, .tga or .hdr");
+    EXPECT_EQ(other_name(ExportKind::Picture, "a.mp4"),
+              "type a name that ends in .png, .jpg, .exr, .bmp, .tga or .hdr");
     EXPECT_EQ(other_name(ExportKind::Film, "a.avi"),
               "no .mp4, .webm, .mov, .mkv, .gif or .apng: " + std::string(reason) +
                   "; frame####.png makes numbered pictures");

@@ -21,12 +21,20 @@ struct RawPicture {
 /// A finished file, or why there is none.
 using EncodedPicture = std::expected<std::vector<std::byte>, std::string>;
 
-inline constexpr const char* jpeg_encoder = "mjpeg";
 inline constexpr const char* webp_encoder = "libwebp";
 inline constexpr const char* tiff_encoder = "tiff";
 
-/// 8 bits without alpha; `quality`: 1 to 100.
+// By stb_image_write, which every build has: 8 bits, TGA alone with alpha.
+
+/// `quality`: 1 to 100; from 91 on colours are not subsampled.
 EncodedPicture encoded_jpeg(const RawPicture& picture, int quality);
+EncodedPicture encoded_bmp(const RawPicture& picture);
+EncodedPicture encoded_tga(const RawPicture& picture);
+/// Radiance's format. `light`: RGB, row by row.
+EncodedPicture encoded_hdr(int width, int height, std::span<const float> light);
+
+// By FFmpeg.
+
 /// 8 bits; `quality`: 1 to 100, which is without loss.
 EncodedPicture encoded_webp(const RawPicture& picture, int quality);
 /// 8 or 16 bits, without loss. `dots_per_inch`: 0: not told.

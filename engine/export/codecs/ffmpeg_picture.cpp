@@ -5,7 +5,6 @@
 #include "engine/export/codecs/ffmpeg_library.hpp"
 #include "engine/export/codecs/ffmpeg_objects.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -44,7 +43,6 @@ EncodedPicture encoded(const PictureCodec& codec, const RawPicture& picture) {
     const CodecPacket packet(ffmpeg().av_packet_alloc());
     if (frame == nullptr || packet == nullptr) return std::unexpected(tr("memory is short"));
     frame->pts = 0;
-    frame->quality = context->global_quality;
     const std::size_t row_bytes = picture.rows.size() / static_cast<std::size_t>(picture.height);
     parallel_for(static_cast<std::size_t>(picture.height), 0, [&](std::size_t row) {
         codec.fill_row(picture.rows.data() + row * row_bytes, *frame, static_cast<int>(row));
@@ -54,26 +52,6 @@ EncodedPicture encoded(const PictureCodec& codec, const RawPicture& picture) {
     if (error >= 0) error = ffmpeg().avcodec_receive_packet(context.get(), packet.get());
     if (error < 0) return std::unexpected(ffmpeg_error(error));
     return bytes_of(*packet);
-}
-
-std::uint8_t byte_of(float value) {
-    return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
-}
-
-/// RGB to the full range of BT.601 without subsampling, as JPEG files have it [JFIF 1.02].
-void fill_yuv_row(const std::uint8_t* from, const AVFrame& to, int row) {
-    std::uint8_t* const luma = plane_row(to, 0, row);
-    std::uint8_t* const blue_part = plane_row(to, 1, row);
-    std::uint8_t* const red_part = plane_row(to, 2, row);
-    for (int col = 0; col < to.width; ++col, from += 3) {
-        const float red = from[0];
-        const float green = from[1];
-        const float blue = from[2];
-        const float y = 0.299F * red + 0.587F * green + 0.114F * blue;
-        luma[col] = byte_of(y);
-        blue_part[col] = byte_of((blue - y) / 1.772F + 128.0F);
-        red_part[col] = byte_of((red - y) / 1.402F + 128.0F);
-    }
 }
 
 /// RGBA to words whose bytes are B, G, R, A on little-endian machines.
@@ -93,22 +71,6 @@ AVPixelFormat tiff_format(const RawPicture& picture) {
 }
 
 }  // namespace
-
-EncodedPicture encoded_jpeg(const RawPicture& picture, int quality) {
-    // The encoder's own scale goes from 1, the best, to 31.
-    const double coarseness = 1.0 + (100 - quality) * 30.0 / 99.0;
-    const auto set_up = [coarseness](AVCodecContext& context) {
-        context.color_range = AVCOL_RANGE_JPEG;
-        context.flags |= AV_CODEC_FLAG_QSCALE;
-        context.qmin = 1;
-        context.global_quality = static_cast<int>(std::lround(coarseness * FF_QP2LAMBDA));
-    };
-    return encoded({.name = jpeg_encoder,
-                    .format = AV_PIX_FMT_YUVJ444P,
-                    .fill_row = fill_yuv_row,
-                    .set_up = set_up},
-                   picture);
-}
 
 EncodedPicture encoded_webp(const RawPicture& picture, int quality) {
     const auto set_up = [quality](AVCodecContext& context) {

@@ -14,7 +14,6 @@ std::unexpected<std::string> refused() { return std::unexpected(missing_encoder(
 
 std::string missing_encoder(const char*) { return tr("this Zeroset was built without FFmpeg"); }
 
-EncodedPicture encoded_jpeg(const RawPicture&, int) { return refused(); }
 EncodedPicture encoded_webp(const RawPicture&, int) { return refused(); }
 EncodedPicture encoded_tiff(const RawPicture&, double) { return refused(); }
 

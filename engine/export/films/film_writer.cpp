@@ -6,7 +6,7 @@
 namespace zeroset {
 
 FilmWriter::FilmWriter(const std::filesystem::path& path, const FilmSettings& settings)
-    : path_(path), settings_(settings), file_(path) {}
+    : path_(path), settings_(settings), file_(path, NewFile::Order::Any) {}
 
 std::unexpected<FileError> FilmWriter::failure(const std::string& reason) const {
     return std::unexpected(

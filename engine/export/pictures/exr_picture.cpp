@@ -86,14 +86,24 @@ constexpr std::array<Channel, 14> exr_channels{
     whole("surface.id", offsetof(ExrPixel, surface)),
 };
 
+/// Adds the session as attributes: of the keyword, and of the keyword with 2, 3, ... for the rest.
+/// FFmpeg 5 and others take attributes of more than 255 bytes for a damaged file.
+void add_document(Imf::Header& header, const std::string& document) {
+    constexpr std::size_t longest = 255;
+    for (std::size_t at = 0; at < document.size(); at += longest) {
+        const std::size_t part = at / longest + 1;
+        const std::string name = document_keyword + (part == 1 ? "" : " " + std::to_string(part));
+        header.insert(name, Imf::StringAttribute(document.substr(at, longest)));
+    }
+}
+
 Imf::Header header_of(const PictureOptions& options) {
     Imf::Header header(options.size.width, options.size.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const Channel& channel : exr_channels)
         header.channels().insert(channel.name, Imf::Channel(channel.type));
     header.insert("software", Imf::StringAttribute("Zeroset"));
-    if (!options.document.empty())
-        header.insert(document_keyword, Imf::StringAttribute(options.document));
+    add_document(header, options.document);
     if (options.dots_per_inch > 0)
         Imf::addXDensity(header, static_cast<float>(options.dots_per_inch));
     return header;
@@ -102,7 +112,10 @@ Imf::Header header_of(const PictureOptions& options) {
 class ExrPicture final : public PictureWriter {
 public:
     ExrPicture(const std::filesystem::path& path, PictureOptions options)
-        : options_(std::move(options)), view_(options_.camera), file_(path), stream_(file_) {
+        : options_(std::move(options)),
+          view_(options_.camera),
+          file_(path, NewFile::Order::Any),
+          stream_(file_) {
         if (Imf::globalThreadCount() == 0) Imf::setGlobalThreadCount(core_count());
     }
 

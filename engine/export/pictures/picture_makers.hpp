@@ -18,6 +18,13 @@ std::unique_ptr<PictureWriter> make_exr_picture(const std::filesystem::path& pat
                                                 const PictureOptions& options);
 std::unique_ptr<PictureWriter> make_jpeg_picture(const std::filesystem::path& path,
                                                  const PictureOptions& options);
+std::unique_ptr<PictureWriter> make_bmp_picture(const std::filesystem::path& path,
+                                                const PictureOptions& options);
+std::unique_ptr<PictureWriter> make_tga_picture(const std::filesystem::path& path,
+                                                const PictureOptions& options);
+/// Colours in linear light.
+std::unique_ptr<PictureWriter> make_hdr_picture(const std::filesystem::path& path,
+                                                const PictureOptions& options);
 std::unique_ptr<PictureWriter> make_webp_picture(const std::filesystem::path& path,
                                                  const PictureOptions& options);
 std::unique_ptr<PictureWriter> make_tiff_picture(const std::filesystem::path& path,

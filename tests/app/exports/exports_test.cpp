@@ -92,8 +92,8 @@ TEST_F(Exports, WriteMeshesAndDrawings) {
 
 TEST_F(Exports, SayWhatIsWrongAndLeaveNothing) {
     EXPECT_EQ(picture_work(ball_, {}, folder_ / "a.stl")(news_).error(),
-              "the picture was not saved: type a name that ends in .png, .jpg, .webp, .tif or "
-              ".exr; .stl is written by `zeroset mesh`");
+              "the picture was not saved: type a name that ends in .png, .jpg, .webp, .tif, .exr, "
+              ".bmp, .tga or .hdr; .stl is written by `zeroset mesh`");
     EXPECT_FALSE(film_work(ball_, {}, folder_ / "a.xyz")(news_));
     EXPECT_FALSE(mesh_work(ball_, {.tolerance = 0.1}, folder_ / "a.xyz", nullptr)(news_));
     EXPECT_FALSE(drawing_work(ball_, {}, folder_ / "a.xyz", nullptr)(news_));

@@ -1,17 +1,21 @@
 #include "engine/export/file.hpp"
 
+#include "engine/export/new_file.hpp"
 #include "engine/export/pfm_writer.hpp"
 #include "tests/support/test_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -115,6 +119,77 @@ TEST_F(FileTest, LeavesNothingBehindWithoutPermission) {
 TEST_F(FileTest, ReportsADeviceWithoutSpace) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
     expect_refused(write_file("/dev/full", bytes_of("x")), "/dev/full");
+}
+
+TEST_F(FileTest, FollowsLinksAndKeepsPermissions) {
+    const auto readers = fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read;
+    fs::create_directory(folder_ / "there");
+    EXPECT_TRUE(write_file(folder_ / "there/file", bytes_of("old")));
+    fs::permissions(folder_ / "there/file", readers);
+    fs::create_symlink("there/file", folder_ / "link");
+    fs::create_symlink("link", folder_ / "second");
+    EXPECT_TRUE(write_file(folder_ / "second", bytes_of("new")));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "second"));
+    EXPECT_EQ(content(folder_ / "there/file"), "new");
+    EXPECT_EQ(fs::status(folder_ / "there/file").permissions(), readers);
+    fs::create_symlink(folder_ / "there/next", folder_ / "to be");
+    EXPECT_TRUE(write_file(folder_ / "to be", bytes_of("made")));
+    EXPECT_EQ(content(folder_ / "there/next"), "made");
+    fs::create_symlink("around", folder_ / "around");
+    expect_refused(write_file(folder_ / "around", bytes_of("x")), folder_ / "around");
+}
+
+TEST_F(FileTest, RefusesAFileThatNobodyMayWrite) {
+    EXPECT_TRUE(write_file(folder_ / "file", bytes_of("old")));
+    fs::permissions(folder_ / "file", fs::perms::owner_read);
+    fs::create_symlink("file", folder_ / "link");
+    for (const char* const name : {"file", "link"})
+        expect_refused(write_file(folder_ / name, bytes_of("new")), folder_ / name);
+    EXPECT_EQ(content(folder_ / "file"), "old");
+}
+
+/// Reads a pipe while `write` writes into it.
+std::string piped(const fs::path& pipe, const std::function<void()>& write) {
+    ::mkfifo(pipe.c_str(), 0600);
+    std::string read;
+    std::thread reader([&] {
+        std::ifstream file(pipe, std::ios::binary);
+        read.assign(std::istreambuf_iterator<char>(file), {});
+    });
+    write();
+    reader.join();
+    return read;
+}
+
+TEST_F(FileTest, WritesIntoPipes) {
+    const fs::path pipe = folder_ / "pipe";
+    const std::string text(200'000, 'x');
+    EXPECT_EQ(piped(pipe, [&] { EXPECT_TRUE(write_file(pipe, bytes_of(text))); }), text);
+    const auto write_backwards = [&] {
+        NewFile file(pipe, NewFile::Order::Any);
+        EXPECT_TRUE(file.append(bytes_of(text)));
+        file.stream().seekp(1);
+        EXPECT_TRUE(file.append(bytes_of("abc")));
+        EXPECT_NE(file.place(), pipe);
+        EXPECT_TRUE(file.keep());
+    };
+    EXPECT_EQ(piped(pipe, write_backwards), "xabc" + text.substr(4));
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_EQ(files(), 1);
+}
+
+/// A signal ends the program even while nobody reads from the pipe.
+TEST_F(FileTest, CanBeAbandonedWhileAPipeHasNoReader) {
+    ::testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const fs::path pipe = folder_ / "pipe";
+    const auto end = [&] {
+        ::mkfifo(pipe.c_str(), 0600);
+        std::thread([&] { const NewFile file(pipe); }).detach();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        abandon_files();
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(end(), ::testing::ExitedWithCode(0), "");
 }
 
 /// 3 x 2 pixels, all different.

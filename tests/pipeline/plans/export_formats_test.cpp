@@ -38,7 +38,8 @@ TEST(ExportFormats, AreFoundByOtherSpellings) {
 }
 
 TEST(ExportFormats, TellTheEndings) {
-    EXPECT_EQ(export_endings(ExportKind::Picture), ".png, .jpg, .webp, .tif or .exr");
+    EXPECT_EQ(export_endings(ExportKind::Picture),
+              ".png, .jpg, .webp, .tif, .exr, .bmp, .tga or .hdr");
     EXPECT_EQ(export_endings(ExportKind::Film), ".mp4, .webm, .mov, .mkv, .gif or .apng");
     EXPECT_EQ(export_endings(ExportKind::Mesh), ".stl, .3mf, .ply, .obj or .glb");
     EXPECT_EQ(export_endings(ExportKind::Drawing), ".svg, .pdf or .tex");
@@ -48,7 +49,7 @@ TEST(ExportFormats, TellTheEndings) {
 }
 
 TEST(ExportFormats, NameTheCommandOfAnotherKindsEnding) {
-    EXPECT_EQ(other_name(ExportKind::Drawing, "a.bmp"),
+    EXPECT_EQ(other_name(ExportKind::Drawing, "a.pcx"),
               "type a name that ends in .svg, .pdf or .tex");
     EXPECT_EQ(other_name(ExportKind::Drawing, "a.stl"),
               "type a name that ends in .svg, .pdf or .tex; .stl is written by `zeroset mesh`");
