@@ -208,6 +208,8 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
         *draw_app, "--width", draw.drawing.width,
         "width of silhouettes in points, other lines are thinner (default 1); \"1; contour 0.3\": "
         "that of a kind of line, too");
+    add_value(*draw_app, "--background", draw.drawing.background,
+              "#RRGGBB behind the lines (default: none, so that what the drawing lies on is seen)");
     add_value(*draw_app, "--tolerance", draw.drawing.tolerance,
               "how far lines may be from the true ones, in points (default 0.05)");
     add_view_options(*draw_app, draw.view);

@@ -70,7 +70,7 @@ render '(cos t, sin t, t/3), 0 < t < 20; x^2 + y^2 + z^2 = 4 and z = x y' --thic
 draw @klein -o klein.pdf --hidden dash)",
         .options = "--contours --intersections --mark --thickness --textbook "
                    "--axes --axis-names --clip-box --grid --lines --hidden "
-                   "--width"},
+                   "--width draw:--background"},
     HelpGroup{
         .name = "Film",
         .about =

@@ -2,6 +2,7 @@
 
 #include "app/cli/options/option_reader.hpp"
 #include "app/cli/options/options.hpp"
+#include "document/colors.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 
@@ -81,6 +82,11 @@ OrInputError<HiddenLines> read_hidden(const std::string& text) {
     return wrong_input("--hidden " + text + ": type remove, dash or show");
 }
 
+OrInputError<std::uint32_t> read_background(const std::string& text) {
+    if (const auto color = color_from(text)) return *color;
+    return wrong_input("--background " + text + ": type #RRGGBB");
+}
+
 }  // namespace
 
 OrInputError<PageSize> read_page_size(const std::string& text) {
@@ -121,6 +127,7 @@ OrInputError<DrawingPlan> read_drawing(const DrawingText& text) {
     if (text.hidden) reader.take(plan.style.hidden, read_hidden(*text.hidden));
     plan.choice.hidden = plan.style.hidden != HiddenLines::Remove;
     if (text.width) reader.check(read_widths(*text.width, plan.style));
+    if (text.background) reader.take(plan.style.background, read_background(*text.background));
     if (text.tolerance) {
         reader.take(plan.style.tolerance_pt,
                     read_between("--tolerance", *text.tolerance, 1e-4, 10.0));

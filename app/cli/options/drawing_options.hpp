@@ -12,7 +12,7 @@ namespace zeroset {
 /// Options for drawings in lines, as typed.
 struct DrawingText {
     std::string size = "400x400";
-    std::optional<std::string> lines, hidden, width, tolerance;
+    std::optional<std::string> lines, hidden, width, tolerance, background;
 };
 
 struct DrawingPlan {

@@ -21,7 +21,8 @@ struct DrawingStyle {
     double width_pt = 1.0;  ///< of silhouettes; the others are thinner
     /// Widths of lines of one kind, by CurveKind; none: a part of `width_pt`.
     std::array<std::optional<double>, 5> widths_pt = {};
-    double tolerance_pt = 0.05;  ///< places are written to a hundredth of it
+    double tolerance_pt = 0.05;                    ///< places are written to a hundredth of it
+    std::optional<std::uint32_t> background = {};  ///< 0xRRGGBB; none: the page's, or transparent
 };
 
 /// One list of paths that look alike, in the order in which they are to be drawn.

@@ -3,6 +3,7 @@
 #include "engine/draw/files/drawing_style.hpp"
 
 #include <expected>
+#include <cstdint>
 #include <string>
 
 namespace zeroset {
@@ -21,6 +22,9 @@ std::string svg_of(const LineDrawing& drawing, const DrawingStyle& style);
 /// The drawing as a TikZ picture, to be read by \input in a LaTeX document that uses tikz: a scope
 /// for each kind of curve.
 std::string tikz_of(const LineDrawing& drawing, const DrawingStyle& style);
+
+/// The six hexadecimal digits of a colour 0xRRGGBB, in capitals.
+std::string hex_digits(std::uint32_t color);
 
 /// The number with up to `decimals` digits after the point, without zeros at the end, for a file.
 std::string file_number(double number, int decimals);

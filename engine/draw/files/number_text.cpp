@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstddef>
 
 namespace zeroset {
 
@@ -16,6 +17,14 @@ std::string file_number(double number, int decimals) {
         if (text.ends_with('.')) text.pop_back();
     }
     return text == "-0" ? "0" : text;
+}
+
+std::string hex_digits(std::uint32_t color) {
+    constexpr const char* digits = "0123456789ABCDEF";
+    std::string text;
+    for (int shift = 20; shift >= 0; shift -= 4)
+        text += digits[static_cast<std::size_t>(color >> static_cast<unsigned>(shift) & 15U)];
+    return text;
 }
 
 }  // namespace zeroset

@@ -56,6 +56,7 @@ public:
         HPDF_Page_SetLineCap(page_, HPDF_ROUND_END);
         HPDF_Page_SetLineJoin(page_, HPDF_ROUND_JOIN);
     }
+    void fill(std::uint32_t color);
     void draw(const LineGroup& group);
 
 private:
@@ -68,6 +69,15 @@ private:
     const LineDrawing& drawing_;
     double units_;  ///< for a point
 };
+
+void PdfPage::fill(std::uint32_t color) {
+    const auto channel = [&](unsigned shift) {
+        return static_cast<HPDF_REAL>(color >> shift & 0xFFU) / 255.0F;
+    };
+    HPDF_Page_SetRGBFill(page_, channel(16), channel(8), channel(0));
+    HPDF_Page_Rectangle(page_, 0, 0, unit(drawing_.size.width), unit(drawing_.size.height));
+    HPDF_Page_Fill(page_);
+}
 
 void PdfPage::draw(const DrawnPath& path) {
     const glm::dvec2& first = path.pieces.front()[0];
@@ -111,6 +121,7 @@ std::expected<std::string, std::string> pdf_of(const LineDrawing& drawing,
     HPDF_SetCompressionMode(document.get(), HPDF_COMP_ALL);
     const std::vector<LineGroup> groups = line_groups(drawing, style);
     PdfPage page(HPDF_AddPage(document.get()), drawing, unit_for(groups));
+    if (style.background) page.fill(*style.background);
     for (const LineGroup& group : groups)
         page.draw(group);
     std::string bytes = bytes_of(document.get());

@@ -39,6 +39,10 @@ void SvgWriter::begin() {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
         across + "pt\" height=\"" + down + "pt\" viewBox=\"0 0 " + across + " " + down + "\">\n";
+    if (style_.background) {
+        text_ += "<rect width=\"" + across + "\" height=\"" + down + "\" fill=\"#" +
+                 hex_digits(*style_.background) + "\"/>\n";
+    }
 }
 
 void SvgWriter::write_group(const LineGroup& group) {

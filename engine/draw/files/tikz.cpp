@@ -15,6 +15,11 @@ public:
             "\\begin{tikzpicture}[x=1bp,y=-1bp,line cap=round,line join=round]\n"
             "\\clip (0,0) rectangle " +
             place({drawing_.size.width, drawing_.size.height}) + ";\n";
+        if (style_.background) {
+            text_ += "\\definecolor{background}{HTML}{" + hex_digits(*style_.background) +
+                     "}\n\\fill[background] (0,0) rectangle " +
+                     place({drawing_.size.width, drawing_.size.height}) + ";\n";
+        }
         for (const LineGroup& group : line_groups(drawing_, style_))
             write_group(group);
         return std::move(text_) + "\\end{tikzpicture}\n";

@@ -51,6 +51,20 @@ TEST(Svg, HasAGroupForEachKind) {
               std::string::npos);
 }
 
+TEST(DrawingFormats, HaveABackgroundWhereOneIsChosen) {
+    const auto encode = [](const char* name, std::optional<std::uint32_t> background) {
+        return find_drawing_format(name)->encode(two_lines(), {.background = background}).value();
+    };
+    EXPECT_FALSE(encode("a.svg", std::nullopt).contains("<rect"));
+    EXPECT_TRUE(encode("a.svg", 0x00A0FF)
+                    .contains("<rect width=\"200\" height=\"100\" fill=\"#00A0FF\"/>\n<g "));
+    EXPECT_FALSE(encode("a.tex", std::nullopt).contains("\\fill"));
+    EXPECT_TRUE(encode("a.tex", 0xFFFFFF)
+                    .contains("\\definecolor{background}{HTML}{FFFFFF}\n\\fill[background] (0,0) "
+                              "rectangle (200,100);"));
+    EXPECT_GT(encode("a.pdf", 0x102030).size(), encode("a.pdf", std::nullopt).size());
+}
+
 TEST(Svg, HiddenLinesAreRemovedOrWhole) {
     EXPECT_EQ(encoded("a.svg", HiddenLines::Remove).find("hidden"), std::string::npos);
     const std::string shown = encoded("a.svg", HiddenLines::Show);
