@@ -79,7 +79,8 @@ private:
         found_.transfer_syntax = found_.text(bytes_, syntax_tag);
         if (found_.transfer_syntax.empty())
             found_.transfer_syntax = has_type(at_) ? explicit_syntax : implicit_syntax;
-        encoding = {.explicit_types = found_.transfer_syntax != implicit_syntax,
+        // Some writers have types where they say that they do not, or the other way round.
+        encoding = {.explicit_types = has_type(at_),
                     .big_endian = found_.transfer_syntax == "1.2.840.10008.1.2.2"};
         found_.big_endian = encoding.big_endian;
         if (found_.transfer_syntax == "1.2.840.10008.1.2.1.99" && part == DeflatedPart::Packed) {

@@ -12,6 +12,8 @@ namespace zeroset {
 
 /// How many rows of samples a slice has, which only files of pictures tell.
 inline constexpr DicomTag row_count = 0x00280010;
+/// How many numbers there are at each point.
+inline constexpr DicomTag samples_per_pixel = 0x00280002;
 
 /// The bytes of a file of DICOM with its elements.
 struct DicomHeader {

@@ -13,7 +13,6 @@
 namespace zeroset {
 namespace {
 
-constexpr DicomTag samples_per_pixel = 0x00280002;
 constexpr DicomTag column_count = 0x00280011;
 constexpr DicomTag bits_allocated = 0x00280100;
 constexpr DicomTag bits_stored = 0x00280101;
@@ -135,10 +134,7 @@ Expected<Samples> read_dicom_samples(const std::filesystem::path& file) {
     const auto header = read_dicom_header(file);
     if (!header.elements.problem.empty()) return std::unexpected(header.elements.problem);
     if (!header.elements.has(pixel_data)) return std::unexpected("it ends before its samples");
-    const int numbers = header.number(samples_per_pixel, 1);
-    if (numbers == 3)
-        return std::unexpected("its samples are colors; a volume has one number at each point");
-    if (numbers != 1) return no_numbers();
+    if (header.number(samples_per_pixel, 1) != 1) return no_numbers();
     const auto frames = frames_of(header);
     if (!frames) return std::unexpected(frames.error());
     const GridSize size{static_cast<std::uint64_t>(header.number(column_count, 0)),

@@ -129,6 +129,8 @@ DicomFile read_dicom_file(const std::filesystem::path& file) {
         result.problem = "it holds no samples: name a file of the series that it belongs to";
     } else if (result.problem.empty() && !elements.has(pixel_data)) {
         result.problem = "it ends before its samples";
+    } else if (result.problem.empty() && header.number(samples_per_pixel, 1) == 3) {
+        result.problem = "its samples are colors; a volume has one number at each point";
     }
     if (!result.problem.empty()) return result;
     const auto& pixels = elements.elements.at(pixel_data);

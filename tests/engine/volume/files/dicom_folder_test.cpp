@@ -184,8 +184,11 @@ TEST_F(DicomFolder, ReadsFilesWithoutPreambleAndTypes) {
     const auto number = [](int value) { return bytes_of(static_cast<std::uint16_t>(value)); };
     for (int k = 0; k < 4; ++k) {
         const Slice slice{.k = k};
+        // With a preface, in every second file, that says otherwise
+        const std::string preface =
+            std::string(128, '\0') + "DICM" + element(2, 0x10, "UI", "1.2.840.10008.1.2.1");
         write("old/" + std::to_string(k),
-              plain(8, 5, "ISO_IR 100") + plain(8, 0x16, slice.kind) +
+              (k % 2 == 0 ? "" : preface) + plain(8, 5, "ISO_IR 100") + plain(8, 0x16, slice.kind) +
                   plain(0x20, 0xe, slice.series) +
                   plain(0x20, 0x32, R"(0\0\)" + std::to_string(2 * k)) +
                   plain(0x20, 0x37, slice.orientation) + plain(0x28, 0x10, number(3)) +
@@ -220,6 +223,7 @@ TEST_F(DicomFolder, SaysThatSamplesAreColors) {
     std::string bytes = Slice{.k = 1}.bytes();
     const std::string one = short_element(0x28, 2, 1);
     bytes.replace(bytes.find(one), one.size(), short_element(0x28, 2, 3));
+    bytes.erase(bytes.find(element(0x20, 0x32, "DS", R"(0\0\2)")), 14);
     write("colors/1.dcm", bytes);
     EXPECT_EQ(error_of(folder),
               "'1.dcm' of the series: its samples are colors; a volume has one number at each "
