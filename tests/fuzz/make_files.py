@@ -69,6 +69,44 @@ def dicom():
     return bytes(128) + b"DICM" + head + meta + data
 
 
+def mgh():
+    head = bytearray(284)
+    struct.pack_into(">7i", head, 0, 1, SIDE, SIDE, SIDE, 1, 0, 0)
+    struct.pack_into(">h15f", head, 28, 1, 1, 1, 2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 5, 6, 7)
+    return bytes(head) + SAMPLES
+
+
+def mrc():
+    head = bytearray(1024)
+    struct.pack_into("<10i", head, 0, SIDE, SIDE, SIDE, 0, 0, 0, 0, SIDE, SIDE, SIDE)
+    struct.pack_into("<6f3i", head, 40, 4, 5, 6, 90, 100, 90, 1, 2, 3)
+    head[208:216] = b"MAP DD\0\0"
+    return bytes(head) + SAMPLES
+
+
+def vtk_legacy():
+    return (f"# vtk DataFile Version 3.0\ntitle\nBINARY\nDATASET STRUCTURED_POINTS\n"
+            f"DIMENSIONS {SIDE} {SIDE} {SIDE}\nSPACING 1 2 3\nORIGIN 0 0 0\n"
+            f"POINT_DATA {SIDE ** 3}\nSCALARS v unsigned_char 1\nLOOKUP_TABLE default\n"
+            ).encode() + SAMPLES
+
+
+def tiff_stack():
+    data, link = bytearray(b"II*\0\0\0\0\0"), 4
+    for page in range(SIDE):
+        at = len(data)
+        data += SAMPLES[page * SIDE * SIDE:(page + 1) * SIDE * SIDE]
+        struct.pack_into("<I", data, link, len(data))
+        tags = [(256, SIDE), (257, SIDE), (258, 8), (259, 1), (273, at), (277, 1),
+                (279, SIDE * SIDE), (339, 1)]
+        data += struct.pack("<H", len(tags))
+        for tag, value in tags:
+            data += struct.pack("<HHII", tag, 4, 1, value)
+        link = len(data)
+        data += bytes(4)
+    return bytes(data)
+
+
 TEXTS = {
     "points.xyz": "2\nwater\nO 0 0 0\nH 1 0 0.5\n",
     "sphere.jsurf": "surface_equation=x^2+y^2+z^2-a\nsurface_parameter_a=0.8\nscale_factor=0.5\n"
@@ -94,7 +132,9 @@ def main():
     for name, text in TEXTS.items():
         (folder / name).write_text(text, encoding="utf-8")
     for name, data in {"a.mha": meta_image(), "a.nii": nifti(), "b.nii.gz": gzip.compress(nifti()),
-                       "a.vti": vtk_image(), "a.dcm": dicom()}.items():
+                       "a.vti": vtk_image(), "a.dcm": dicom(), "a.mgz": gzip.compress(mgh()),
+                       "a.mgh": mgh(), "a.mrc": mrc(), "a.vtk": vtk_legacy(),
+                       "a.tif": tiff_stack()}.items():
         (folder / name).write_bytes(data)
 
 

@@ -2,6 +2,8 @@
 
 #include "engine/base/text.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -22,6 +24,19 @@ std::expected<std::string, std::string> first_bytes(const std::filesystem::path&
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(stream.gcount()));
     return text;
+}
+
+std::expected<std::string, std::string> unpacked_start(const std::filesystem::path& file,
+                                                       std::size_t most) {
+    const auto there = first_bytes(file, 1);
+    if (!there) return there;
+    const gzFile stream = gzopen(file.c_str(), "rb");
+    if (stream == nullptr) return std::unexpected("it cannot be read");
+    std::string bytes(most, '\0');
+    const int got = gzread(stream, bytes.data(), static_cast<unsigned>(bytes.size()));
+    gzclose(stream);
+    bytes.resize(static_cast<std::size_t>(std::max(got, 0)));
+    return bytes;
 }
 
 std::string_view without_spaces(std::string_view text) {

@@ -28,6 +28,10 @@ inline constexpr std::size_t longest_text_header = std::size_t{1} << 20U;
 std::expected<std::string, std::string> first_bytes(const std::filesystem::path& file,
                                                     std::size_t most);
 
+/// The first bytes of a file, at most `most`, unpacked where it begins as gzip's do.
+std::expected<std::string, std::string> unpacked_start(const std::filesystem::path& file,
+                                                       std::size_t most);
+
 std::string_view without_spaces(std::string_view text);
 /// The words between spaces.
 std::vector<std::string_view> words_of(std::string_view text);

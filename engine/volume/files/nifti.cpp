@@ -8,8 +8,6 @@
 #include "engine/volume/files/sample_pieces.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -124,19 +122,6 @@ std::optional<SampleType> type_of(int code) {
     }
 }
 
-/// The first bytes of a file, unpacked where it is packed.
-Expected<std::string> unpacked_start(const std::filesystem::path& file) {
-    const auto there = first_bytes(file, 1);
-    if (!there) return std::unexpected(there.error());
-    const gzFile stream = gzopen(file.c_str(), "rb");
-    if (stream == nullptr) return std::unexpected("it cannot be read");
-    std::string bytes(longest_header, '\0');
-    const int got = gzread(stream, bytes.data(), static_cast<unsigned>(bytes.size()));
-    gzclose(stream);
-    bytes.resize(static_cast<std::size_t>(std::max(got, 0)));
-    return bytes;
-}
-
 /// Rows of the turn that a quaternion is, b, c and d given.
 Matrix3 turn_of(double b, double c, double d) {
     const double rest = 1.0 - (b * b + c * c + d * d);
@@ -242,11 +227,18 @@ Expected<std::filesystem::path> beside(const std::filesystem::path& file,
     wanted.replace_extension(other);
     std::error_code error;
     for (const char* const behind : {"", ".gz", ".GZ"}) {
-        const std::filesystem::path found = wanted.string() + behind;
+        std::filesystem::path found = wanted.string() + behind;
         if (std::filesystem::exists(found, error)) return found;
     }
     return std::unexpected("its other file '" + printable(wanted.filename().string()) +
                            "' is not there, nor packed as .gz");
+}
+
+/// The file with the header: the file itself, or the one beside it that has the samples.
+Expected<std::filesystem::path> header_file_of(const std::filesystem::path& file) {
+    const std::string name = lower_case(file.filename().string());
+    const bool has_samples = name.ends_with(".img") || name.ends_with(".img.gz");
+    return has_samples ? beside(file, ".hdr") : file;
 }
 
 Expected<SampleBlock> block_of(const NiftiHeader& header, const std::filesystem::path& file) {
@@ -300,23 +292,18 @@ Expected<SampleBlock> block_of(const NiftiHeader& header, const std::filesystem:
 
 }  // namespace
 
-Expected<VolumeFile> read_nifti(const std::filesystem::path& asked) {
-    std::filesystem::path file = asked;
-    if (const std::string name = lower_case(asked.filename().string());
-        name.ends_with(".img") || name.ends_with(".img.gz")) {
-        const auto header_file = beside(asked, ".hdr");
-        if (!header_file) return std::unexpected(header_file.error());
-        file = *header_file;
-    }
-    auto bytes = unpacked_start(file);
+Expected<VolumeFile> read_nifti(const std::filesystem::path& file) {
+    const auto header_file = header_file_of(file);
+    if (!header_file) return std::unexpected(header_file.error());
+    auto bytes = unpacked_start(*header_file, longest_header);
     if (!bytes) return std::unexpected(bytes.error());
     const auto header = NiftiHeader::read(std::move(*bytes));
     if (!header) return std::unexpected(header.error());
-    const auto block = block_of(*header, file);
+    const auto block = block_of(*header, *header_file);
     if (!block) return std::unexpected(block.error());
-    auto found = read_samples_of(file, *block);
+    auto found = read_samples_of(*header_file, *block);
     if (!found) return std::unexpected(found.error());
-    if (file != asked) found->files.push_back(FileStamp::now(file));
+    if (*header_file != file) found->files.push_back(FileStamp::now(*header_file));
     VolumeFile volume{.samples = std::move(found->samples),
                       .geometry = geometry_of(*header),
                       .sample_files = std::move(found->files)};

@@ -110,19 +110,21 @@ Expected<std::array<std::size_t, 3>> grid_axes(const std::vector<std::uint64_t>&
     return std::unexpected(no_volume(sizes));
 }
 
-/// Why an axis of the grid is none of a volume, but holds the numbers at each point; or nothing.
-std::string wrong_kind(const NrrdHeader& header, const std::array<std::size_t, 3>& axes) {
+/// Why an axis is none of a volume, but holds the numbers at each point; or nothing.
+std::string wrong_kind(const NrrdHeader& header, const std::vector<std::uint64_t>& sizes) {
     constexpr std::array in_space{"domain", "space", "time", "none", "???"};
     const std::string text = header.field("kinds");
     const auto kinds = words_of(text);
-    for (const std::size_t axis : axes) {
-        if (axis >= kinds.size()) continue;
+    for (std::size_t axis = 0; axis < std::min(kinds.size(), sizes.size()); ++axis) {
         const std::string kind = lower_case(kinds[axis]);
-        if (std::ranges::find(in_space, kind) != in_space.end()) continue;
+        const bool is_in_space = std::ranges::find(in_space, kind) != in_space.end();
+        if (is_in_space || (sizes[axis] == 1 && sizes.size() > 3)) continue;
         const bool is_color = kind.contains("color");
-        return std::string(is_color ? "it is a picture in colors" : "it is a picture") +
-               ", no volume: its axis " + std::to_string(axis + 1) + " is of kind '" +
-               printable(kinds[axis]) + "'";
+        const std::string what = !is_color          ? "its"
+                                 : sizes.size() < 4 ? "it is a picture in colors: its"
+                                                    : "its samples are colors: its";
+        return what + " axis " + std::to_string(axis + 1) + " is of kind '" +
+               printable(kinds[axis]) + "'; a volume has one number at each point";
     }
     return {};
 }
@@ -293,10 +295,10 @@ Expected<VolumeFile> read_nrrd(const std::filesystem::path& file) {
     const auto sizes = numbers_in<std::uint64_t>(sizes_text);
     if (!sizes || sizes->empty())
         return std::unexpected(wrong_field("sizes", sizes_text, "whole numbers are wanted"));
+    if (auto problem = wrong_kind(*header, *sizes); !problem.empty())
+        return std::unexpected(problem);
     const auto axes = grid_axes(*sizes);
     if (!axes) return std::unexpected(axes.error());
-    if (auto problem = wrong_kind(*header, *axes); !problem.empty())
-        return std::unexpected(problem);
     const auto geometry = geometry_of(*header, *axes, *sizes);
     if (!geometry) return std::unexpected(geometry.error());
     auto block = block_of(*header, file);

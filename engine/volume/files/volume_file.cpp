@@ -17,26 +17,37 @@ namespace {
 
 using ReadFile = std::expected<VolumeFile, std::string>;
 
-struct Format {
+struct VolumeFormat {
     std::string_view ending;
     ReadFile (*read)(const std::filesystem::path& file);
 };
-constexpr std::array formats{Format{.ending = ".nrrd", .read = read_nrrd},
-                             Format{.ending = ".nhdr", .read = read_nrrd},
-                             Format{.ending = ".mhd", .read = read_meta_image},
-                             Format{.ending = ".mha", .read = read_meta_image},
-                             Format{.ending = ".nii", .read = read_nifti},
-                             Format{.ending = ".nii.gz", .read = read_nifti},
-                             Format{.ending = ".hdr", .read = read_nifti},
-                             Format{.ending = ".hdr.gz", .read = read_nifti},
-                             Format{.ending = ".img", .read = read_nifti},
-                             Format{.ending = ".img.gz", .read = read_nifti},
-                             Format{.ending = ".vti", .read = read_vtk_image}};
+constexpr std::array formats{VolumeFormat{.ending = ".nrrd", .read = read_nrrd},
+                             VolumeFormat{.ending = ".nhdr", .read = read_nrrd},
+                             VolumeFormat{.ending = ".mhd", .read = read_meta_image},
+                             VolumeFormat{.ending = ".mha", .read = read_meta_image},
+                             VolumeFormat{.ending = ".nii", .read = read_nifti},
+                             VolumeFormat{.ending = ".nii.gz", .read = read_nifti},
+                             VolumeFormat{.ending = ".hdr", .read = read_nifti},
+                             VolumeFormat{.ending = ".hdr.gz", .read = read_nifti},
+                             VolumeFormat{.ending = ".img", .read = read_nifti},
+                             VolumeFormat{.ending = ".img.gz", .read = read_nifti},
+                             VolumeFormat{.ending = ".vti", .read = read_vtk_image},
+                             VolumeFormat{.ending = ".vtk", .read = read_vtk_legacy},
+                             VolumeFormat{.ending = ".tif", .read = read_tiff_stack},
+                             VolumeFormat{.ending = ".tiff", .read = read_tiff_stack},
+                             VolumeFormat{.ending = ".mgh", .read = read_mgh},
+                             VolumeFormat{.ending = ".mgz", .read = read_mgh},
+                             VolumeFormat{.ending = ".mgh.gz", .read = read_mgh},
+                             VolumeFormat{.ending = ".mrc", .read = read_mrc},
+                             VolumeFormat{.ending = ".map", .read = read_mrc},
+                             VolumeFormat{.ending = ".ccp4", .read = read_mrc},
+                             VolumeFormat{.ending = ".mrc.gz", .read = read_mrc},
+                             VolumeFormat{.ending = ".map.gz", .read = read_mrc}};
 
-const Format* format_of(const std::filesystem::path& file) {
+const VolumeFormat* format_of(const std::filesystem::path& file) {
     const std::string name = lower_case(file.filename().string());
     const auto* const found = std::ranges::find_if(
-        formats, [&](const Format& format) { return name.ends_with(format.ending); });
+        formats, [&](const VolumeFormat& format) { return name.ends_with(format.ending); });
     return found == formats.end() ? nullptr : found;
 }
 
@@ -123,7 +134,7 @@ bool is_dicom_file(const std::filesystem::path& file) {
 
 std::string known_endings() {
     std::string text;
-    for (const Format& format : formats)
+    for (const VolumeFormat& format : formats)
         text += (text.empty() ? "" : " ") + std::string(format.ending);
     return text;
 }
@@ -134,7 +145,7 @@ bool is_volume_file(const std::filesystem::path& file) {
 
 ReadFile read_volume_file(const std::filesystem::path& file, const RawLayout& layout) {
     if (layout.size) return read_raw(file, layout);
-    const Format* const format = format_of(file);
+    const VolumeFormat* const format = format_of(file);
     if (format != nullptr) return format->read(file);
     if (is_dicom_file(file) || is_dicom_folder(file)) return read_dicom(file);
     return std::unexpected("it is read as raw samples only, of sizes that are typed behind it");

@@ -64,6 +64,10 @@ std::expected<VolumeFile, std::string> read_nrrd(const std::filesystem::path& fi
 std::expected<VolumeFile, std::string> read_meta_image(const std::filesystem::path& file);
 std::expected<VolumeFile, std::string> read_nifti(const std::filesystem::path& file);
 std::expected<VolumeFile, std::string> read_vtk_image(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_vtk_legacy(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_mgh(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_mrc(const std::filesystem::path& file);
+std::expected<VolumeFile, std::string> read_tiff_stack(const std::filesystem::path& file);
 /// Reads the series that a file is of, or the one that is in a folder.
 std::expected<VolumeFile, std::string> read_dicom(const std::filesystem::path& path);
 

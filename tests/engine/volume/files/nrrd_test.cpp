@@ -100,9 +100,15 @@ TEST_F(VolumeFiles, DamagedNrrdGetsItsLine) {
     EXPECT_EQ(error(nrrd("short", raw, "3 4 3 2")),
               "it has 3 x 4 x 3 x 2 samples; a volume has three axes and one number at each point");
     EXPECT_EQ(error(nrrd("uchar", raw + "kinds: domain space vector\n")),
-              "it is a picture, no volume: its axis 3 is of kind 'vector'");
-    EXPECT_EQ(error(nrrd("uchar", raw + "kinds: RGBA-color domain domain\n")),
-              "it is a picture in colors, no volume: its axis 1 is of kind 'RGBA-color'");
+              "its axis 3 is of kind 'vector'; a volume has one number at each point");
+    EXPECT_EQ(
+        error(nrrd("uchar", raw + "kinds: RGBA-color domain domain\n")),
+        "it is a picture in colors: its axis 1 is of kind 'RGBA-color'; a volume has one number "
+        "at each point");
+    EXPECT_EQ(
+        error(nrrd("uchar", raw + "kinds: RGB-color domain domain domain\n", "3 4 3 2")),
+        "its samples are colors: its axis 1 is of kind 'RGB-color'; a volume has one number at "
+        "each point");
     EXPECT_EQ(error(nrrd("uchar", raw, "4 6")), "it is a picture of 4 x 6 samples, no volume");
     EXPECT_EQ(error(nrrd("block", raw)), "its 'type' is 'block'; a number type is wanted");
     EXPECT_EQ(error(nrrd("short", "encoding: raw\n") + grid_bytes<short>()),
