@@ -2,8 +2,8 @@
 
 #include "engine/draw/files/drawing_style.hpp"
 
-#include <expected>
 #include <cstdint>
+#include <expected>
 #include <string>
 
 namespace zeroset {
