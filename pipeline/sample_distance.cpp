@@ -87,7 +87,7 @@ public:
     /// Finds the signs at a row of samples. In upward rounding.
     void find(const GridPoints& points, std::size_t row) {
         const std::size_t count = points.width();
-        boxes_.make_room(count);
+        boxes_.reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
             const glm::dvec3 point = points.point(row, i);
             for (int axis = 0; axis < 3; ++axis) {

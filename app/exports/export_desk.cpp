@@ -17,7 +17,7 @@ PreviewRequest request_of(const ui::ExportPage& page, const ExportSubject& subje
     request.subject = subject;
     request.wish = page.wish;
     const ExportKind kind = page.wish.kind;
-    if (kind != ExportKind::Drawing) request.room_px = page.preview_px;
+    if (kind != ExportKind::Drawing) request.space_px = page.preview_px;
     if (kind == ExportKind::Film) request.at = std::floor(page.at);
     if (kind != ExportKind::Mesh) return request;
     // Meshes do not change as one looks around, unless their colours tell the distance.

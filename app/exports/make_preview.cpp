@@ -12,9 +12,9 @@ namespace zeroset {
 namespace {
 
 /// The largest size of this shape that has room.
-glm::ivec2 fitted(const glm::ivec2& size, const glm::ivec2& room) {
-    const double scale =
-        std::min({static_cast<double>(room.x) / size.x, static_cast<double>(room.y) / size.y, 1.0});
+glm::ivec2 fitted(const glm::ivec2& size, const glm::ivec2& space) {
+    const double scale = std::min(
+        {static_cast<double>(space.x) / size.x, static_cast<double>(space.y) / size.y, 1.0});
     return {std::max(static_cast<int>(std::lround(size.x * scale)), 1),
             std::max(static_cast<int>(std::lround(size.y * scale)), 1)};
 }
@@ -41,7 +41,7 @@ void preview_picture(const PreviewRequest& request, Preview& preview, ExportNews
     const ui::PictureExport& wish = request.wish.picture;
     const ExportSubject subject = smoothed(request.subject, wish.smooth);
     preview.image =
-        draw(subject, subject.document, fitted(wish.size_px, request.room_px), wish.alpha, news);
+        draw(subject, subject.document, fitted(wish.size_px, request.space_px), wish.alpha, news);
 }
 
 void preview_film(const PreviewRequest& request, Preview& preview, ExportNews& news) {
@@ -50,7 +50,7 @@ void preview_film(const PreviewRequest& request, Preview& preview, ExportNews& n
     const double aspect = static_cast<double>(wish.size_px.x) / wish.size_px.y;
     const FilmScript script(plan_of(wish, subject.document), subject.document, aspect);
     preview.image = draw(subject, script.document_at(request.at),
-                         fitted(wish.size_px, request.room_px), wish.alpha, news);
+                         fitted(wish.size_px, request.space_px), wish.alpha, news);
 }
 
 void preview_meshes(const PreviewRequest& request, Preview& preview, ExportNews& news) {
@@ -63,7 +63,7 @@ void preview_meshes(const PreviewRequest& request, Preview& preview, ExportNews&
         preview.meshes = *meshes;
     }
     describe(*preview.meshes, preview.shown);
-    preview.image = mesh_picture(preview.meshes->file, request.camera, request.room_px);
+    preview.image = mesh_picture(preview.meshes->file, request.camera, request.space_px);
 }
 
 /// Shows the picture itself, as nothing else is made of the formula.
@@ -78,9 +78,9 @@ void preview_level_sets(const PreviewRequest& request, Preview& preview, ExportN
     Document document = subject.document;
     const Box& clip = document.clip;
     describe(*made, wish.size_mm / clip.size() * (clip.hi - clip.lo), preview.shown);
-    const glm::ivec2& room = request.room_px;
-    document.camera = framed(request.camera, clip, static_cast<double>(room.x) / room.y);
-    preview.image = draw(subject, document, room, false, news);
+    const glm::ivec2& space = request.space_px;
+    document.camera = framed(request.camera, clip, static_cast<double>(space.x) / space.y);
+    preview.image = draw(subject, document, space, false, news);
 }
 
 void preview_drawing(const PreviewRequest& request, Preview& preview, ExportNews& news) {

@@ -12,9 +12,9 @@ namespace zeroset {
 struct PreviewRequest {
     ExportSubject subject;
     ui::ExportWish wish;
-    double at = 0.0;        ///< the film's frame
-    Camera camera = {};     ///< that meshes are looked at with
-    glm::ivec2 room_px{0};  ///< for the picture
+    double at = 0.0;         ///< the film's frame
+    Camera camera = {};      ///< that meshes are looked at with
+    glm::ivec2 space_px{0};  ///< for the picture
     /// True if both are of the same file, at whatever frame, from wherever and in
     /// whatever size it is looked at.
     [[nodiscard]] bool same_file(const PreviewRequest& other) const {

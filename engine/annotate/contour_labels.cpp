@@ -23,8 +23,8 @@ constexpr std::size_t most_labels = 80;
 constexpr double least_cell = 3.0;
 constexpr double most_cells = 220.0;
 /// Lengths in units of the letters' size.
-constexpr double room_across_em = 1.3;      ///< from line to line
-constexpr double room_along_em = 16.0;      ///< between labels of one line
+constexpr double spacing_across_em = 1.3;      ///< from line to line
+constexpr double spacing_along_em = 16.0;      ///< between labels of one line
 constexpr double margin_em = 0.35;          ///< about a label
 constexpr double half_height_em = 0.5;      ///< of a label
 constexpr std::uint32_t ink = 0xFF1C1816U;  ///< as dark as lines are
@@ -183,7 +183,7 @@ void LabelPlacer::add_crossing(const std::vector<double>& values, std::size_t nu
     const glm::dvec2 slope =
         glm::dvec2(values[right] - values[here], values[below] - values[here]) / (cell_ * step);
     const double rate = glm::length(slope);
-    if (!(rate * room_across_em * style_.em < 1.0)) return;
+    if (!(rate * spacing_across_em * style_.em < 1.0)) return;
     const glm::dvec2 at =
         place_of(col, row) +
         (down ? glm::dvec2(0.0, cell_) : glm::dvec2(cell_, 0.0)) * ((multiple - a) / (b - a));
@@ -203,20 +203,20 @@ std::string LabelPlacer::words_of(const Candidate& candidate) const {
 
 bool LabelPlacer::fits(const Placed& label) const {
     const glm::dvec2& at = label.candidate.at;
-    const glm::dvec2 room = label.half + margin_em * style_.em;
+    const glm::dvec2 space = label.half + margin_em * style_.em;
     const std::uint8_t surface = picture_.frame.surface[pixel_at(at)];
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}, {0, 0}}) {
-        const glm::dvec2 place = at + corner * room;
+        const glm::dvec2 place = at + corner * space;
         const bool inside = place.x >= 0.0 && place.y >= 0.0 && place.x < picture_.size.x &&
                             place.y < picture_.size.y;
         if (!inside || picture_.frame.surface[pixel_at(place)] != surface) return false;
     }
     return std::ranges::none_of(placed_, [&](const Placed& other) {
         const glm::dvec2 off = glm::abs(other.candidate.at - at);
-        const bool overlaps = off.x < room.x + other.half.x && off.y < room.y + other.half.y;
+        const bool overlaps = off.x < space.x + other.half.x && off.y < space.y + other.half.y;
         const bool is_same = other.candidate.number == label.candidate.number &&
                              other.candidate.multiple == label.candidate.multiple;
-        return overlaps || (is_same && glm::length(off) < room_along_em * style_.em);
+        return overlaps || (is_same && glm::length(off) < spacing_along_em * style_.em);
     });
 }
 

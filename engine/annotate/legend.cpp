@@ -38,10 +38,10 @@ std::string end_text(double value) {
     return localized(short_number(value == 0.0 ? 0.0 : value, 4));
 }
 
-/// The text cut with an ellipsis to `room`.
-std::string fitting(std::string text, double room, const CardStyle& style) {
+/// The text cut with an ellipsis to `space`.
+std::string fitting(std::string text, double space, const CardStyle& style) {
     const auto fits = [&](const std::string& words) {
-        return style.width(words, style.em) <= room;
+        return style.width(words, style.em) <= space;
     };
     if (fits(text)) return text;
     while (!text.empty() && !fits(text + ellipsis)) {
@@ -235,15 +235,15 @@ Shapes swatch_shapes(const glm::dvec2& lo, double size, PixelMark mark, const Ca
     return shapes;
 }
 
-Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const glm::dvec2& room,
+Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const glm::dvec2& space,
                      const CardStyle& style) {
     if (legend.legend == nullptr && legend.sections == nullptr && !legend.undecided) return {};
     const double unit = style.unit;
-    const double usual = std::min((card_width + 2.0 * padding) * unit, most_of_width * room.x);
+    const double usual = std::min((card_width + 2.0 * padding) * unit, most_of_width * space.x);
     const double width =
-        std::max(usual, std::min(width_of_marks(legend, style), most_for_marks * room.x));
+        std::max(usual, std::min(width_of_marks(legend, style), most_for_marks * space.x));
     const double height = height_of(legend) * unit;
-    if (width < narrowest * unit || height > most_of_height * room.y) return {};
+    if (width < narrowest * unit || height > most_of_height * space.y) return {};
     const glm::dvec2 lo = corner - glm::dvec2(width, height);
     const double radius = corner_radius * unit;
     Shapes shapes{

@@ -48,9 +48,9 @@ struct CornerLegend {
     bool coarse = false;               ///< and there are certified ones with a coarse bracket
 };
 
-/// A card whose right lower corner is `corner`, no wider than `room`; nothing where there is
+/// A card whose right lower corner is `corner`, no wider than `space`; nothing where there is
 /// nothing to say or no room.
-Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const glm::dvec2& room,
+Shapes legend_shapes(const CornerLegend& legend, const glm::dvec2& corner, const glm::dvec2& space,
                      const CardStyle& style);
 
 }  // namespace zeroset

@@ -69,7 +69,7 @@ void CoverLight::take_shadow(SampleShadow shadow, std::size_t slot) {
     if (shadow == SampleShadow::Dark) known_.dark[slot / tile_size] |= bit;
 }
 
-void CoverLight::take(std::span<const Place> some) {
+void CoverLight::take(std::span<const NearSample> some) {
     for (const LitLayer& layer : lit_.layers()) {
         for (std::size_t k = 0; k < some.size(); ++k) {
             const std::size_t slot = slot_of(k);
@@ -84,7 +84,7 @@ void CoverLight::take(std::span<const Place> some) {
     }
 }
 
-void CoverLight::forget(std::span<const CoverSample> samples, std::span<const Place> some) {
+void CoverLight::forget(std::span<const CoverSample> samples, std::span<const NearSample> some) {
     for (std::size_t k = 0; k < some.size(); ++k) {
         TileHits& hits = hits_[samples[some[k].sample].surface];
         hits.any = false;
@@ -103,10 +103,11 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     surface_of_slot_.resize(slots);
     hits_.resize(std::max(hits_.size(), surfaces.size()));
     light_.assign(samples.size(), CoverColor{});
-    places_.clear();
+    by_nearness_.clear();
     for (std::size_t k = 0; k < samples.size(); ++k)
-        places_.push_back({.nearness = nearness(samples[k]), .sample = k});
-    if (gains_by_nearness(frame_light, surfaces)) std::ranges::sort(places_, {}, &Place::nearness);
+        by_nearness_.push_back({.nearness = nearness(samples[k]), .sample = k});
+    if (gains_by_nearness(frame_light, surfaces))
+        std::ranges::sort(by_nearness_, {}, &NearSample::nearness);
     const TileRays rays(surfaces.front(), tile);
     std::vector<const LitLayer*> layer_of(surfaces.size(), nullptr);
     for (const LitLayer& layer : layers) {
@@ -125,7 +126,7 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
         const std::size_t count = std::min(slots, samples.size() - first);
         for (TileHits& hits : hits_)
             hits.clear();
-        const auto some = std::span(places_).subspan(first, count);
+        const auto some = std::span(by_nearness_).subspan(first, count);
         known_ = {};
         for (std::size_t k = 0; k < count; ++k) {
             const CoverSample& sample = samples[some[k].sample];

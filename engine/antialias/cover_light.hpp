@@ -33,16 +33,16 @@ private:
     /// Takes what the tile's hits tell of a sample's shadow.
     void take_shadow(SampleShadow shadow, std::size_t slot);
     /// A sample, in an order in which those that are near each other follow each other.
-    struct Place {
+    struct NearSample {
         std::uint64_t nearness;
         std::size_t sample;
     };
     /// Takes the light of these samples, of which item k has the slot k.
-    void take(std::span<const Place> some);
+    void take(std::span<const NearSample> some);
     /// Takes their hits away again.
-    void forget(std::span<const CoverSample> samples, std::span<const Place> some);
+    void forget(std::span<const CoverSample> samples, std::span<const NearSample> some);
 
-    std::vector<Place> places_;
+    std::vector<NearSample> by_nearness_;
     std::vector<float> cols_, rows_;
     std::vector<std::uint8_t> surface_of_slot_;
     std::vector<TileHits> hits_;

@@ -23,14 +23,14 @@ public:
 
     HWY_INLINE void find(SquareDepths& squares, std::size_t i) const {
         const V<double> none = hn::Inf(d<double>);
-        Range all{.enter_lo = hn::Zero(d<double>),
-                  .enter_hi = hn::Zero(d<double>),
-                  .exit_lo = none,
-                  .exit_hi = none};
+        Crossing all{.enter_lo = hn::Zero(d<double>),
+                     .enter_hi = hn::Zero(d<double>),
+                     .exit_lo = none,
+                     .exit_hi = none};
         const V<double> u = load(&squares.u[i]);
         const V<double> v = load(&squares.v[i]);
         for (int axis = 0; axis < 3; ++axis) {
-            const Range range = between_planes(axis, u, v);
+            const Crossing range = between_planes(axis, u, v);
             all = {.enter_lo = hn::Max(all.enter_lo, range.enter_lo),
                    .enter_hi = hn::Max(all.enter_hi, range.enter_hi),
                    .exit_lo = hn::Min(all.exit_lo, range.exit_lo),
@@ -45,12 +45,12 @@ public:
     }
 
 private:
-    struct Range {
+    struct Crossing {
         V<double> enter_lo, enter_hi, exit_lo, exit_hi;
     };
 
     /// Where the rays are between the planes of the box across an axis.
-    [[nodiscard]] HWY_INLINE Range between_planes(int axis, V<double> u, V<double> v) const {
+    [[nodiscard]] HWY_INLINE Crossing between_planes(int axis, V<double> u, V<double> v) const {
         const V<double> zero = hn::Zero(d<double>);
         const V<double> none = hn::Inf(d<double>);
         const double to_lo = clip_.lo[axis] - view_.eye[axis];
@@ -72,10 +72,10 @@ private:
         const V<double> near_1 = hn::Mul(near, per_d1);
         const V<double> far_0 = hn::Mul(far, per_d0);
         const V<double> far_1 = hn::Mul(far, per_d1);
-        Range range{.enter_lo = hn::Min(near_0, near_1),
-                    .enter_hi = hn::Max(near_0, near_1),
-                    .exit_lo = hn::Min(far_0, far_1),
-                    .exit_hi = hn::Max(far_0, far_1)};
+        Crossing range{.enter_lo = hn::Min(near_0, near_1),
+                       .enter_hi = hn::Max(near_0, near_1),
+                       .exit_lo = hn::Min(far_0, far_1),
+                       .exit_hi = hn::Max(far_0, far_1)};
         const M<double> both = hn::And(hn::Le(d0, zero), hn::Ge(d1, zero));
         if (hn::AllFalse(d<double>, both)) return range;
         // Some run to either side: between the planes for a while if the eye is, else perhaps

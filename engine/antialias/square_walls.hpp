@@ -40,12 +40,12 @@ public:
 
 private:
     struct WallPlaces {
-        std::array<WallPlace, most_wall_places> room{};
+        std::array<WallPlace, most_wall_places> places{};
         std::size_t count = 0;
 
-        void push(const WallPlace& place) { room[count++] = place; }
+        void push(const WallPlace& place) { places[count++] = place; }
         [[nodiscard]] std::span<const WallPlace> all() const {
-            return std::span(room).first(count);
+            return std::span(places).first(count);
         }
     };
     struct Task {

@@ -31,9 +31,9 @@ Sides sides_of(const Kernel& border, const Scene& scene, const glm::dvec3& point
 /// How much a continuous function may change between the sides, to first order with some room.
 double most_change(const ValueAndGradient& above, const ValueAndGradient& below,
                    const Scene& scene) {
-    constexpr double room = 8.0;
+    constexpr double slack = 8.0;
     const double steepness = std::max(glm::length(above.gradient), glm::length(below.gradient));
-    return room * side_part * scene.clip.size() * steepness;
+    return slack * side_part * scene.clip.size() * steepness;
 }
 
 double larger_side(const ValueAndGradient& above, const ValueAndGradient& below) {

@@ -27,11 +27,11 @@ public:
     explicit TapeSpecializer(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
 
     void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const override {
-        make_room(batch, record);
+        size_record(batch, record);
         interpreter_code().in_float.record(*tape_, batch, record);
     }
     void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const override {
-        make_room(batch, record);
+        size_record(batch, record);
         interpreter_code().in_double.record(*tape_, batch, record);
     }
     [[nodiscard]] std::shared_ptr<const Kernel> specialized(
@@ -39,7 +39,7 @@ public:
 
 private:
     template <class Real>
-    void make_room(const FormBatchOf<Real>& batch, ChoiceRecord& record) const {
+    void size_record(const FormBatchOf<Real>& batch, ChoiceRecord& record) const {
         record.lanes = block_bytes / sizeof(Real);
         record.choices = tape_->choices();
         record.bits.resize(batch.size / record.lanes * record.choices);

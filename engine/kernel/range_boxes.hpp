@@ -68,7 +68,7 @@ struct RangeBoxList {
         branches.resize(capacity);
     }
     /// Room for `count` boxes and a whole batch more.
-    void make_room(std::size_t count) {
+    void reserve(std::size_t count) {
         if (count + 2 * batch_multiple > capacity()) resize(2 * count + 4 * batch_multiple);
     }
     /// The first `count` boxes, or of each the piece that `held` tells; up to whole batches, which

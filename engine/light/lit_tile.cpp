@@ -17,8 +17,8 @@ void LitTile::begin(std::span<const TileHits> hits) {
     count_ = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (!hits[i].any) continue;
-        if (count_ == room_.size()) room_.emplace_back();
-        LitLayer& layer = room_[count_++];
+        if (count_ == kept_.size()) kept_.emplace_back();
+        LitLayer& layer = kept_[count_++];
         layer.surface = static_cast<std::uint8_t>(i);
         layer.hits = &hits[i];
         layer.dark_rows = {};

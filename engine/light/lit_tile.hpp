@@ -68,19 +68,19 @@ private:
 };
 
 /// The light of a tile: a layer for each surface that is hit. One for each
-/// thread; it keeps its room from tile to tile.
+/// thread; it keeps its memory from tile to tile.
 class LitTile {
 public:
     /// Begins a tile with these hits, item i of surface i, which outlive its layers: all lit by the
     /// key light, without colours.
     void begin(std::span<const TileHits> hits);
-    [[nodiscard]] std::span<LitLayer> layers() { return std::span(room_).first(count_); }
+    [[nodiscard]] std::span<LitLayer> layers() { return std::span(kept_).first(count_); }
     [[nodiscard]] std::span<const LitLayer> layers() const {
-        return std::span(room_).first(count_);
+        return std::span(kept_).first(count_);
     }
 
 private:
-    std::vector<LitLayer> room_;
+    std::vector<LitLayer> kept_;
     std::size_t count_ = 0;  ///< of layers in use
 };
 

@@ -81,8 +81,8 @@ ValueRange fitting_range(std::vector<double> values, bool symmetric) {
     // All values are the same, but for rounding.
     const double size = std::max(std::abs(range.lo), std::abs(range.hi));
     if (range.hi - range.lo <= 1e-6 * size || size == 0.0) {
-        const double room = size == 0.0 ? 1.0 : 0.5 * size;
-        range = {.lo = range.lo - room, .hi = range.hi + room};
+        const double margin = size == 0.0 ? 1.0 : 0.5 * size;
+        range = {.lo = range.lo - margin, .hi = range.hi + margin};
     }
     return rounded(range);
 }

@@ -25,22 +25,22 @@ public:
     }
 
 private:
-    struct Piece {
+    struct TreeNode {
         Kind kind = Kind::Leaf;
         std::uint32_t a = 0, b = 0;  ///< pieces; of a leaf, `a` is a node of the builder
     };
 
     std::uint32_t leaf(NodeId node) {
         ++leaves_;
-        pieces_.push_back({.kind = Kind::Leaf, .a = node});
-        return static_cast<std::uint32_t>(pieces_.size() - 1);
+        tree_.push_back({.kind = Kind::Leaf, .a = node});
+        return static_cast<std::uint32_t>(tree_.size() - 1);
     }
     std::uint32_t choice(Kind kind, std::uint32_t a, std::uint32_t b) {
-        pieces_.push_back({.kind = kind, .a = a, .b = b});
-        return static_cast<std::uint32_t>(pieces_.size() - 1);
+        tree_.push_back({.kind = kind, .a = a, .b = b});
+        return static_cast<std::uint32_t>(tree_.size() - 1);
     }
     [[nodiscard]] bool is_leaf(std::uint32_t piece) const {
-        return pieces_[piece].kind == Kind::Leaf;
+        return tree_[piece].kind == Kind::Leaf;
     }
     /// The pieces of a node of the expression.
     std::uint32_t pieces(NodeId id);
@@ -54,7 +54,7 @@ private:
     const Expr& expr_;
     ExprBuilder builder_;
     std::vector<NodeId> copies_;
-    std::vector<Piece> pieces_;
+    std::vector<TreeNode> tree_;
     std::size_t most_;
     std::size_t leaves_ = 0;  ///< that were made, some of them for other leaves
     std::map<NodeId, std::uint32_t> functions_;
@@ -75,15 +75,15 @@ std::uint32_t ChoiceSplitter::pieces(NodeId id) {
 }
 
 std::uint32_t ChoiceSplitter::negated(std::uint32_t piece) {
-    const Piece own = pieces_[piece];
+    const TreeNode own = tree_[piece];
     if (own.kind == Kind::Leaf) return leaf(make_negate(builder_, own.a));
     const std::uint32_t a = negated(own.a);
     return choice(own.kind == Kind::Max ? Kind::Min : Kind::Max, a, negated(own.b));
 }
 
 std::uint32_t ChoiceSplitter::sum(std::uint32_t x, std::uint32_t y) {
-    const Piece first = pieces_[x];
-    const Piece second = pieces_[y];
+    const TreeNode first = tree_[x];
+    const TreeNode second = tree_[y];
     if (leaves_ > most_) return x;
     if (first.kind != Kind::Leaf) {
         const std::uint32_t a = sum(first.a, y);
@@ -103,7 +103,7 @@ std::optional<double> ChoiceSplitter::constant(NodeId id) const {
 }
 
 std::uint32_t ChoiceSplitter::scaled(std::uint32_t piece, NodeId factor) {
-    const Piece own = pieces_[piece];
+    const TreeNode own = tree_[piece];
     if (own.kind == Kind::Leaf) return leaf(make_multiply(builder_, factor, own.a));
     const std::uint32_t a = scaled(own.a, factor);
     return choice(own.kind, a, scaled(own.b, factor));
@@ -122,7 +122,7 @@ std::uint32_t ChoiceSplitter::product(NodeId id, const Node& node) {
 }
 
 std::uint32_t ChoiceSplitter::add(std::uint32_t piece, ChoiceTree& tree) {
-    const Piece own = pieces_[piece];
+    const TreeNode own = tree_[piece];
     ChoiceTree::Node node{.kind = own.kind};
     if (own.kind == Kind::Leaf) {
         const auto next = static_cast<std::uint32_t>(tree.functions.size());

@@ -63,15 +63,15 @@ private:
 
     /// A point with derivatives in the world's axes.
     template <class Wide>
-    struct Place {
+    struct PointJet {
         Wide value = std::numeric_limits<Wide>::quiet_NaN();
         std::array<Wide, 3> slope{};
         std::array<std::array<Wide, 3>, 3> bend{};
     };
     template <class Wide>
-    [[nodiscard]] Place<Wide> place(const std::array<double, 3>& point, int order) const;
+    [[nodiscard]] PointJet<Wide> place(const std::array<double, 3>& point, int order) const;
     template <class Wide>
-    void turn(Place<Wide>& result, const InterpolationPoint<Wide>& point,
+    void turn(PointJet<Wide>& result, const InterpolationPoint<Wide>& point,
               const std::array<bool, 3>& moves, int order) const;
 
     template <class Real>
@@ -115,10 +115,11 @@ inline ValueBounds scaled_sum(const ValueBounds& sum, double factor, const Value
 
 template <class Between>
 template <class Wide>
-auto VolumeOf<Between>::place(const std::array<double, 3>& point, int order) const -> Place<Wide> {
+auto VolumeOf<Between>::place(const std::array<double, 3>& point, int order) const
+    -> PointJet<Wide> {
     std::array<Wide, 3> index{};
     std::array<bool, 3> moves{true, true, true};
-    Place<Wide> result;
+    PointJet<Wide> result;
     for (std::size_t i = 0; i < 3; ++i) {
         index[i] = index_of<Wide>(map_, i, point);
         const auto end = static_cast<Wide>(data().samples().size[i] - 1);
@@ -145,7 +146,7 @@ auto VolumeOf<Between>::place(const std::array<double, 3>& point, int order) con
 /// Derivatives by the indices, of those that move with the point, as derivatives in the world.
 template <class Between>
 template <class Wide>
-void VolumeOf<Between>::turn(Place<Wide>& result, const InterpolationPoint<Wide>& point,
+void VolumeOf<Between>::turn(PointJet<Wide>& result, const InterpolationPoint<Wide>& point,
                              const std::array<bool, 3>& moves, int order) const {
     const auto& m = map_.index_from_world;
     const auto by = [&](std::size_t i, std::size_t axis) {
@@ -187,7 +188,7 @@ void VolumeOf<Between>::values_of(int derivative, const Real* in, Real* out, int
     const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
         if (answered.has(lane)) continue;
-        const Place<Wide> at = place<Wide>(question_lane(in, FieldValue::x, lanes, lane), order);
+        const PointJet<Wide> at = place<Wide>(question_lane(in, FieldValue::x, lanes, lane), order);
         std::array<Wide, 4> answer{at.value, at.slope[0], at.slope[1], at.slope[2]};
         if (order == 1) {
             const auto& row = at.bend[axes[0]];

@@ -125,7 +125,7 @@ public:
               }) {}
 
     /// A frame with room for its picture.
-    [[nodiscard]] NumberedFrame room() const;
+    [[nodiscard]] NumberedFrame empty_frame() const;
     /// Draws the picture, with what lies over it, of the number and the document that `drawn` has;
     /// or says why it cannot.
     std::optional<std::string> draw(NumberedFrame& drawn, FilmWork& work);
@@ -146,7 +146,7 @@ private:
     std::vector<ShownPoint> points_;
 };
 
-NumberedFrame FrameDrawer::room() const {
+NumberedFrame FrameDrawer::empty_frame() const {
     NumberedFrame drawn;
     drawn.frame = std::make_shared<Framebuffer>(film_.size.width, film_.size.height);
     if (film_.keeps_light || blurs()) drawn.frame->keep_planes(film_.keeps_normals);
@@ -238,8 +238,8 @@ std::expected<FilmWork, std::string> draw_film(const Film& film, const TakeFrame
     const auto cancelled = [&] { return watch.cancel != nullptr && *watch.cancel; };
     FilmWork work;
     FrameDrawer drawer(film, watch);
-    NumberedFrame next = drawer.room();
-    NumberedFrame last = drawer.room();  // is being taken
+    NumberedFrame next = drawer.empty_frame();
+    NumberedFrame last = drawer.empty_frame();  // is being taken
     FrameTaker taker(take, watch);
     for (int number = film.first; number <= film.last; ++number) {
         next.number = number;

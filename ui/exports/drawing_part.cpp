@@ -45,13 +45,13 @@ constexpr std::array<KindText, 5> kinds{{
 
 void draw_page_size(glm::dvec2& size_mm) {
     draw_export_label(tr("page, mm"), tr("Width and height."));
-    const float room = ImGui::GetContentRegionAvail().x - em(1.6F);
-    ImGui::SetNextItemWidth(0.5F * room);
+    const float space = ImGui::GetContentRegionAvail().x - em(1.6F);
+    ImGui::SetNextItemWidth(0.5F * space);
     draw_number_field("##page width", size_mm.x, 4.0, 3500.0);
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::TextUnformatted("\xC3\x97");
     ImGui::SameLine(0.0F, em(0.4F));
-    ImGui::SetNextItemWidth(0.5F * room);
+    ImGui::SetNextItemWidth(0.5F * space);
     draw_number_field("##page height", size_mm.y, 4.0, 3500.0);
 }
 

@@ -101,11 +101,11 @@ void draw_part(UiState& state, const ExportFormat& format) {
 void draw_progress(UiState& state) {
     const ExportProgress& progress = state.shown.export_progress;
     const float button = em(5.0F);
-    const float room = ImGui::GetContentRegionAvail().x;
-    draw_elided(progress.name + ": " + progress.text, room);
+    const float space = ImGui::GetContentRegionAvail().x;
+    draw_elided(progress.name + ": " + progress.text, space);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette(state.edited.theme).accent);
-    ImGui::ProgressBar(static_cast<float>(progress.share), ImVec2(room - button - spacing, 0.0F),
+    ImGui::ProgressBar(static_cast<float>(progress.share), ImVec2(space - button - spacing, 0.0F),
                        "");
     ImGui::PopStyleColor();
     ImGui::SameLine();
@@ -198,10 +198,10 @@ void place_export_page(const Layout& layout) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float margin = std::min(em(1.0F), 0.02F * window.y);
     const float half_picture = 0.5F * (window.x - side_panel_width(layout));
-    const float room = window.y - status_bar_height() - 2.0F * margin;
+    const float space = window.y - status_bar_height() - 2.0F * margin;
     const ImVec2 size(std::min(std::clamp(half_picture, em(narrowest_page_em), em(widest_page_em)),
                                window.x - 2.0F * margin),
-                      std::min(room, em(highest_page_em)));
+                      std::min(space, em(highest_page_em)));
     ImGui::SetNextWindowPos(ImVec2(window.x - margin - size.x, margin), ImGuiCond_Appearing);
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(std::min(em(20.0F), window.x), em(12.0F)), window);

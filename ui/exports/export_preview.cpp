@@ -22,13 +22,13 @@ struct Rect {
     [[nodiscard]] float height() const { return hi.y - lo.y; }
 };
 
-/// The largest rectangle of this shape in the middle of `room`.
-Rect fitted(const Rect& room, double width, double height) {
-    const float scale = std::min(room.width() / static_cast<float>(width),
-                                 room.height() / static_cast<float>(height));
+/// The largest rectangle of this shape in the middle of `space`.
+Rect fitted(const Rect& space, double width, double height) {
+    const float scale = std::min(space.width() / static_cast<float>(width),
+                                 space.height() / static_cast<float>(height));
     const ImVec2 half(0.5F * scale * static_cast<float>(width),
                       0.5F * scale * static_cast<float>(height));
-    const ImVec2 middle(0.5F * (room.lo.x + room.hi.x), 0.5F * (room.lo.y + room.hi.y));
+    const ImVec2 middle(0.5F * (space.lo.x + space.hi.x), 0.5F * (space.lo.y + space.hi.y));
     return {.lo = {std::floor(middle.x - half.x), std::floor(middle.y - half.y)},
             .hi = {std::ceil(middle.x + half.x), std::ceil(middle.y + half.y)}};
 }
@@ -109,11 +109,11 @@ const char* waiting_text(const UiState& state) {
 }
 
 /// Draws the text of what is going on over the room.
-void draw_over(ImDrawList& canvas, const Rect& room, const std::string& text,
+void draw_over(ImDrawList& canvas, const Rect& space, const std::string& text,
                const Palette& colors) {
     if (text.empty()) return;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 lo(0.5F * (room.lo.x + room.hi.x - size.x), room.hi.y - size.y - em(0.8F));
+    const ImVec2 lo(0.5F * (space.lo.x + space.hi.x - size.x), space.hi.y - size.y - em(0.8F));
     const ImVec2 pad(em(0.5F), em(0.25F));
     canvas.AddRectFilled(ImVec2(lo.x - pad.x, lo.y - pad.y),
                          ImVec2(lo.x + size.x + pad.x, lo.y + size.y + pad.y), colors.bar,
@@ -123,16 +123,16 @@ void draw_over(ImDrawList& canvas, const Rect& room, const std::string& text,
 
 /// Draws the picture or the lines; false where there are none yet.
 bool draw_content(ImDrawList& canvas, const ExportWish& wish, const ExportPreview& preview,
-                  const Rect& room) {
+                  const Rect& space) {
     if (wish.kind == ExportKind::Drawing) {
         if (preview.facts.empty()) return false;
         const glm::dvec2& size = wish.drawing.size_mm;
-        draw_lines(canvas, preview.lines, fitted(room, size.x, size.y),
+        draw_lines(canvas, preview.lines, fitted(space, size.x, size.y),
                    static_cast<float>(size.x * points_per_mm));
         return true;
     }
     if (preview.texture == 0) return false;
-    const Rect area = fitted(room, preview.size_px.x, preview.size_px.y);
+    const Rect area = fitted(space, preview.size_px.x, preview.size_px.y);
     const bool alpha = wish.kind == ExportKind::Film
                            ? wish.film.alpha
                            : wish.kind == ExportKind::Picture && wish.picture.alpha;
@@ -142,8 +142,8 @@ bool draw_content(ImDrawList& canvas, const ExportWish& wish, const ExportPrevie
 }
 
 /// Draws the picture that is being saved, as it goes.
-bool draw_progress(ImDrawList& canvas, const ExportProgress& progress, const Rect& room) {
-    draw_image(canvas, progress.texture, fitted(room, progress.size_px.x, progress.size_px.y));
+bool draw_progress(ImDrawList& canvas, const ExportProgress& progress, const Rect& space) {
+    draw_image(canvas, progress.texture, fitted(space, progress.size_px.x, progress.size_px.y));
     return true;
 }
 
@@ -156,20 +156,20 @@ void draw_export_preview(UiState& state) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const float height = std::min(em(preview_em), 0.5F * ImGui::GetWindowHeight());
-    const Rect room{.lo = lo, .hi = {lo.x + ImGui::GetContentRegionAvail().x, lo.y + height}};
+    const Rect space{.lo = lo, .hi = {lo.x + ImGui::GetContentRegionAvail().x, lo.y + height}};
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    page.preview_px = {static_cast<int>(room.width() * scale.x),
-                       static_cast<int>(room.height() * scale.y)};
-    canvas.AddRectFilled(room.lo, room.hi, colors.field, em(0.3F));
+    page.preview_px = {static_cast<int>(space.width() * scale.x),
+                       static_cast<int>(space.height() * scale.y)};
+    canvas.AddRectFilled(space.lo, space.hi, colors.field, em(0.3F));
     const ExportProgress& progress = state.shown.export_progress;
-    const bool drawn = progress.texture != 0 ? draw_progress(canvas, progress, room)
-                                             : draw_content(canvas, page.wish, preview, room);
+    const bool drawn = progress.texture != 0 ? draw_progress(canvas, progress, space)
+                                             : draw_content(canvas, page.wish, preview, space);
     // Pictures are soon there; what takes long says how far it is.
     const bool takes_long =
         page.wish.kind == ExportKind::Mesh || page.wish.kind == ExportKind::Drawing;
     const bool tells = !preview.doing.empty() && takes_long;
-    draw_over(canvas, room, tells ? preview.doing : drawn ? "" : waiting_text(state), colors);
-    ImGui::Dummy(ImVec2(room.width(), room.height()));
+    draw_over(canvas, space, tells ? preview.doing : drawn ? "" : waiting_text(state), colors);
+    ImGui::Dummy(ImVec2(space.width(), space.height()));
     draw_texts(preview, colors);
 }
 

@@ -93,13 +93,13 @@ Sweep whole_sweep(const Document& document, const std::string& name) {
 bool draw_sweep(Sweep& sweep, const Palette& colors) {
     const float button = ImGui::GetFrameHeight();
     draw_export_label(sweep.name.c_str(), tr("Goes from the first number to the second."));
-    const float room = ImGui::GetContentRegionAvail().x - button - em(2.6F);
-    ImGui::SetNextItemWidth(0.5F * room);
+    const float space = ImGui::GetContentRegionAvail().x - button - em(2.6F);
+    ImGui::SetNextItemWidth(0.5F * space);
     draw_number_field("##from", sweep.from, -largest_number, largest_number);
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::TextUnformatted(tr("to"));
     ImGui::SameLine(0.0F, em(0.4F));
-    ImGui::SetNextItemWidth(0.5F * room);
+    ImGui::SetNextItemWidth(0.5F * space);
     draw_number_field("##to", sweep.to, -largest_number, largest_number);
     ImGui::SameLine();
     return !icon_button("##remove", Icon::Cross, {.size = button, .color = colors.quiet},

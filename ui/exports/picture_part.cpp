@@ -56,13 +56,13 @@ void draw_export_label(const char* label, const char* about) {
 void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest, bool even) {
     draw_export_label(tr("size"), tr("Width and height in pixels."));
     const float arrow = ImGui::GetFrameHeight();
-    const float room = ImGui::GetContentRegionAvail().x - arrow - em(2.0F);
-    ImGui::SetNextItemWidth(0.5F * room);
+    const float space = ImGui::GetContentRegionAvail().x - arrow - em(2.0F);
+    ImGui::SetNextItemWidth(0.5F * space);
     draw_integer_field("##width", size_px.x, 1, largest);
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::TextUnformatted("\xC3\x97");
     ImGui::SameLine(0.0F, em(0.4F));
-    ImGui::SetNextItemWidth(0.5F * room);
+    ImGui::SetNextItemWidth(0.5F * space);
     draw_integer_field("##height", size_px.y, 1, largest);
     ImGui::SameLine(0.0F, em(0.4F));
     if (ImGui::BeginCombo("##sizes", "",

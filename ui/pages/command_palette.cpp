@@ -124,13 +124,13 @@ bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     if (line.is_on) draw_tick(lo, height, colors);
     const float left = lo.x + em(1.5F);
-    const float room = hint - em(0.6F) - left;
-    const std::string text = elided(line.text, room);
+    const float space = hint - em(0.6F) - left;
+    const std::string text = elided(line.text, space);
     canvas.AddText(ImVec2(left, top), line.enabled ? colors.text : colors.quiet, text.c_str());
     if (!line.found_by.empty()) {
         const float after = ImGui::CalcTextSize(text.c_str()).x + em(0.8F);
         canvas.AddText(ImVec2(left + after, top), colors.quiet,
-                       elided(line.found_by, room - after).c_str());
+                       elided(line.found_by, space - after).c_str());
     }
     canvas.AddText(ImVec2(hint, top), colors.quiet, line.hint.c_str());
     return clicked;

@@ -56,8 +56,8 @@ void draw_head(GalleryPage& page, const Palette& colors) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("Gallery"));
     ImGui::SameLine(0.0F, em(1.0F));
-    const float room = ImGui::GetContentRegionAvail().x - size - em(0.4F);
-    ImGui::SetNextItemWidth(std::min(room, em(24.0F)));
+    const float space = ImGui::GetContentRegionAvail().x - size - em(0.4F);
+    ImGui::SetNextItemWidth(std::min(space, em(24.0F)));
     if (draw_popup_field(page, tr("find a name, a word, a part of an equation"), page.search)) {
         page.follow = true;
     }
@@ -106,12 +106,12 @@ void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const float left = lo.x + em(0.5F);
     const float top = lo.y + grid.picture_height + em(0.3F);
-    const float room = grid.card_width - em(0.8F);
+    const float space = grid.card_width - em(0.8F);
     canvas.AddText(ImVec2(left, top), colors.text,
-                   elided(shown_text(entry, entry.title), room).c_str());
+                   elided(shown_text(entry, entry.title), space).c_str());
     const ImVec2 below(left, top + ImGui::GetTextLineHeight() + em(0.15F));
     ImGui::PushFont(font(FontRole::SmallFormula));
-    canvas.AddText(below, colors.quiet, elided(in_one_line(entry.equation), room).c_str());
+    canvas.AddText(below, colors.quiet, elided(in_one_line(entry.equation), space).c_str());
     ImGui::PopFont();
 }
 

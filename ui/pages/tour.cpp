@@ -17,11 +17,11 @@
 namespace zeroset::ui {
 namespace {
 
-enum class Part : std::uint8_t { Statements, Picture, Header };
+enum class WindowPart : std::uint8_t { Statements, Picture, Header };
 
 /// A part of the window, and what the user can do there.
 struct Step {
-    Part part;
+    WindowPart part;
     const char* title;
     std::string (*text)(const UiState&);
 };
@@ -30,7 +30,7 @@ struct Step {
 std::string keys_of(const char* name) { return shown_keys(action_named(name)); }
 
 const std::array<Step, tour_steps> steps{{
-    {.part = Part::Statements,
+    {.part = WindowPart::Statements,
      .title = "Type an equation",
      .text =
          [](const UiState&) {
@@ -38,7 +38,7 @@ const std::array<Step, tour_steps> steps{{
                  tr("Any equation in x, y and z, such as x^2 + y^2 + z^2 = 4. The surface follows "
                     "every key. Enter begins another row, for another surface or a definition."));
          }},
-    {.part = Part::Picture,
+    {.part = WindowPart::Picture,
      .title = "Look around",
      .text =
          [](const UiState&) {
@@ -47,7 +47,7 @@ const std::array<Step, tour_steps> steps{{
                               "all of the surface into view."),
                            {keys_of("Frame the surface")});
          }},
-    {.part = Part::Statements,
+    {.part = WindowPart::Statements,
      .title = "Move what varies",
      .text =
          [](const UiState&) {
@@ -55,7 +55,7 @@ const std::array<Step, tour_steps> steps{{
                  tr("Every other letter is a number that you choose: x^2 + y^2 = a z brings a "
                     "slider for a. The triangle beside it lets it run by itself."));
          }},
-    {.part = Part::Header,
+    {.part = WindowPart::Header,
      .title = "Begin with a surface",
      .text =
          [](const UiState& state) {
@@ -64,7 +64,7 @@ const std::array<Step, tour_steps> steps{{
                               "singular points, each with its equation to change."),
                            {keys_of("Gallery"), std::to_string(count)});
          }},
-    {.part = Part::Header,
+    {.part = WindowPart::Header,
      .title = "Take it away",
      .text =
          [](const UiState&) {
@@ -77,25 +77,27 @@ const std::array<Step, tour_steps> steps{{
 }};
 
 /// Returns the part of the window in window coordinates.
-ImRect area_of(Part part, const Layout& layout) {
+ImRect area_of(WindowPart part, const Layout& layout) {
     const float width = side_panel_width(layout);
     const PictureArea picture = viewport_area(layout);
     const float header = em(3.0F);
     switch (part) {
-        case Part::Statements: return {0.0F, header, width, std::min(em(12.0F), picture.hi.y)};
-        case Part::Picture: return {picture.lo, picture.hi};
-        case Part::Header: return {0.0F, 0.0F, width, header};
+        case WindowPart::Statements:
+            return {0.0F, header, width, std::min(em(12.0F), picture.hi.y)};
+        case WindowPart::Picture: return {picture.lo, picture.hi};
+        case WindowPart::Header: return {0.0F, 0.0F, width, header};
     }
     return {};
 }
 
 /// Returns where the card of a size stands: to the right of its part, in the picture's middle, or
 /// wherever there is room.
-ImVec2 place_of(const ImVec2& size, const ImRect& area, Part part) {
+ImVec2 place_of(const ImVec2& size, const ImRect& area, WindowPart part) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float margin = em(0.8F);
     ImVec2 at(area.Max.x + margin, area.Min.y + margin);
-    if (part == Part::Picture) at = ImVec2(area.GetCenter().x - 0.5F * size.x, area.Min.y + margin);
+    if (part == WindowPart::Picture)
+        at = ImVec2(area.GetCenter().x - 0.5F * size.x, area.Min.y + margin);
     if (at.x + size.x > window.x) at.y = std::max(at.y, area.Max.y + margin);
     return {std::clamp(at.x, 0.0F, std::max(window.x - size.x, 0.0F)),
             std::clamp(at.y, 0.0F, std::max(window.y - size.y, 0.0F))};

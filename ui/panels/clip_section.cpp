@@ -39,8 +39,8 @@ struct Typed {
 template <std::size_t count>
 Typed draw_numbers(const char* id, const std::array<double*, count>& numbers) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float room = ImGui::GetContentRegionAvail().x;
-    const float width = (room - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+    const float space = ImGui::GetContentRegionAvail().x;
+    const float width = (space - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
     Typed typed;
     ImGui::PushID(id);
     for (std::size_t i = 0; i < count; ++i) {

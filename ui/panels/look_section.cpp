@@ -51,8 +51,8 @@ void draw_expression(const char* id, std::string& expression, const std::string&
     if (error.empty()) return;
     draw_label("", "");
     ImGui::PushStyleColor(ImGuiCol_Text, colors.error);
-    const float room = ImGui::GetContentRegionAvail().x;
-    if (draw_elided(error, room)) draw_tooltip(error);
+    const float space = ImGui::GetContentRegionAvail().x;
+    if (draw_elided(error, space)) draw_tooltip(error);
     ImGui::PopStyleColor();
 }
 
@@ -141,10 +141,10 @@ void draw_undecided(Document& document, Theme theme) {
     draw_tooltip(tr(
         "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
         "place where f jumps or ends. A larger d_stop decides more of them."));
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
+    const float space = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
     const std::string jumps = labelled(tr("Jumps"), "###jumps");
     if (ImGui::CalcTextSize(jumps.c_str(), nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <=
-        room) {
+        space) {
         ImGui::SameLine(0.0F, em(1.2F));
         ImGui::Checkbox(jumps.c_str(), &document.jumps);
         draw_tooltip(

@@ -69,8 +69,8 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected,
     const std::string text = row_text(marker, selected, picture);
     ImFont* const small = font(FontRole::SmallFormula);
     ImGui::PushFont(small);
-    const float room = width - 2.0F * height - em(2.2F);
-    const std::string shown = elided(text, room);
+    const float space = width - 2.0F * height - em(2.2F);
+    const std::string shown = elided(text, space);
     const bool cut = shown != text;
     draw_tooltip((cut ? text + "\n" : std::string()) +
                  tr("Select: Ctrl+C copies it, Delete removes it; the others show how far they "

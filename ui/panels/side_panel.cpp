@@ -201,10 +201,10 @@ void draw_folded(UiState& state) {
 /// room for all of it, the sections are at the bottom.
 void draw_sections(UiState& state) {
     ImGui::BeginChild("##list", ImVec2(0.0F, 0.0F), false, part_flags);
-    const float room = ImGui::GetContentRegionAvail().y;
+    const float space = ImGui::GetContentRegionAvail().y;
     draw_statement_list(state);
     const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(std::max(top, std::floor(room - sections_height(state))));
+    ImGui::SetCursorPosY(std::max(top, std::floor(space - sections_height(state))));
     draw_below(state);
     ImGui::EndChild();
 }

@@ -32,8 +32,8 @@ void draw_buttons(UiState& state, std::span<const Button> buttons) {
     float texts = 0.0F;
     for (const Button& button : buttons)
         texts += ImGui::CalcTextSize(tr(button.label)).x;
-    const float room = ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap - texts;
-    const float more = room / count;
+    const float space = ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap - texts;
+    const float more = space / count;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(pad, ImGui::GetStyle().FramePadding.y));
     for (const Button& button : buttons) {
         const float width = ImGui::CalcTextSize(tr(button.label)).x + more;

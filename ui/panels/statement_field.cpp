@@ -33,8 +33,8 @@ std::ptrdiff_t lines_of(const std::string& text) {
 /// The text as a field of this width shows it, in the current font.
 WrappedText as_shown(const std::string& text, float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float room = width - 2.0F * style.FramePadding.x - style.ScrollbarSize;
-    return wrapped(text, room, [](std::string_view character) {
+    const float space = width - 2.0F * style.FramePadding.x - style.ScrollbarSize;
+    return wrapped(text, space, [](std::string_view character) {
         const char* const begin = character.data();
         return ImGui::CalcTextSize(begin, begin + character.size()).x;
     });

@@ -31,9 +31,9 @@ constexpr const char* keys_hint = marked(
 void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const bool first = ImGui::GetCursorPosX() <= style.WindowPadding.x;
-    const float room = ImGui::GetWindowWidth() - style.WindowPadding.x - ImGui::GetCursorPosX();
+    const float space = ImGui::GetWindowWidth() - style.WindowPadding.x - ImGui::GetCursorPosX();
     const std::string before = first ? "" : between;
-    if (ImGui::CalcTextSize((before + text).c_str()).x > room && !first) return;
+    if (ImGui::CalcTextSize((before + text).c_str()).x > space && !first) return;
     ImGui::TextDisabled("%s", before.c_str());
     ImGui::SameLine(0.0F, 0.0F);
     ImGui::PushStyleColor(ImGuiCol_Text, color);

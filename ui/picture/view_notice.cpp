@@ -144,13 +144,13 @@ Emptiness emptiness_of(const UiState& state) {
 
 void draw_view_notice(UiState& state) {
     const PictureArea area = viewport_area(state.edited.layout);
-    const float room = area.hi.x - area.lo.x;
-    if (room < em(least_for_notice_em)) return;
+    const float space = area.hi.x - area.lo.x;
+    if (space < em(least_for_notice_em)) return;
     draw_framed(state.shown.status.framed, area);
     const Emptiness why = emptiness_of(state);
     if (why == Emptiness::None) return;
     const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;
-    const float width = std::min(em(widest_notice_em), room - em(2.0F) - padding);
+    const float width = std::min(em(widest_notice_em), space - em(2.0F) - padding);
     ImGui::SetNextWindowPos(ImVec2(0.5F * (area.lo.x + area.hi.x), 0.5F * (area.lo.y + area.hi.y)),
                             ImGuiCond_Always, ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowSize(ImVec2(width + padding, 0.0F));

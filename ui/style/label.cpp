@@ -44,7 +44,7 @@ bool draw_elided(const std::string& text, float width) {
 std::string elided(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     const std::string ellipsis = "\xE2\x80\xA6";
-    const float room = width - ImGui::CalcTextSize(ellipsis.c_str()).x;
+    const float space = width - ImGui::CalcTextSize(ellipsis.c_str()).x;
     // Whole characters of UTF-8 only.
     std::size_t end = text.size();
     while (end > 0) {
@@ -52,7 +52,7 @@ std::string elided(const std::string& text, float width) {
             --end;
         } while (end > 0 && continues_character(text[end]));
         const char* const begin = text.c_str();
-        if (ImGui::CalcTextSize(begin, begin + end).x <= room) break;
+        if (ImGui::CalcTextSize(begin, begin + end).x <= space) break;
     }
     return text.substr(0, end) + ellipsis;
 }

@@ -27,8 +27,8 @@ ImRect character_place(const FieldView& view, const std::string& text, std::size
     return {x, y, x + wide, y + ImGui::GetFontSize()};
 }
 
-/// Draws a triangle at the edge of `room` that points towards `place` outside it.
-void draw_arrow(ImDrawList& canvas, const ImRect& room, const ImRect& place, std::uint32_t color) {
+/// Draws a triangle at the edge of `space` that points towards `place` outside it.
+void draw_arrow(ImDrawList& canvas, const ImRect& space, const ImRect& place, std::uint32_t color) {
     const float size = em(0.4F);
     const auto arrow = [&](ImVec2 tip, ImVec2 back) {
         const ImVec2 side(0.75F * back.y, 0.75F * back.x);
@@ -37,15 +37,15 @@ void draw_arrow(ImDrawList& canvas, const ImRect& room, const ImRect& place, std
                                  ImVec2(base.x - side.x, base.y - side.y), color);
     };
     const float middle = 0.5F * (place.Min.x + place.Max.x);
-    const float x = std::clamp(middle, room.Min.x + size, room.Max.x - size);
-    if (place.Max.y < room.Min.y + size) {
-        arrow(ImVec2(x, room.Min.y), ImVec2(0.0F, size));
-    } else if (place.Min.y > room.Max.y - size) {
-        arrow(ImVec2(x, room.Max.y), ImVec2(0.0F, -size));
-    } else if (middle < room.Min.x) {
-        arrow(ImVec2(room.Min.x, place.Max.y), ImVec2(size, 0.0F));
+    const float x = std::clamp(middle, space.Min.x + size, space.Max.x - size);
+    if (place.Max.y < space.Min.y + size) {
+        arrow(ImVec2(x, space.Min.y), ImVec2(0.0F, size));
+    } else if (place.Min.y > space.Max.y - size) {
+        arrow(ImVec2(x, space.Max.y), ImVec2(0.0F, -size));
+    } else if (middle < space.Min.x) {
+        arrow(ImVec2(space.Min.x, place.Max.y), ImVec2(size, 0.0F));
     } else {
-        arrow(ImVec2(room.Max.x, place.Max.y), ImVec2(-size, 0.0F));
+        arrow(ImVec2(space.Max.x, place.Max.y), ImVec2(-size, 0.0F));
     }
 }
 
@@ -77,21 +77,21 @@ void draw_error_mark(const FieldView& view, const std::string& text, std::size_t
                      std::uint32_t color) {
     const ImRect place = character_place(view, text, at);
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    const ImRect room(view.inside.Min.x + 0.5F * padding.x, view.inside.Min.y + em(0.1F),
-                      view.inside.Max.x - 0.5F * padding.x, view.inside.Max.y - em(0.1F));
+    const ImRect space(view.inside.Min.x + 0.5F * padding.x, view.inside.Min.y + em(0.1F),
+                       view.inside.Max.x - 0.5F * padding.x, view.inside.Max.y - em(0.1F));
     ImDrawList& canvas = *view.window->DrawList;
     const ImRect clip = visible_part(view);
     canvas.PushClipRect(clip.Min, clip.Max, false);
     const float thick = em(0.15F);  // the free space above the next line's letters
     const float y = place.Max.y;
-    const bool seen = place.Min.x >= room.Min.x && place.Max.x <= room.Max.x &&
-                      place.Min.y + 0.5F * place.GetHeight() >= room.Min.y &&
+    const bool seen = place.Min.x >= space.Min.x && place.Max.x <= space.Max.x &&
+                      place.Min.y + 0.5F * place.GetHeight() >= space.Min.y &&
                       y + thick <= view.inside.Max.y;
     if (seen) {
         canvas.AddRectFilled(ImVec2(place.Min.x, y), ImVec2(place.Max.x, y + thick), color,
                              0.5F * thick);
     } else {
-        draw_arrow(canvas, room, place, color);
+        draw_arrow(canvas, space, place, color);
     }
     canvas.PopClipRect();
 }

@@ -8,15 +8,15 @@
 
 namespace zeroset::ui {
 
-FullScreen::Place FullScreen::place_of(GLFWwindow* window) {
-    Place place;
-    glfwGetWindowPos(window, &place.left, &place.top);
-    glfwGetWindowSize(window, &place.width, &place.height);
-    return place;
+FullScreen::Bounds FullScreen::bounds_of(GLFWwindow* window) {
+    Bounds bounds;
+    glfwGetWindowPos(window, &bounds.left, &bounds.top);
+    glfwGetWindowSize(window, &bounds.width, &bounds.height);
+    return bounds;
 }
 
 void FullScreen::enter(GLFWwindow* window) {
-    const Place place = place_of(window);
+    const Bounds bounds = bounds_of(window);
     int count = 0;
     GLFWmonitor** const all = glfwGetMonitors(&count);
     GLFWmonitor* best = glfwGetPrimaryMonitor();
@@ -28,16 +28,16 @@ void FullScreen::enter(GLFWwindow* window) {
         int top = 0;
         glfwGetMonitorPos(one, &left, &top);
         const int wide =
-            std::min(place.left + place.width, left + mode->width) - std::max(place.left, left);
+            std::min(bounds.left + bounds.width, left + mode->width) - std::max(bounds.left, left);
         const int high =
-            std::min(place.top + place.height, top + mode->height) - std::max(place.top, top);
+            std::min(bounds.top + bounds.height, top + mode->height) - std::max(bounds.top, top);
         const int area = std::max(wide, 0) * std::max(high, 0);
         if (area > most) best = one;
         most = std::max(most, area);
     }
     const GLFWvidmode* const mode = best == nullptr ? nullptr : glfwGetVideoMode(best);
     if (mode == nullptr) return;
-    bordered_ = place;
+    bordered_ = bounds;
     on_ = true;
     glfwSetWindowMonitor(window, best, 0, 0, mode->width, mode->height, mode->refreshRate);
 }

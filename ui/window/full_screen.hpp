@@ -4,7 +4,7 @@ struct GLFWwindow;
 
 namespace zeroset::ui {
 
-/// Lets a window fill the screen that shows most of it, and gives it its place back. The window's
+/// Lets a window fill the screen that shows most of it, and gives it its bounds back. The window's
 /// thread only.
 class FullScreen {
 public:
@@ -15,14 +15,14 @@ public:
     void leave(GLFWwindow* window);
 
 private:
-    /// A window's place on the desktop, in its coordinates.
-    struct Place {
+    /// A window's bounds on the desktop, in its coordinates.
+    struct Bounds {
         int left = 0, top = 0, width = 0, height = 0;
     };
-    static Place place_of(GLFWwindow* window);
+    static Bounds bounds_of(GLFWwindow* window);
 
     bool on_ = false;
-    Place bordered_;  ///< where the window goes when it leaves the full screen
+    Bounds bordered_;  ///< where the window goes when it leaves the full screen
 };
 
 }  // namespace zeroset::ui

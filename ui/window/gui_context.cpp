@@ -31,11 +31,11 @@ GuiContext::~GuiContext() {
 }
 
 void GuiContext::begin_frame(Theme theme, float content_scale, float pixels_per_point) {
-    const Look look{
+    const Style wanted{
         .theme = theme, .content_scale = content_scale, .pixels_per_point = pixels_per_point};
-    if (look != look_) {
-        const bool same_fonts = look_.content_scale == content_scale;
-        look_ = look;
+    if (wanted != style_) {
+        const bool same_fonts = style_.content_scale == content_scale;
+        style_ = wanted;
         if (!same_fonts) {
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             load_fonts(content_scale);
@@ -63,10 +63,10 @@ void GuiContext::rasterize(int width_px, int height_px) {
 
 float GuiContext::scale_of_letters(float content_scale, float letters, int width_px,
                                    int height_px) {
-    const float room = std::min(static_cast<float>(width_px) / static_cast<float>(min_width),
-                                static_cast<float>(height_px) / static_cast<float>(min_height));
+    const float space = std::min(static_cast<float>(width_px) / static_cast<float>(min_width),
+                                 static_cast<float>(height_px) / static_cast<float>(min_height));
     const float wanted = content_scale * letters;
-    return letters > 1.0F ? std::clamp(room, content_scale, std::max(wanted, content_scale))
+    return letters > 1.0F ? std::clamp(space, content_scale, std::max(wanted, content_scale))
                           : wanted;
 }
 

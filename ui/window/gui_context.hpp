@@ -39,13 +39,13 @@ public:
     [[nodiscard]] static bool wants_text();
 
 private:
-    struct Look {
+    struct Style {
         Theme theme = Theme::Dark;
         float content_scale = 0.0F;
         float pixels_per_point = 0.0F;
-        bool operator==(const Look&) const = default;
+        bool operator==(const Style&) const = default;
     };
-    Look look_;
+    Style style_;
     Navigation navigation_;
     bool ready_ = false;
 };

@@ -158,7 +158,7 @@ struct Cells {
         bits.resize(capacity / lanes<Real> + 1);
     }
     /// Makes room for so many more cells.
-    void make_room(std::size_t more) {
+    void reserve(std::size_t more) {
         if (size + more + 2 * batch_multiple > from.size()) resize(2 * from.size() + more + 256);
     }
     /// There must be room. Empty slabs leave nothing: whether one is empty is hard to predict.

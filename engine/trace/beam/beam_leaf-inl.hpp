@@ -61,14 +61,14 @@ private:
     static constexpr int lanes = hn::MaxLanes(d);
 
     /// Where a leaf's linear part vanishes on rays, widened by its error.
-    struct Sheet {
+    struct ZeroBand {
         V radius;    ///< how far roots may be from there
         V from, to;  ///< of the leaf
         V by_col;
         Real s, c, kv, scale;
 
         /// `aside`: how far rays may be from the pixels' centres, in pixels.
-        HWY_INLINE Sheet(const Leaf<Real>& leaf, Real aside)
+        HWY_INLINE ZeroBand(const Leaf<Real>& leaf, Real aside)
             : from(hn::Set(d, leaf.from)),
               to(hn::Set(d, leaf.to)),
               s(leaf.s),
@@ -201,7 +201,7 @@ private:
 template <class Real, int pixels>
 template <bool first_of_run>
 void LeafSolver<Real, pixels>::set_brackets(const Leaf<Real>& leaf) {
-    const Sheet sheet(leaf, Real{0});
+    const ZeroBand sheet(leaf, Real{0});
     for (int row = 0; row < pixels; ++row) {
         for (int col = 0; col < pixels; col += lanes) {
             const int i = row * pixels + col;

@@ -21,7 +21,7 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real, int pixels>
 template <bool first_of_run>
 void LeafSolver<Real, pixels>::add_cover(const Leaf<Real>& leaf) {
-    const Sheet sheet(leaf, static_cast<Real>(0.5));  // rays are half a pixel aside at most
+    const ZeroBand sheet(leaf, static_cast<Real>(0.5));  // rays are half a pixel aside at most
     for (int row = 0; row < pixels; ++row) {
         for (int col = 0; col < pixels; col += lanes) {
             const int i = row * pixels + col;

@@ -102,7 +102,7 @@ private:
 template <class Real>
 void RangeList<Real>::push(double u, double v, double radius, double s, double t,
                            SquareOfPixels square) {
-    boxes_.make_room(size_ + 1);
+    boxes_.reserve(size_ + 1);
     memory_.squares.resize(std::max(memory_.squares.size(), size_ + 1));
     memory_.squares[size_] = square;
     const ViewFrame& axes = rays_.axes();
@@ -147,7 +147,7 @@ void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
     memory_.left.assign(size_, false);
     RangeBoxList<Real>& of = memory_.piece_boxes;
     const auto evaluate = [&](PieceList<Real>& list) {
-        of.make_room(list.size());
+        of.reserve(list.size());
         for (std::size_t k = 0; k < list.size(); ++k) {
             for (std::size_t axis = 0; axis < 6; ++axis)
                 of.ends[axis][k] = boxes_.ends[axis][list.cell(k)];

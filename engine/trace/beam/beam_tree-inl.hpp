@@ -243,7 +243,7 @@ void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::si
     const auto width_by_depth = static_cast<Real>(2 * rays_.pixel() * half);
     const CellTile parent = cells_->tile[open.front()];
     next_->runs.begin(kernel, next_->size);
-    next_->make_room(4 * most_parts * open.size());
+    next_->reserve(4 * most_parts * open.size());
     const bool all_inside =
         std::ranges::all_of(open, [&](std::size_t cell) { return cells_->tile[cell].inside != 0; });
     for (std::size_t child = 0; child < 4; ++child) {

@@ -34,7 +34,7 @@ void CellTree<Real>::begin(int pixels) {
 template <class Real>
 void CellTree<Real>::push_first(const First& first, const DepthRange& depths) {
     cells_->runs.begin(first.kernel, cells_->size);
-    cells_->make_room(static_cast<std::size_t>(first.slabs));
+    cells_->reserve(static_cast<std::size_t>(first.slabs));
     const Real near = -upper_end(Real{}, -first.from);
     const Real far = upper_end(Real{}, first.to);
     Real from = near;

@@ -50,7 +50,7 @@ void CellTree<Real>::narrow_by_pieces(const CellRun& run, const FrustumOf<Real>&
     const CellJudge<Real> judge(rays_, pixels);
     const auto evaluate = [&](PieceList<Real>& list) {
         of.clear();
-        of.make_room(list.size());
+        of.reserve(list.size());
         for (std::size_t k = 0; k < list.size(); ++k)
             of.push_copy(*cells_, list.cell(k));
         of.places.pad(of.size);

@@ -69,7 +69,7 @@ public:
 
 private:
     using Lanes = Real[lanes<Real>];
-    using Place = CellReach<Real>::Place;
+    using Way = CellReach<Real>::Way;
     using Squares = CellReach<Real>::Squares;
     static constexpr BlobFacts facts = blob_facts(kind);
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
@@ -81,7 +81,7 @@ private:
         const V<Real> reach = number<Real>(facts.reach);
         // Find where the cells are from the ball, and skip it if it reaches none.
         const V<Real> z = hn::Sub(reach_.at, same(balls_.z[i]));
-        const Place from{
+        const Way from{
             hn::MulAdd(number<Real>(bin_.u), z, hn::Sub(reach_.start_x, same(balls_.x[i]))),
             hn::MulAdd(number<Real>(bin_.v), z, hn::Sub(reach_.start_y, same(balls_.y[i]))), z};
         const V<Real> per_square = same(balls_.per_square[i]);
@@ -170,7 +170,7 @@ private:
 
     /// The slope along the rays is 2 s h'(q) / r^2 times how far along its direction a place is
     /// from the ball.
-    HWY_INLINE void add_slope(const Place& from, V<Real> steepest, V<Real> flattest, V<Real> weight,
+    HWY_INLINE void add_slope(const Way& from, V<Real> steepest, V<Real> flattest, V<Real> weight,
                               M<Real> reached) {
         const V<Real> along = hn::MulAdd(reach_.u, from.x, hn::MulAdd(reach_.v, from.y, from.z));
         const V<Real> half = hn::MulAdd(

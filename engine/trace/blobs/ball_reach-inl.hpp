@@ -28,7 +28,7 @@ struct CellReach {
     static constexpr double unit = std::numeric_limits<Real>::epsilon();
 
     /// The way from a ball's middle to the cell's.
-    struct Place {
+    struct Way {
         V<Real> x, y, z;
     };
     /// Bounds of q, the square of the way from a ball times its per_square, on the cell.
@@ -55,13 +55,13 @@ struct CellReach {
     static HWY_INLINE V<Real> above(V<Real> bound) {
         return hn::Mul(bound, number<Real>(1 + 16 * unit));
     }
-    HWY_INLINE Squares squares_of(const Place& from, V<Real> per_square) const {
+    HWY_INLINE Squares squares_of(const Way& from, V<Real> per_square) const {
         const auto twice = [&](V<Real> a) { return hn::Mul(hn::Add(a, a), per_square); };
         Squares q{};
         q.middle =
             hn::Mul(hn::MulAdd(from.x, from.x, hn::MulAdd(from.y, from.y, hn::Mul(from.z, from.z))),
                     per_square);
-        const Place steep{twice(from.x), twice(from.y), twice(from.z)};
+        const Way steep{twice(from.x), twice(from.y), twice(from.z)};
         q.linear_u = hn::Mul(steep.x, way_u);
         q.linear_v = hn::Mul(steep.y, way_v);
         q.linear_s = hn::Mul(hn::MulAdd(steep.x, u, hn::MulAdd(steep.y, v, steep.z)), way_s);
@@ -80,7 +80,7 @@ struct CellReach {
         const auto gap = [&](V<Real> a, V<Real> half) {
             return hn::Max(hn::Sub(hn::Abs(a), half), hn::Zero(d<Real>));
         };
-        const Place gaps{gap(from.x, half_x), gap(from.y, half_y), gap(from.z, half_z)};
+        const Way gaps{gap(from.x, half_x), gap(from.y, half_y), gap(from.z, half_z)};
         const V<Real> nearest =
             hn::MulAdd(gaps.x, gaps.x, hn::MulAdd(gaps.y, gaps.y, hn::Mul(gaps.z, gaps.z)));
         // Differences of far larger numbers are known to the digits of these.

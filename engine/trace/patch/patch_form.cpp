@@ -62,13 +62,13 @@ void ask(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes
 }
 
 /// A range as middle and radius.
-struct Range {
+struct MiddleRadius {
     double middle, radius;
 };
 
 /// The derivative by a variable that is scaled from `radius` to [-1, 1]; `other`: a bound of the
 /// derivative by the other variable.
-Range slope_of(const Cells& cells, std::size_t i, double radius, double other) {
+MiddleRadius slope_of(const Cells& cells, std::size_t i, double radius, double other) {
     const double lo = -cells.slope_neg_lo[i];
     const double hi = cells.slope_hi[i];
     if (!std::isfinite(lo) || !std::isfinite(hi)) return {.middle = 0.0, .radius = unbounded};
@@ -246,8 +246,8 @@ void PatchForms::evaluate(const Boxes& boxes, Forms& forms) const {
             form.kv[k] = along_u.k[0][i];
             form.e[k] = along_u.e[i];
             form.value_error[k] = 0x1p-50 * along_u.r[i];
-            const Range u = slope_of(along_u, i, boxes[i].u_radius, slope_bound(along_v, i));
-            const Range v = slope_of(along_v, i, boxes[i].v_radius, slope_bound(along_u, i));
+            const MiddleRadius u = slope_of(along_u, i, boxes[i].u_radius, slope_bound(along_v, i));
+            const MiddleRadius v = slope_of(along_v, i, boxes[i].v_radius, slope_bound(along_u, i));
             form.du[k] = u.middle;
             form.du_radius[k] = u.radius;
             form.dv[k] = v.middle;

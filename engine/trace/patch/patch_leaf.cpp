@@ -71,12 +71,12 @@ private:
         }
     }
     /// Goes on with those of some rays that may meet a piece.
-    void trace_listed(Piece& piece, const Range& some) {
+    void trace_listed(Piece& piece, const RaySpan& some) {
         if (some.count == 0) return;
         // Bound how the derivatives vary over the piece, for all of the rays.
         const SightRays around = lists_.bounds_of(some);
         piece.contraction = contraction_of(piece.sight, around);
-        Range open = some;
+        RaySpan open = some;
         // Solve rays by Newton's method; on flat pieces, the others by Krawczyk's test.
         if (piece.contraction.norm <= bent_norm) {
             const FloatTerms floats(piece);
@@ -102,30 +102,30 @@ private:
         }
     }
 
-    void leave(const Range& rays, double near) {
+    void leave(const RaySpan& rays, double near) {
         for (std::size_t i = rays.first; i < rays.first + rays.count; ++i)
             taker_.leave(lists_.pixel(i), near, LeafLeft::Tangent);
     }
 
     /// Solves the rays of a piece in float. Moves those left open to the front of the list and
     /// returns how many they are.
-    std::size_t solve_bent(const Newton& newton, int first_degree, const Range& rays) {
+    std::size_t solve_bent(const Newton& newton, int first_degree, const RaySpan& rays) {
         return with_degree(first_degree, [&](auto degree) HWY_ATTR {
             return newton.with_squares() ? solve_bent_by<degree(), true>(newton, rays)
                                          : solve_bent_by<degree(), false>(newton, rays);
         });
     }
     template <int degree, bool with_squares>
-    std::size_t solve_bent_by(const Newton& newton, const Range& rays);
+    std::size_t solve_bent_by(const Newton& newton, const RaySpan& rays);
     /// Solves the rays of a piece in double where Krawczyk's test contracts; returns as solve_bent.
-    std::size_t solve(const Piece& piece, const FloatTerms& floats, const Range& rays) {
+    std::size_t solve(const Piece& piece, const FloatTerms& floats, const RaySpan& rays) {
         const Solver solver(piece, floats, axes_, rays_.tolerance);
         return with_degree(piece.degree, [&](auto degree) HWY_ATTR {
             return solve_by<degree()>(piece, solver, rays);
         });
     }
     template <int degree>
-    std::size_t solve_by(const Piece& piece, const Solver& solver, const Range& rays);
+    std::size_t solve_by(const Piece& piece, const Solver& solver, const RaySpan& rays);
     /// Takes those hits among twice as many rays as vectors have numbers, from `at` on, that count.
     void take_hits(const SolverEnd& end, std::size_t at, LaneBits real);
     /// The lanes whose places are in the box of what counts.
@@ -147,7 +147,7 @@ private:
 };
 
 template <int degree>
-std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const Range& rays) {
+std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const RaySpan& rays) {
     count_.evaluations += rays.count;
     std::size_t left = 0;
     for (std::size_t first = 0; first < rays.count; first += lanes<float>) {
@@ -186,7 +186,7 @@ std::size_t LeafTracer::solve_by(const Piece& piece, const Solver& solver, const
 }
 
 template <int degree, bool with_squares>
-std::size_t LeafTracer::solve_bent_by(const Newton& newton, const Range& rays) {
+std::size_t LeafTracer::solve_bent_by(const Newton& newton, const RaySpan& rays) {
     count_.evaluations += rays.count;
     std::size_t left = 0;
     for (std::size_t i = 0; i < rays.count; i += lanes<float>) {

@@ -26,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// Some rays of the lists: from `first` on.
-struct Range {
+struct RaySpan {
     std::size_t first, count;
 };
 
@@ -47,7 +47,7 @@ public:
 
     /// Lists the rays through some pixels that may meet a piece; where there is an outline, the
     /// first `gathered` rays of the lists take the place of the rectangles.
-    Range list(const Piece& piece, const LeafPixels& pixels, std::size_t gathered) {
+    RaySpan list(const Piece& piece, const LeafPixels& pixels, std::size_t gathered) {
         const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
         std::size_t count = keep_met(form, gathered);
@@ -62,7 +62,7 @@ public:
 
     /// Lists those rays again, behind them, that the piece's linear form does not reject, with
     /// where it has their zeros.
-    Range list(const Piece& piece, const Range& rays) {
+    RaySpan list(const Piece& piece, const RaySpan& rays) {
         const QuadraticForm form(piece, axes_);
         const double near = piece.sight.depths().near;
         const std::size_t first = rays.first + rays.count;
@@ -80,7 +80,7 @@ public:
     }
 
     /// Rays that surround those of the list.
-    SightRays bounds_of(const Range& rays) {
+    SightRays bounds_of(const RaySpan& rays) {
         V<double> u_lo = hn::LoadU(d<double>, u(rays.first));
         V<double> v_lo = hn::LoadU(d<double>, v(rays.first));
         V<double> u_hi = u_lo;

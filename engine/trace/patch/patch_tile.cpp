@@ -21,9 +21,9 @@ constexpr double model_norm = 1.0;
 /// again in each tile.
 constexpr double small_model_norm = 2.0;
 constexpr double large_pixels = 64.0;
-/// Parts with a model that are as small as this, in pixels, are leaves.
+/// SeenNodes with a model that are as small as this, in pixels, are leaves.
 constexpr double small_pixels = 16.0;
-/// Parts as small as this, in pixels, are leaves, whatever they are like.
+/// SeenNodes as small as this, in pixels, are leaves, whatever they are like.
 constexpr double least_pixels = 5.0;
 /// The deepest level where S is not continuous: such parts may be as many as fit along a line.
 constexpr int most_levels_of_jumps = 4;
@@ -140,7 +140,7 @@ void PatchTile::open_blocks() {
 
 void PatchTile::run() {
     if (!(depths_.near <= limit_)) return;
-    if (Part root; see(tree_.root(), root)) visit(root);
+    if (SeenNode root; see(tree_.root(), root)) visit(root);
     solve();
     search_rest();
 }
@@ -170,25 +170,25 @@ PatchTile::Rect PatchTile::pixels_of(const PatchOutline* outline) const {
     return outline == nullptr ? all : outline->within(all);
 }
 
-PatchTile::Refinement PatchTile::refinement_of(const Part& part, const Rect& rect) const {
+PatchTile::Refinement PatchTile::refinement_of(const SeenNode& part, const Rect& rect) const {
     const auto& [node, depths, sight] = part;
     if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps))
         return Refinement::None;
     const glm::dvec3 spread = sight.spread();
     const double pixels = 2.0 * std::max(spread.x, spread.y) / pixel_at(sight.c.z);
     if (pixels < least_pixels) return Refinement::None;
-    if (!node->form.continuous || !is_fine(*node, sight)) return Refinement::Parts;
+    if (!node->form.continuous || !is_fine(*node, sight)) return Refinement::SeenNodes;
     if (node->model != nullptr && pixels < small_pixels) return Refinement::None;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
     const double norm = contraction_of(with_slopes, rays_of(rect)).norm;
-    if (node->model == nullptr) return norm <= leaf_norm ? Refinement::None : Refinement::Parts;
+    if (node->model == nullptr) return norm <= leaf_norm ? Refinement::None : Refinement::SeenNodes;
     const auto most = [](double size) {
         return size < large_pixels ? small_model_norm : model_norm;
     };
     if (norm <= most(pixels)) return Refinement::None;
     // Quarters bend half as much.
-    return norm <= 2.0 * most(0.5 * pixels) ? Refinement::Quarters : Refinement::Parts;
+    return norm <= 2.0 * most(0.5 * pixels) ? Refinement::Quarters : Refinement::SeenNodes;
 }
 
 PatchNode::Children* PatchTile::divided(PatchNode& node, Refinement refinement) {
@@ -221,7 +221,7 @@ SightRays PatchTile::rays_of(const Rect& rect) const {
             .v_radius = 0.5 * (rect.end_row - rect.row) * rays_.pixel()};
 }
 
-bool PatchTile::see(PatchNode& node, Part& part) const {
+bool PatchTile::see(PatchNode& node, SeenNode& part) const {
     const FormWithin form(node.form, clip_);
     if (!form) return false;
     part.node = &node;
@@ -230,7 +230,7 @@ bool PatchTile::see(PatchNode& node, Part& part) const {
     return !is_hidden(part.depths) && !is_beside(part.sight, axes_, bounds_);
 }
 
-void PatchTile::visit(Part& part) {
+void PatchTile::visit(SeenNode& part) {
     if (frame_.stopped() || is_hidden(part.depths)) return;
     if (scratch_.rest.size() >= most_rest) empty_rest();
     PatchNode& node = *part.node;
@@ -253,7 +253,7 @@ void PatchTile::visit(Part& part) {
     trace_model(part, {.rects = scratch_.rects, .outline = seen, .others = {}});
 }
 
-std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
+std::size_t PatchTile::order_parts(PatchNode::Children& children, SeenNodes& parts,
                                    Order& order) const {
     SeenParts seen;
     const PartWindow window{.axes = axes_,
@@ -264,7 +264,7 @@ std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
     std::size_t count = 0;
     for (std::size_t i = 0; i < children.nodes.size(); ++i) {
         PatchNode& node = children.nodes[i];
-        Part& part = parts[count];
+        SeenNode& part = parts[count];
         if ((children.forms.known >> i & 1U) == 0) {
             if (!see(node, part)) continue;
         } else {
@@ -281,7 +281,7 @@ std::size_t PatchTile::order_parts(PatchNode::Children& children, Parts& parts,
 }
 
 void PatchTile::visit_parts(PatchNode::Children& children) {
-    Parts parts;
+    SeenNodes parts;
     Order order;
     const std::size_t count = order_parts(children, parts, order);
     const auto fetch_part = [&](std::size_t i) {

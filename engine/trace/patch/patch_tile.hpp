@@ -75,12 +75,12 @@ private:
     using Wish = TileQuest::Wish;
     using Rect = TileRect;
     /// A part of the patch that rays of the tile may meet.
-    struct Part {
+    struct SeenNode {
         PatchNode* node;
         SightDepths depths;
         PatchSight sight;
     };
-    using Parts = std::array<Part, PatchForms::at_once>;
+    using SeenNodes = std::array<SeenNode, PatchForms::at_once>;
     using Order = std::array<std::pair<double, std::size_t>, PatchForms::at_once>;
 
     void find_bounds();
@@ -92,17 +92,17 @@ private:
     void change(const Rect& rect);
     void change_all();
     /// Sets a part; false where no ray meets it.
-    bool see(PatchNode& node, Part& part) const;
-    void visit(Part& part);
+    bool see(PatchNode& node, SeenNode& part) const;
+    void visit(SeenNode& part);
     void visit_parts(PatchNode::Children& children);
     [[nodiscard]] bool is_hidden(const SightDepths& depths) const;
     /// Whether all pixels of a rectangle have hits before a depth.
     [[nodiscard]] bool is_covered(const Rect& rect, double near);
     /// The pixels of an outline; all where there is none.
     [[nodiscard]] Rect pixels_of(const PatchOutline* outline) const;
-    enum class Refinement : std::uint8_t { None, Quarters, Parts };
+    enum class Refinement : std::uint8_t { None, Quarters, SeenNodes };
     /// How a part is to be divided whose pixels are in a rectangle.
-    [[nodiscard]] Refinement refinement_of(const Part& part, const Rect& rect) const;
+    [[nodiscard]] Refinement refinement_of(const SeenNode& part, const Rect& rect) const;
     /// The parts of a node that is so divided; nullptr: there are none.
     PatchNode::Children* divided(PatchNode& node, Refinement refinement);
     /// Whether a node's model is so good that its hits are as narrow as they should be.
@@ -113,7 +113,7 @@ private:
     template <class Scan>
     void for_each_rect(const PatchSight& sight, const Rect& rect, Scan scan) const;
     /// Finds the hits on a part that is known by its model.
-    void trace_model(const Part& part, const LeafPixels& pixels);
+    void trace_model(const SeenNode& part, const LeafPixels& pixels);
     /// Finds the hits of pixels for which a node's model is too coarse, on the parts of the node.
     void trace_parts(PatchNode& node, std::span<const std::size_t> pixels);
     /// The state that a hit of a leaf gives to its ray (LeafTaker::judge).
@@ -121,10 +121,10 @@ private:
     /// Whether a hit is in the box that the patch itself is cut to.
     [[nodiscard]] InSquare side_of_own_box(const LeafHit& hit) const;
     /// The parts that rays of the tile may meet, with their order from front to back.
-    std::size_t order_parts(PatchNode::Children& children, Parts& parts, Order& order) const;
+    std::size_t order_parts(PatchNode::Children& children, SeenNodes& parts, Order& order) const;
     /// Which hits of a part count.
     [[nodiscard]] LeafWindow window_of(const PatchForm& form, const SightDepths& depths) const;
-    void scan(const Part& part, const Rect& rect);
+    void scan(const SeenNode& part, const Rect& rect);
     void scan_rect(std::size_t leaf, const Rect& rect, double near);
     void scan_pixel(std::size_t pixel, std::size_t leaf, double near);
     /// Evaluates at all candidates until each is known.

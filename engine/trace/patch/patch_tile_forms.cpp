@@ -15,7 +15,7 @@ constexpr int most_steps = 4;
 
 }  // namespace
 
-void PatchTile::scan(const Part& part, const Rect& rect) {
+void PatchTile::scan(const SeenNode& part, const Rect& rect) {
     const std::size_t leaf = scratch_.leaves.size();
     scratch_.leaves.push_back({.node = part.node,
                                .sight = part.sight,

@@ -44,7 +44,7 @@ LeafWindow PatchTile::window_of(const PatchForm& form, const SightDepths& depths
     return LeafWindow::All;
 }
 
-void PatchTile::trace_model(const Part& part, const LeafPixels& pixels) {
+void PatchTile::trace_model(const SeenNode& part, const LeafPixels& pixels) {
     const LeafSight leaf{.model = *part.node->model,
                          .near = part.depths.near,
                          .sizes = part.node->sizes,
@@ -88,11 +88,11 @@ void PatchTile::trace_parts(PatchNode& node, std::span<const std::size_t> pixels
             keep({.pixel = pixel, .node = &node, .near = depths_.near});
         return;
     }
-    Parts parts;
+    SeenNodes parts;
     Order order;
     const std::size_t count = order_parts(*children, parts, order);
     for (std::size_t i = 0; i < count && !frame_.stopped(); ++i) {
-        Part& part = parts[order[i].second];
+        SeenNode& part = parts[order[i].second];
         if (part.node->model != nullptr) {
             add_value_error(part.sight, part.node->form);
             trace_model(part, {.rects = {}, .outline = nullptr, .others = pixels});

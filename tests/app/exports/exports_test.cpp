@@ -120,7 +120,7 @@ TEST_F(Exports, PreviewsFitTheirRoom) {
     PreviewRequest request;
     request.subject = ball_;
     request.wish.picture.size_px = {4000, 1000};
-    request.room_px = {200, 100};
+    request.space_px = {200, 100};
     const Preview preview = make_preview(request, std::nullopt, news_);
     ASSERT_TRUE(preview.image);
     EXPECT_EQ(preview.image->width, 200);
@@ -134,7 +134,7 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     request.wish.kind = ExportKind::Mesh;
     request.wish.mesh.tolerance = 0.05;
     request.camera = *ball_.document.camera;
-    request.room_px = {60, 40};
+    request.space_px = {60, 40};
     const Preview first = make_preview(request, std::nullopt, news_);
     ASSERT_NE(first.meshes, nullptr);
     // 100 mm across; the triangles cut off a little on both sides.
@@ -191,7 +191,7 @@ TEST_F(Exports, PreviewTheFormulaItself) {
     request.wish.kind = ExportKind::Mesh;
     request.wish.mesh = {.shape = ui::MeshExport::Shape::Formula, .size_mm = 80};
     request.camera = *ball_.document.camera;
-    request.room_px = {60, 40};
+    request.space_px = {60, 40};
     const Preview preview = make_preview(request, std::nullopt, news_);
     EXPECT_TRUE(preview.shown.warnings.empty());
     ASSERT_EQ(preview.shown.facts.size(), 2U);

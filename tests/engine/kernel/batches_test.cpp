@@ -34,7 +34,7 @@ TEST(RangeBoxes, RepeatTheFirstBox) {
 
 TEST(RangeBoxList, RepeatsTheFirstBox) {
     RangeBoxList<double> boxes;
-    boxes.make_room(3);
+    boxes.reserve(3);
     for (std::size_t axis = 0; axis < 6; ++axis) {
         for (std::size_t i = 0; i < 3; ++i)
             boxes.ends[axis][i] = static_cast<double>(10 * axis + i);
