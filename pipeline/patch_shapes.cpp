@@ -1,11 +1,10 @@
-#include "pipeline/patch_shapes.hpp"
-
 #include "engine/expr/constants.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/vector_nodes.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
+#include "pipeline/patch_surface.hpp"
 
 #include <glm/glm.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "engine/volume/histogram.hpp"
 #include "engine/volume/volume.hpp"
-#include "pipeline/asked_box.hpp"
+#include "pipeline/fit_view.hpp"
 #include "pipeline/prepare.hpp"
 #include "pipeline/volume_source.hpp"
 

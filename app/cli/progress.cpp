@@ -2,7 +2,7 @@
 
 #include "app/cli/terminal_picture.hpp"
 #include "engine/base/text.hpp"
-#include "engine/image/small_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 #include "document/json/document_json.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
-#include "engine/image/cost_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 #include "pipeline/finish_picture.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/shown_points.hpp"

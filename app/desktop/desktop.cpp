@@ -8,7 +8,7 @@
 #include "engine/language/help.hpp"
 #include "engine/render/render_request.hpp"
 #include "engine/render/tracers.hpp"
-#include "pipeline/asked_box.hpp"
+#include "pipeline/fit_view.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"

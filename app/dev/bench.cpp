@@ -3,7 +3,6 @@
 #include "app/cli/timing.hpp"
 #include "app/dev/bench_suite.hpp"
 #include "app/dev/dev_commands.hpp"
-#include "app/dev/first_picture.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/base/text.hpp"

@@ -1,7 +1,6 @@
-#include "app/dev/first_picture.hpp"
-
 #include "app/cli/report.hpp"
 #include "app/cli/timing.hpp"
+#include "app/dev/bench_suite.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/render/render_job.hpp"
 #include "jit/compile.hpp"

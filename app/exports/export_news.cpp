@@ -2,7 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-#include "engine/image/small_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/base/utf8.hpp"
-#include "engine/image/cost_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 
 #include <algorithm>
 #include <array>

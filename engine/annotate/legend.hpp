@@ -21,7 +21,7 @@ struct Legend {
     bool logarithmic = false;         ///< the map is even in logarithms, between numbers above 0
 };
 
-/// The legend of cost_colors (engine/image/cost_picture.hpp).
+/// The legend of cost_colors (engine/image/frame_pictures.hpp).
 Legend cost_legend();
 
 /// The legend of a picture's colours. `coloring`: the picture's own, with the range if it has one;

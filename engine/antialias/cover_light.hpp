@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/antialias/cover_sample.hpp"
-#include "engine/antialias/sample_shadows.hpp"
+#include "engine/antialias/seen_sheet.hpp"
 #include "engine/appearance/frame_light.hpp"
 #include "engine/light/encode.hpp"
 #include "engine/light/lit_tile.hpp"

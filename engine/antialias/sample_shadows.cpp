@@ -1,5 +1,3 @@
-#include "engine/antialias/sample_shadows.hpp"
-
 #include "engine/antialias/seen_sheet.hpp"
 
 #include <glm/glm.hpp>

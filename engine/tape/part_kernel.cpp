@@ -1,4 +1,4 @@
-#include "engine/tape/part_kernel.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <memory>
 #include <type_traits>

@@ -11,12 +11,12 @@
 #include <span>
 #include <vector>
 
+namespace zeroset {
+
 // Parts of a formula: the largest subgraphs without choices (min, max, if, where) and switches
 // (engine/algebra/switches.hpp) below its choices, as the spheres of a union. Parts that differ
 // only in their constants have one shape, whose code takes these constants as uniforms: a thousand
 // spheres need one piece of machine code.
-
-namespace zeroset {
 
 /// A function that parts have in common.
 struct PartShape {
@@ -59,5 +59,18 @@ template <class Real>
 const Real* box_uniforms(const PartShape& shape, const Part& part, const Real* of_formula);
 template <class Real>
 const Real* point_uniforms(const PartShape& shape, const Part& part, const Real* of_formula);
+
+/// A graph as what its shape's code makes of its constants.
+struct ShapedGraph {
+    PartShape shape;
+    Part part;
+};
+
+/// `interpreted`, the kernel of a graph, with the code of the graph's shape and the graph's
+/// constants in place of the interpreter's.
+Kernel kernel_of_shape(Kernel interpreted, ShapedGraph graph);
+
+/// The code of a part's shape with the part's constants. Neither it nor a copy outlives `parts`.
+Kernel kernel_of_part(const Parts& parts, std::uint32_t part);
 
 }  // namespace zeroset

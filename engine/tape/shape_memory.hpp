@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/tape/part_kernel.hpp"
+#include "engine/tape/parts.hpp"
 #include "engine/tape/skeleton.hpp"
 
 #include <cstddef>

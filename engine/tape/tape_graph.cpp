@@ -2,7 +2,7 @@
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/graph_facts.hpp"
-#include "engine/tape/part_kernel.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <utility>
 

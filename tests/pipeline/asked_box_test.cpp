@@ -1,6 +1,5 @@
-#include "pipeline/asked_box.hpp"
-
 #include "engine/language/parse.hpp"
+#include "pipeline/fit_view.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,12 @@ struct FileChoice {
 
 /// The name, with the choice's ending where it has none: a document's ends in .json, another file's
 /// ending says its format.
-std::string with_ending(const FileChoice& choice, const std::string& name);
+inline std::string with_ending(const FileChoice& choice, const std::string& name) {
+    const bool complete = choice.purpose == FileChoice::Purpose::Export
+                              ? std::filesystem::path(name).has_extension()
+                              : name.ends_with(".json");
+    return complete ? name : name + choice.ending;
+}
 
 /// Questions to the user; the owner sets it, acts on the answer and clears it.
 struct Dialogs {

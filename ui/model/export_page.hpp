@@ -106,7 +106,9 @@ struct ExportPage {
 inline constexpr const char* formula_ending = ".3mf";
 
 /// The ending that a format is chosen by.
-std::string ending_of(const ExportFormat& format);
+inline std::string ending_of(const ExportFormat& format) {
+    return (format.numbered ? "####" : "") + std::string(format.ending);
+}
 
 /// A line of a drawing's preview.
 struct PreviewLine {

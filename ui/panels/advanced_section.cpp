@@ -1,6 +1,6 @@
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
-#include "engine/image/cost_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 #include "ui/panels/sections.hpp"
 #include "ui/panels/setting_rows.hpp"
 #include "ui/style/label.hpp"

@@ -2,7 +2,7 @@
 
 #include "engine/image/background.hpp"
 #include "engine/image/blend.hpp"
-#include "engine/image/cost_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "ui/window/gl.hpp"
 

@@ -31,7 +31,7 @@ public:
     /// Uploads a frame. Missed pixels, and the missed parts of smoothed ones, become transparent,
     /// so that the theme's background shows through. Missed pixels get the colour `behind` (as in
     /// Palette), so that a scaled picture has no fringe. A frame that keeps costs is shown by their
-    /// colours alone (engine/image/cost_picture.hpp).
+    /// colours alone (engine/image/frame_pictures.hpp).
     void upload(const Framebuffer& frame, std::uint32_t behind,
                 const std::optional<Tint>& tint = std::nullopt);
     void upload(const RgbaImage& image);

@@ -1,5 +1,4 @@
-#include "engine/antialias/sample_shadows.hpp"
-
+#include "engine/antialias/seen_sheet.hpp"
 #include "engine/light/shade.hpp"
 #include "tests/support/plane_tile.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/image/cost_picture.hpp"
+#include "engine/image/frame_pictures.hpp"
 #include "engine/render/render.hpp"
 #include "engine/render/tracers.hpp"
 #include "tests/support/rays.hpp"

@@ -2,6 +2,7 @@
 
 #include "engine/image/color_map.hpp"
 #include "engine/image/framebuffer.hpp"
+#include "engine/image/rgba_image.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -19,5 +20,10 @@ std::vector<std::uint32_t> cost_colors(const Framebuffer& frame);
 
 /// The mean of what a pixel took; 0 for a frame that does not keep costs.
 double mean_cost(const Framebuffer& frame);
+
+/// Takes rows of a picture over into a small one of all of it, whose sides are `most_px` at most.
+/// `frame`: the part that begins at `row` of `rows`. The small one is opaque; what is not there yet
+/// is transparent.
+void take_over(const Framebuffer& frame, int row, int rows, int most_px, RgbaImage& small);
 
 }  // namespace zeroset
