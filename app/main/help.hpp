@@ -28,7 +28,7 @@ void group_options(CLI::App& app);
 /// "--shadows, --no-shadows": an option's names as they are typed.
 std::string typed_names(const CLI::Option& option);
 
-/// Writes the help: options in groups (help_groups.hpp), texts in lines of 100 columns.
+/// Writes the help: options in groups (HelpGroup), texts in lines of 100 columns.
 class HelpFormat : public CLI::Formatter {
 public:
     HelpFormat();
@@ -43,7 +43,7 @@ private:
 };
 
 /// The page of the command line (resources/docs/command-line.md), in Markdown: the subcommands and
-/// all options of `app`, in groups (help_groups.hpp).
+/// all options of `app`, in groups (HelpGroup).
 std::string command_line_page(const CLI::App& app);
 
 }  // namespace zeroset

@@ -1,4 +1,4 @@
-#include "engine/light/shadow.hpp"
+#include "engine/light/shadow_search.hpp"
 #include "engine/trace/ways/surface_ways.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/light/lit_tile.hpp"
-#include "engine/light/shadow_search.hpp"
 #include "engine/trace/trace_frame.hpp"
 #include "engine/view/unit_vector.hpp"
 
@@ -26,11 +25,5 @@ bool gains_by_squares(const TraceFrame& surface);
 
 /// Takes the key light from the hits that do not have it.
 void darken(const TileBits& dark, std::span<LitLayer> layers);
-
-/// Searches the ways to the light as the surface's kind follows rays (SurfaceWay::follow): of a
-/// level set from where they enter what is visible to its hits, and by single rays only from these
-/// to where those begin, and what is left. False, and nothing done: its kind does not. In upward
-/// rounding.
-bool find_followed_shadows(const ShadowSearch& search, ShadowBits& found, Counters& counters);
 
 }  // namespace zeroset

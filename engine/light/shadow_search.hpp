@@ -3,7 +3,6 @@
 #include "engine/light/light_places.hpp"
 #include "engine/light/light_walls.hpp"
 #include "engine/light/lit_tile.hpp"
-#include "engine/light/shadow.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/trace_frame.hpp"
@@ -66,6 +65,12 @@ void search_beams(const ShadowSearch& search, ShadowBits& found, std::vector<Lig
 /// Searches single rays. In upward rounding.
 void search_rays(const ShadowSearch& search, const std::vector<LightRay>& rays, ShadowBits& found,
                  Counters& counters);
+
+/// Searches the ways to the light as the surface's kind follows rays (SurfaceWay::follow): of a
+/// level set from where they enter what is visible to its hits, and by single rays only from these
+/// to where those begin, and what is left. False, and nothing done: its kind does not. In upward
+/// rounding.
+bool find_followed_shadows(const ShadowSearch& search, ShadowBits& found, Counters& counters);
 
 /// The surface's kernel for all that lies between the light and the hits that are asked about, all
 /// in a square of the tile; nullptr where it would not be shorter. It outlives no kernel that it is

@@ -15,13 +15,13 @@ namespace {
 constexpr int most_factors = 16;
 
 /// A node or its negative.
-struct Term {
+struct SignedNode {
     bool negative;
     NodeId core;
-    bool operator==(const Term&) const = default;
+    bool operator==(const SignedNode&) const = default;
 };
 
-Term operator-(Term term) { return {.negative = !term.negative, .core = term.core}; }
+SignedNode operator-(SignedNode term) { return {.negative = !term.negative, .core = term.core}; }
 
 /// A constant times other factors.
 struct Product {
@@ -31,7 +31,7 @@ struct Product {
 
 /// The sum of two terms.
 struct Pair {
-    Term first, second;
+    SignedNode first, second;
 };
 
 /// min(max(1/2 + slope (a + b), 0), 1) for the terms a and b.
@@ -67,8 +67,8 @@ private:
     bool is_mix(NodeId id, NodeId a, NodeId b, NodeId h);
     bool is_product_of(NodeId id, NodeId a, NodeId b);
 
-    Term term(NodeId id);
-    NodeId made(const Term& term);
+    SignedNode term(NodeId id);
+    NodeId made(const SignedNode& term);
     /// x / k
     NodeId scaled(NodeId x, NodeId k);
     /// k times the smooth minimum of a / k and b / k, or the maximum.
@@ -129,19 +129,19 @@ std::optional<Product> Finder::product(NodeId id) {
     return multiply_into(result, id) ? std::optional(result) : std::nullopt;
 }
 
-Term Finder::term(NodeId id) {
-    Term result{.negative = false, .core = id};
+SignedNode Finder::term(NodeId id) {
+    SignedNode result{.negative = false, .core = id};
     while (builder_.node(result.core).op == Op::Negate)
         result = {.negative = !result.negative, .core = builder_.node(result.core).a};
     return result;
 }
 
-NodeId Finder::made(const Term& term) {
+NodeId Finder::made(const SignedNode& term) {
     return term.negative ? make_negate(builder_, term.core) : term.core;
 }
 
 std::optional<Pair> Finder::pair(NodeId id) {
-    const Term whole = term(id);
+    const SignedNode whole = term(id);
     const Node node = builder_.node(whole.core);
     if (node.op != Op::Add && node.op != Op::Subtract) return std::nullopt;
     Pair sum{.first = term(node.a), .second = term(node.b)};
@@ -150,8 +150,8 @@ std::optional<Pair> Finder::pair(NodeId id) {
 }
 
 bool Finder::is_difference(const Pair& sum, NodeId a, NodeId b) {
-    const Term first = term(a);
-    const Term second = -term(b);
+    const SignedNode first = term(a);
+    const SignedNode second = -term(b);
     return (sum.first == first && sum.second == second) ||
            (sum.first == second && sum.second == first);
 }
