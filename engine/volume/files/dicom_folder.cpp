@@ -1,6 +1,6 @@
 #include "engine/volume/files/dicom_folder.hpp"
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
 #include <algorithm>

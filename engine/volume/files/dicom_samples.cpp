@@ -1,4 +1,4 @@
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/volume/files/dicom_header.hpp"
 #include "engine/volume/files/dicom_packed.hpp"
 #include "engine/volume/files/dicom_rle.hpp"

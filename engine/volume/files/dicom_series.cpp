@@ -1,7 +1,7 @@
 // A DICOM series: files of one slice or several each, in a folder (dicomstandard.org, part 3,
 // C.7.6).
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/volume/files/dicom_folder.hpp"
 #include "engine/volume/files/dicom_slice.hpp"
 #include "engine/volume/files/sample_file.hpp"

@@ -1,7 +1,6 @@
 // NIfTI-1 and NIfTI-2 files, in one piece or with a header of their own (nifti.nimh.nih.gov), and
 // pairs of Analyze 7.5, which are older.
 
-#include "engine/base/printable.hpp"
 #include "engine/base/text.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"

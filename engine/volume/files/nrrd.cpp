@@ -1,6 +1,6 @@
 // NRRD and NHDR files (teem.sourceforge.net/nrrd/format.html).
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/sample_pieces.hpp"

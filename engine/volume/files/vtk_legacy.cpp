@@ -1,7 +1,7 @@
 // VTK's older files of structured points
 // (docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html).
 
-#include "engine/base/printable.hpp"
+#include "engine/base/text.hpp"
 #include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/volume_file.hpp"
