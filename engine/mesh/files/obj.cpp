@@ -1,6 +1,5 @@
 #include "engine/mesh/files/corner_normals.hpp"
 #include "engine/mesh/files/encoders.hpp"
-#include "engine/mesh/files/file_points.hpp"
 #include "engine/mesh/files/number_text.hpp"
 
 #include <span>
@@ -45,12 +44,11 @@ EncodedMesh encode_obj(const MeshFile& file) {
         text += "# " + line + "\n";
     text += "# millimetres\n";
     First first;
-    const FilePoints points(file);
     for (std::size_t i = 0; i < file.objects.size(); ++i) {
         const MeshObject& object = file.objects[i];
         text += "o surface_" + std::to_string(i + 1) + "\n";
-        for (const glm::vec3& point : points.of(i))
-            append_vector(text, "v", point);
+        for (const MeshVertex& vertex : object.mesh.vertices)
+            append_vector(text, "v", file.mm_per_unit * vertex.point);
         // The normals of the vertices, then those of the triangles.
         for (const glm::dvec3& normal : vertex_normals(object.mesh))
             append_vector(text, "vn", normal);

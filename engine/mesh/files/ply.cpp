@@ -2,9 +2,6 @@
 #include "engine/mesh/files/bytes.hpp"
 #include "engine/mesh/files/corner_normals.hpp"
 #include "engine/mesh/files/encoders.hpp"
-#include "engine/mesh/files/file_points.hpp"
-
-#include <span>
 
 namespace zeroset {
 namespace {
@@ -24,12 +21,11 @@ std::string header_of(const MeshFile& file, std::size_t vertices, std::size_t tr
     return text + "property list uchar int vertex_indices\nend_header\n";
 }
 
-void put_vertices(const MeshFile& file, const MeshObject& object, std::span<const glm::vec3> points,
-                  ByteWriter& out) {
+void put_vertices(const MeshFile& file, const MeshObject& object, ByteWriter& out) {
     const std::vector<glm::dvec3> normals = vertex_normals(object.mesh);
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const MeshVertex& vertex = object.mesh.vertices[v];
-        out.put_floats(points[v]);
+        out.put_floats(file.mm_per_unit * vertex.point);
         out.put_floats(normals[v]);
         for (const std::uint8_t channel : object.colors.empty() ? object.color : object.colors[v])
             out.put(channel);
@@ -50,9 +46,8 @@ EncodedMesh encode_ply(const MeshFile& file) {
         return std::unexpected(tr("a PLY file of this kind holds at most 2147483647 vertices"));
     ByteWriter out(31 * vertices + 13 * triangles + 1000);
     out.put_text(header_of(file, vertices, triangles));
-    const FilePoints points(file);
-    for (std::size_t i = 0; i < file.objects.size(); ++i)
-        put_vertices(file, file.objects[i], points.of(i), out);
+    for (const MeshObject& object : file.objects)
+        put_vertices(file, object, out);
     std::uint32_t first = 0;
     for (const MeshObject& object : file.objects) {
         for (const Triangle& triangle : object.mesh.triangles) {

@@ -2,7 +2,6 @@
 #include "engine/mesh/files/bytes.hpp"
 #include "engine/mesh/files/corner_normals.hpp"
 #include "engine/mesh/files/encoders.hpp"
-#include "engine/mesh/files/file_points.hpp"
 
 #include <limits>
 
@@ -24,13 +23,11 @@ EncodedMesh encode_stl(const MeshFile& file) {
     out.put_text(std::string_view(header).substr(0, header_bytes));
     out.pad_to(header_bytes, std::byte{' '});
     out.put(static_cast<std::uint32_t>(triangles));
-    const FilePoints points(file);
-    for (std::size_t i = 0; i < file.objects.size(); ++i) {
-        const MeshObject& object = file.objects[i];
+    for (const MeshObject& object : file.objects) {
         for (const Triangle& triangle : object.mesh.triangles) {
             out.put_floats(face_normal(object.mesh, triangle));
             for (const std::uint32_t v : triangle)
-                out.put_floats(points.of(i)[v]);
+                out.put_floats(file.mm_per_unit * object.mesh.vertices[v].point);
             out.put(std::uint16_t{0});
         }
     }

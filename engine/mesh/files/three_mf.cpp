@@ -1,10 +1,8 @@
 #include "engine/export/package.hpp"
 #include "engine/mesh/files/encoders.hpp"
-#include "engine/mesh/files/file_points.hpp"
 #include "engine/mesh/files/number_text.hpp"
 
 #include <map>
-#include <span>
 
 // 3MF: core specification 1.3, materials and properties extension 1.2 (3mf.io).
 
@@ -36,10 +34,11 @@ void append_attribute(std::string& text, const char* name, auto value) {
     text += '"';
 }
 
-void append_mesh(std::string& text, const MeshObject& object, std::span<const glm::vec3> points,
+void append_mesh(std::string& text, const MeshFile& file, const MeshObject& object,
                  const ColorGroup& group) {
     text += "<mesh><vertices>\n";
-    for (const glm::vec3& point : points) {
+    for (const MeshVertex& vertex : object.mesh.vertices) {
+        const glm::vec3 point(file.mm_per_unit * vertex.point);
         append_attribute(text, "<vertex x=\"", point.x);
         append_attribute(text, " y=\"", point.y);
         append_attribute(text, " z=\"", point.z);
@@ -70,7 +69,6 @@ std::string model_of(const MeshFile& file) {
         text += xml_escaped(line) + "\n";
     text += "</metadata>\n<resources>\n";
     std::string items;
-    const FilePoints points(file);
     for (std::size_t i = 0; i < file.objects.size(); ++i) {
         const std::string colors_id = std::to_string(2 * i + 1);
         const std::string object_id = std::to_string(2 * i + 2);
@@ -83,7 +81,7 @@ std::string model_of(const MeshFile& file) {
             R"(<object id=")" +
             object_id + R"(" type="model" name=")" + xml_escaped(file.objects[i].name) +
             R"(" pid=")" + colors_id + R"(" pindex="0">)";
-        append_mesh(text, file.objects[i], points.of(i), group);
+        append_mesh(text, file, file.objects[i], group);
         text += "</object>\n";
         items += "<item objectid=\"" + object_id + "\"/>";
     }
