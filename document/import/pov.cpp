@@ -48,15 +48,7 @@ public:
         while (script_.peek().kind != ScriptKind::End)
             item(shown_);
         if (shown_.empty()) show_declared();
-        if (shown_.empty()) {
-            if (!lost_) lost_ = missed_;
-            if (lost_) tell_file(lost_->line, lost_->entry);
-            return import_error(
-                lost_ ? lost_->line : 0,
-                lost_ ? lost_->entry + ": " + lost_->reason
-                      : tr("it shows no isosurface or parametric surface, which is what is read of "
-                           "scenes of POV-Ray"));
-        }
+        if (shown_.empty()) return nothing_shown();
         add_rows();
         note_axes();
         for (ImportNote& note : result_.notes)
@@ -71,6 +63,23 @@ public:
 
 private:
     using Surfaces = std::vector<PovSurface>;
+
+    /// Why the scene shows nothing: the first surface that is left out, else that there is none,
+    /// with the first file that is not read, which may have it.
+    ReadImport nothing_shown() {
+        if (lost_) {
+            tell_file(lost_->line, lost_->entry);
+            return import_error(lost_->line, lost_->entry + ": " + lost_->reason);
+        }
+        std::string reason =
+            tr("it shows no isosurface or parametric surface, which is what is read of scenes of "
+               "POV-Ray");
+        if (missed_) {
+            tell_file(missed_->line, missed_->entry);
+            reason += "; " + missed_->entry + ": " + missed_->reason;
+        }
+        return import_error(0, reason);
+    }
 
     /// Adds surfaces, but none beyond one more than are drawn.
     static void append(Surfaces& to, const Surfaces& more) {

@@ -219,7 +219,7 @@ class FormatTest(ProgramTest):
         for ending, codec, pixels in (("jpg", "mjpeg", "yuvj444p"), ("webp", "webp", "yuv420p"),
                                       ("tif", "tiff", "rgb24"), ("png", "png", "rgb24"),
                                       ("bmp", "bmp", "bgr24"), ("tga", "targa", "bgr24"),
-                                      ("hdr", "hdr", "gbrpf32le"), ("exr", "exr", "gbrapf32le")):
+                                      ("exr", "exr", "gbrapf32le")):
             name = "picture." + ending
             self.run_ok("render", TORUS, "--size", "90x60", "-o", name)
             facts = probed(self.folder / name, "codec_name", "width", "height", "pix_fmt")

@@ -29,7 +29,7 @@ class StartTest(ProgramTest):
         env = self.without_ffmpeg()
         self.run_ok("render", SPHERE, *SMALL, "-o", "a.png", env=env)
         self.assertGreater(len(read_png(self.folder / "a.png").colors()), 30)
-        for command in (("render", "-o", "a.jpg"), ("turntable", "--frames", "2", "-o", "a.mp4")):
+        for command in (("render", "-o", "a.webp"), ("turntable", "--frames", "2", "-o", "a.mp4")):
             result = run(*command, SPHERE, *SMALL, cwd=self.folder, env=env)
             self.assertEqual((result.code, result.out, result.err.count("\n")), (2, "", 1),
                              str(result))

@@ -155,9 +155,9 @@ TEST_F(VolumeTexts, MistakesAreShownAtTheirPlace) {
               "27: a ')' is missing behind the file's name; add a ')'");
     EXPECT_EQ(error_of("volume(x) + 1"),
               "0: a volume is named by its file, in quotes; type volume(\"ct.nrrd\")");
-    std::ofstream(folder_ / "a.tiff") << "II";
-    EXPECT_EQ(error_of("volume(\"a.tiff\")(x, y, z) = 1").substr(0, 70),
-              "8: 'a.tiff': it is read as raw samples only, of sizes that are typed b");
+    std::ofstream(folder_ / "a.spec") << "II";
+    EXPECT_EQ(error_of("volume(\"a.spec\")(x, y, z) = 1").substr(0, 70),
+              "8: 'a.spec': it is read as raw samples only, of sizes that are typed b");
 }
 
 TEST_F(VolumeTexts, ADocumentFromElsewhereReadsOnlyBesideItself) {

@@ -68,7 +68,7 @@ TEST_F(PovFiles, NothingElsewhereIsRead) {
         EXPECT_EQ(scene.notes.front().reason, reason);
     }
     EXPECT_TRUE(why_not("\n#include \"none.inc\"\nBall()\n")
-                    .ends_with("line 2: #include none.inc: " + reason));
+                    .ends_with("of scenes of POV-Ray; #include none.inc: " + reason));
     // A text without a place has nothing beside it.
     EXPECT_TRUE(has_note(
         read("a.pov", "#include \"here.inc\"\n#declare R = 1;" + std::string(ball)).documents[0],
