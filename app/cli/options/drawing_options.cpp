@@ -82,7 +82,7 @@ OrInputError<HiddenLines> read_hidden(const std::string& text) {
     return wrong_input("--hidden " + text + ": type remove, dash or show");
 }
 
-OrInputError<std::uint32_t> read_background(const std::string& text) {
+OrInputError<std::uint32_t> read_page_color(const std::string& text) {
     if (const auto color = color_from(text)) return *color;
     return wrong_input("--background " + text + ": type #RRGGBB");
 }
@@ -127,7 +127,7 @@ OrInputError<DrawingPlan> read_drawing(const DrawingText& text) {
     if (text.hidden) reader.take(plan.style.hidden, read_hidden(*text.hidden));
     plan.choice.hidden = plan.style.hidden != HiddenLines::Remove;
     if (text.width) reader.check(read_widths(*text.width, plan.style));
-    if (text.background) reader.take(plan.style.background, read_background(*text.background));
+    if (text.background) reader.take(plan.style.background, read_page_color(*text.background));
     if (text.tolerance) {
         reader.take(plan.style.tolerance_pt,
                     read_between("--tolerance", *text.tolerance, 1e-4, 10.0));
