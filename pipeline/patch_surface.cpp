@@ -1,6 +1,7 @@
 #include "pipeline/patch_surface.hpp"
 
 #include "engine/kernel/patch_code.hpp"
+#include "engine/rewrite/differences/removable_poles.hpp"
 #include "engine/taylor/patch_models.hpp"
 #include "jit/compile.hpp"
 
@@ -36,7 +37,9 @@ Expr drawn_formula(const Expr& surface, std::size_t thickness) {
 }
 
 Kernel patch_code(const PatchGraphs& graphs, std::size_t thickness) {
-    const std::array<Expr, 3> shown = shown_patch(graphs, thickness);
+    std::array<Expr, 3> shown = shown_patch(graphs, thickness);
+    for (Expr& coordinate : shown)
+        coordinate = without_removable_poles(coordinate);
     std::array<Kernel, 3> point;
     std::ranges::transform(shown, point.begin(), [](const Expr& graph) {
         Kernel kernel = jit::compile_when_called(graph);

@@ -1,6 +1,7 @@
 #include "engine/rewrite/traceable.hpp"
 
 #include "engine/rewrite/differences/differences.hpp"
+#include "engine/rewrite/differences/removable_poles.hpp"
 #include "engine/rewrite/passes.hpp"
 #include "engine/rewrite/polynomial/polynomial_candidates.hpp"
 #include "engine/rewrite/polynomial/tighten.hpp"
@@ -31,7 +32,8 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 }  // namespace
 
 Expr traceable(const Expr& expr, const SampleRegion& region) {
-    const Expr folded = with_folds(with_plain_conditions(expr));
+    const Expr continuous = without_removable_poles(expr);
+    const Expr folded = with_folds(with_plain_conditions(continuous));
     const Expr smooth = with_smooth_minima(with_log_sums(plain_angles(folded)));
     const Expr short_form = with_collected_terms(smooth, region);
     const Expr plain = without_poles(without_small_differences(short_form), region);

@@ -23,10 +23,20 @@ struct Difference {
 };
 
 /// The divided difference of two values of a function whose variables differ by constants; delta is
-/// one of these. Nothing
-/// where they differ by more, or by much.
+/// one of these.
+/// Nothing where they differ by more, or by much.
 std::optional<Difference> divided_difference(ExprBuilder& builder, NodeFacts& facts, NodeId f1,
                                              NodeId f0);
+
+/// A node of a function, and what another function has in its place.
+struct Replacement {
+    NodeId from, by;
+};
+
+/// (f - g)/(from - by) for a function g that is f with a replaced node, from - by being `delta`.
+/// Nothing where f is made of functions of `from` that have no such quotient.
+std::optional<NodeId> divided_difference(ExprBuilder& builder, NodeFacts& facts, NodeId f, NodeId g,
+                                         const Replacement& replaced, NodeId delta);
 
 // Nodes that differ by constants. Private to the divided differences.
 

@@ -5,6 +5,7 @@
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/differences.hpp"
+#include "engine/rewrite/differences/known_value.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,14 @@ public:
         return Difference{.delta = delta_, .divided = with_domain(of(f1, f0), f1, f0)};
     }
 
+    /// dd(f) where the two values differ by a replaced node alone.
+    std::optional<NodeId> replaced(NodeId f1, NodeId f0, const Replacement& leaf, NodeId delta) {
+        leaf_ = Pair{leaf.from, leaf.by};
+        delta_ = delta;
+        if (!alike(f1, f0)) return std::nullopt;
+        return with_domain(of(f1, f0), f1, f0);
+    }
+
 private:
     using Pair = std::pair<NodeId, NodeId>;
     /// The two values.
@@ -76,13 +85,20 @@ private:
         return alike_[{f1, f0}] = compare(f1, f0);
     }
     bool compare(NodeId f1, NodeId f0) {
-        if (const auto step = step_between(builder_, f1, f0)) {
+        if (leaf_) {
+            if (Pair{f1, f0} == *leaf_) return true;
+        } else if (const auto step = step_between(builder_, f1, f0)) {
             if (!step_ && step->p != 0) step_ = step;
             return true;
         }
         const Node a = builder_.node(f1);
         const Node b = builder_.node(f0);
         if (a.op != b.op || a.number != b.number) return false;
+        const bool has_sides =
+            is_any_of(a.op, {Op::Abs, Op::Min, Op::Max, Op::If, Op::Mod, Op::Angle, Op::Atan2});
+        if (leaf_ && has_sides) return false;  // the limit may differ from side to side
+        if (a.op == Op::Multiply && leaf_ && is_known_zero(builder_, b.a)) return alike(a.a, b.a);
+        if (a.op == Op::Multiply && leaf_ && is_known_zero(builder_, b.b)) return alike(a.b, b.b);
         if (is_step(a.op)) return true;
         const Rule* rule = rule_of(a.op);
         if (rule == nullptr || a.number > largest_power) return false;
@@ -103,7 +119,8 @@ private:
     }
     NodeId make(NodeId f1, NodeId f0) {
         if (f1 == f0) return zero();
-        if (const auto step = step_between(builder_, f1, f0)) {
+        if (leaf_ && Pair{f1, f0} == *leaf_) return builder_.constant(1.0);
+        if (const auto step = leaf_ ? std::nullopt : step_between(builder_, f1, f0)) {
             return ratio(builder_, constant(*step), delta_);
         }
         const Terms f{.to = builder_.node(f1), .from = builder_.node(f0), .f1 = f1, .f0 = f0};
@@ -120,10 +137,11 @@ private:
         collect_computed(function, kept);
         std::set<NodeId> terms;
         collect_computed(f1, terms);
-        collect_computed(f0, terms);
+        if (!leaf_) collect_computed(f0, terms);
         for (const NodeId id : terms) {
             if (kept.contains(id) || !may_lack_value(id)) continue;
             const Node node = builder_.node(id);
+            if (leaf_ && is_any_of(node.op, {Op::Tan, Op::Cot})) continue;  // of_tangent divides
             const NodeId nothing = node.op == Op::Where ? builder_.apply(Op::Where, zero(), node.b)
                                    : node.op == Op::Atan2
                                        ? nothing_of(builder_.apply(Op::Angle, node.a, node.b))
@@ -167,6 +185,8 @@ private:
         return make_subtract(builder_, of(f.to.a, f.from.a), of(f.to.b, f.from.b));
     }
     NodeId of_product(const Terms& f) {
+        if (leaf_ && is_known_zero(builder_, f.from.a)) return times(of(f.to.a, f.from.a), f.to.b);
+        if (leaf_ && is_known_zero(builder_, f.from.b)) return times(f.to.a, of(f.to.b, f.from.b));
         return make_add(builder_, times(of(f.to.a, f.from.a), f.to.b),
                         times(f.from.a, of(f.to.b, f.from.b)));
     }
@@ -195,7 +215,7 @@ private:
         const NodeId top = of(f.to.a, f.from.a);
         const NodeId sum = powers(f.f1, f.f0, f.to.op == Op::Sqrt ? 2 : f.to.number);
         const NodeId quotient = make_divide(builder_, top, sum);
-        if (apart_at_zero(f.to.a, f.from.a)) return quotient;
+        if (leaf_ || apart_at_zero(f.to.a, f.from.a)) return quotient;
         return choice(call(Op::LessEqual, sum, zero()), zero(), quotient);
     }
     /// Whether the two surely do not vanish at once.
@@ -263,11 +283,20 @@ private:
         const NodeId slope = of(f.to.a, f.from.a);
         if (slope == zero()) return zero();
         const bool turns = is_any_of(f.to.op, {Op::Sin, Op::Cos});
+        if (leaf_ && is_any_of(f.to.op, {Op::Sin, Op::Sinh}) && is_known_zero(builder_, f.from.a))
+            return times(slope, cardinal_of(turns, f.to.a));
         const NodeId h = half_of(times(delta_, slope));
         const NodeId m = call(derivative(f.to.op), make_add(builder_, f.from.a, h));
-        const NodeId product =
-            times(times(slope, m), builder_.apply(turns ? Op::Sinc : Op::Sinhc, h));
+        const NodeId product = times(times(slope, m), cardinal_of(turns, h));
         return f.to.op == Op::Cos ? make_negate(builder_, product) : product;
+    }
+    /// sin(h)/h or sinh(h)/h, for any h as cos(h/2) sinc(h/2): slopes of the cardinal functions are
+    /// enclosed tightly near 0 alone.
+    NodeId cardinal_of(bool turns, NodeId h) {
+        const Op cardinal = turns ? Op::Sinc : Op::Sinhc;
+        if (!leaf_) return builder_.apply(cardinal, h);
+        const NodeId half = half_of(h);
+        return times(call(turns ? Op::Cos : Op::Cosh, half), builder_.apply(cardinal, half));
     }
     /// But for its sign.
     static Op derivative(Op op) {
@@ -280,8 +309,7 @@ private:
     NodeId of_tangent(const Terms& f) {
         const NodeId slope = of(f.to.a, f.from.a);
         const Op below = f.to.op == Op::Tan ? Op::Cos : f.to.op == Op::Cot ? Op::Sin : Op::Cosh;
-        const Op cardinal = f.to.op == Op::Tanh ? Op::Sinhc : Op::Sinc;
-        const NodeId top = times(slope, builder_.apply(cardinal, times(delta_, slope)));
+        const NodeId top = times(slope, cardinal_of(f.to.op != Op::Tanh, times(delta_, slope)));
         const NodeId quotient = make_divide(
             builder_, top, make_multiply(builder_, call(below, f.to.a), call(below, f.from.a)));
         return f.to.op == Op::Cot ? make_negate(builder_, quotient) : quotient;
@@ -364,10 +392,16 @@ private:
     std::map<Pair, bool> alike_;
     std::map<Pair, NodeId> known_;
     std::optional<Fraction> step_;
+    std::optional<Pair> leaf_;  ///< the replaced node and what replaces it
     NodeId delta_ = 0;
 };
 
 }  // namespace
+
+std::optional<NodeId> divided_difference(ExprBuilder& builder, NodeFacts& facts, NodeId f, NodeId g,
+                                         const Replacement& replaced, NodeId delta) {
+    return DividedDifference(builder, facts).replaced(f, g, replaced, delta);
+}
 
 std::optional<Difference> divided_difference(ExprBuilder& builder, NodeFacts& facts, NodeId f1,
                                              NodeId f0) {
