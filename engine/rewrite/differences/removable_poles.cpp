@@ -2,7 +2,7 @@
 
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
-#include "engine/rewrite/differences/divided_difference.hpp"
+#include "engine/rewrite/differences/differences.hpp"
 #include "engine/rewrite/differences/known_value.hpp"
 
 #include <algorithm>

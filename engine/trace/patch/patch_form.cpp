@@ -81,6 +81,13 @@ double slope_bound(const Cells& cells, std::size_t i) {
     return std::max(std::abs(cells.slope_neg_lo[i]), std::abs(cells.slope_hi[i]));
 }
 
+/// Makes a range the form of a coordinate, as beside a jump.
+void hold(PatchForm& form, int k, double lo, double hi) {
+    form.c[k] = 0.5 * lo + 0.5 * hi;
+    form.ku[k] = form.kv[k] = 0.0;
+    form.e[k] = (0.5 * hi - 0.5 * lo) * (1.0 + 0x1p-20) + 0x1p-50 * std::abs(form.c[k]);
+}
+
 /// Bounds a coordinate by its range in each box whose form knows nothing of it.
 void ask_ranges(const Kernel& kernel, const Uniforms& uniforms, const PatchForms::Boxes& boxes,
                 int k, PatchForms::Forms& forms) {
@@ -112,6 +119,7 @@ void ask_ranges(const Kernel& kernel, const Uniforms& uniforms, const PatchForms
         forms[i].hi[k] = hi;
         // Nowhere defined: both ends are beyond all numbers.
         if (lo == unbounded && hi == -unbounded) forms[i].nowhere = true;
+        if (lo <= hi && lo > -unbounded && hi < unbounded) hold(forms[i], k, lo, hi);
     }
 }
 

@@ -30,6 +30,8 @@ struct PatchForm {
     bool continuous = false;
     bool nowhere = false;  ///< S is not defined anywhere in the box
 
+    /// Whether S is not continuous, as far as is known, but in a place that is known.
+    [[nodiscard]] bool is_bounded_jump() const { return !continuous && known(); }
     /// The most by which S differs from c.
     [[nodiscard]] glm::dvec3 spread() const { return glm::abs(ku) + glm::abs(kv) + e; }
     /// Whether something is known of each coordinate.

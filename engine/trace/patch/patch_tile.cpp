@@ -21,11 +21,16 @@ constexpr double model_norm = 1.0;
 /// again in each tile.
 constexpr double small_model_norm = 2.0;
 constexpr double large_pixels = 64.0;
-/// SeenNodes with a model that are as small as this, in pixels, are leaves.
+/// Parts with a model that are as small as this, in pixels, are leaves.
 constexpr double small_pixels = 16.0;
-/// SeenNodes as small as this, in pixels, are leaves, whatever they are like.
+/// Parts as small as this, in pixels, are leaves, whatever they are like.
 constexpr double least_pixels = 5.0;
-/// The deepest level where S is not continuous: such parts may be as many as fit along a line.
+/// Parts beside a jump or an edge without a slope are divided down to this, in pixels, or until
+/// they are thin and no longer than this in the unit square.
+constexpr double least_pixels_of_jumps = 0x1p-4;
+constexpr double shortest_jump = 0x1p-6;
+/// The deepest level where S is not continuous and not bounded: such parts may be as many as fit
+/// along a line.
 constexpr int most_levels_of_jumps = 4;
 /// The most parts and pixels that are kept for the end; on a patch that is undefined everywhere,
 /// but not proved to be, each part may be at each pixel.
@@ -84,6 +89,7 @@ PatchTile::PatchTile(const TraceFrame& frame, const TileRays& rays, const TileQu
     scratch_.leaves.clear();
     scratch_.candidates.clear();
     scratch_.rest.clear();
+    scratch_.jumps.clear();
     answer_.begin(quest_);
     find_bounds();
     const DepthRange range =
@@ -143,6 +149,7 @@ void PatchTile::run() {
     if (SeenNode root; see(tree_.root(), root)) visit(root);
     solve();
     search_rest();
+    put_jumps();
 }
 
 bool PatchTile::is_hidden(const SightDepths& depths) const {
@@ -172,23 +179,27 @@ PatchTile::Rect PatchTile::pixels_of(const PatchOutline* outline) const {
 
 PatchTile::Refinement PatchTile::refinement_of(const SeenNode& part, const Rect& rect) const {
     const auto& [node, depths, sight] = part;
-    if (node->level >= (node->form.continuous ? most_levels : most_levels_of_jumps))
-        return Refinement::None;
+    const bool is_jump = node->form.is_bounded_jump();
+    const bool may_shrink = node->form.continuous || is_jump;
+    if (node->level >= (may_shrink ? most_levels : most_levels_of_jumps)) return Refinement::None;
     const glm::dvec3 spread = sight.spread();
     const double pixels = 2.0 * std::max(spread.x, spread.y) / pixel_at(sight.c.z);
-    if (pixels < least_pixels) return Refinement::None;
-    if (!node->form.continuous || !is_fine(*node, sight)) return Refinement::SeenNodes;
+    if (pixels < (is_jump ? least_pixels_of_jumps : least_pixels)) return Refinement::None;
+    if (is_jump && is_thin(node->box) &&
+        std::max(node->box.u_radius, node->box.v_radius) < shortest_jump)
+        return Refinement::None;
+    if (!node->form.continuous || !is_fine(*node, sight)) return Refinement::Parts;
     if (node->model != nullptr && pixels < small_pixels) return Refinement::None;
     PatchSight with_slopes = sight;
     add_slopes(with_slopes, node->form, axes_);
     const double norm = contraction_of(with_slopes, rays_of(rect)).norm;
-    if (node->model == nullptr) return norm <= leaf_norm ? Refinement::None : Refinement::SeenNodes;
+    if (node->model == nullptr) return norm <= leaf_norm ? Refinement::None : Refinement::Parts;
     const auto most = [](double size) {
         return size < large_pixels ? small_model_norm : model_norm;
     };
     if (norm <= most(pixels)) return Refinement::None;
     // Quarters bend half as much.
-    return norm <= 2.0 * most(0.5 * pixels) ? Refinement::Quarters : Refinement::SeenNodes;
+    return norm <= 2.0 * most(0.5 * pixels) ? Refinement::Quarters : Refinement::Parts;
 }
 
 PatchNode::Children* PatchTile::divided(PatchNode& node, Refinement refinement) {
@@ -244,6 +255,7 @@ void PatchTile::visit(SeenNode& part) {
     add_value_error(part.sight, node.form);
     if (PatchNode::Children* const parts = divided(node, refinement_of(part, rect)))
         return visit_parts(*parts);
+    if (node.form.is_bounded_jump()) return leave_jump(part, rect);
     if (node.model == nullptr || !is_fine(node, part.sight)) {
         add_slopes(part.sight, node.form, axes_);
         return scan(part, rect);

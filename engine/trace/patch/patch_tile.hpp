@@ -60,6 +60,12 @@ private:
         PatchNode* node;
         double near;
     };
+    /// Where on a ray parts beside jumps are: small ones at `s`, others from `unsettled` on.
+    struct Jump {
+        double s = std::numeric_limits<double>::infinity();
+        double s_radius = 0.0;
+        double unsettled = std::numeric_limits<double>::infinity();
+    };
     /// Memory that a thread keeps from tile to tile.
     struct Scratch {
         LeafLists lists;
@@ -67,6 +73,7 @@ private:
         std::vector<Leaf> leaves;
         std::vector<Candidate> candidates;
         std::vector<Rest> rest;
+        std::vector<Jump> jumps;  ///< one for each pixel, or none
         std::vector<glm::dvec2> places;
         std::vector<PatchPoint> points;
     };
@@ -100,7 +107,7 @@ private:
     [[nodiscard]] bool is_covered(const Rect& rect, double near);
     /// The pixels of an outline; all where there is none.
     [[nodiscard]] Rect pixels_of(const PatchOutline* outline) const;
-    enum class Refinement : std::uint8_t { None, Quarters, SeenNodes };
+    enum class Refinement : std::uint8_t { None, Quarters, Parts };
     /// How a part is to be divided whose pixels are in a rectangle.
     [[nodiscard]] Refinement refinement_of(const SeenNode& part, const Rect& rect) const;
     /// The parts of a node that is so divided; nullptr: there are none.
@@ -125,6 +132,11 @@ private:
     /// Which hits of a part count.
     [[nodiscard]] LeafWindow window_of(const PatchForm& form, const SightDepths& depths) const;
     void scan(const SeenNode& part, const Rect& rect);
+    /// Notes a part beside a jump on the rays that may meet it, and puts what is noted where
+    /// nothing nearer was found: what is smaller than a pixel is drawn, undecided, the rest
+    /// unsettled.
+    void leave_jump(const SeenNode& part, const Rect& rect);
+    void put_jumps();
     void scan_rect(std::size_t leaf, const Rect& rect, double near);
     void scan_pixel(std::size_t pixel, std::size_t leaf, double near);
     /// Evaluates at all candidates until each is known.

@@ -25,6 +25,44 @@ void PatchTile::scan(const SeenNode& part, const Rect& rect) {
     if (scratch_.candidates.size() >= candidates_at_once) solve();
 }
 
+void PatchTile::leave_jump(const SeenNode& part, const Rect& rect) {
+    if (scratch_.jumps.empty()) scratch_.jumps.resize(tile_pixels);
+    const glm::dvec3 spread = part.sight.spread();
+    const bool is_spot = 2.0 * std::max({spread.x, spread.y, spread.z}) < pixel_at(part.sight.c.z);
+    const double near = std::max(part.depths.near, depths_.near);
+    const auto leave = [&](std::size_t pixel) {
+        const LinearZeros zeros = linear_zeros(part.sight, axes_, ray_of(pixel));
+        if (near > answer_.reach(pixel) || !zeros.any || zeros.beyond(box_share)) return;
+        Jump& jump = scratch_.jumps[pixel];
+        if (!is_spot) {
+            jump.unsettled = std::min(jump.unsettled, near);
+        } else if (part.sight.c.z < jump.s) {
+            jump.s = std::max(part.sight.c.z, near);
+            jump.s_radius = spread.z;
+        }
+    };
+    for_each_rect(part.sight, rect, [&](const Rect& some) {
+        for (int row = some.row; row < some.end_row; ++row) {
+            for (int col = some.col; col < some.end_col; ++col)
+                leave(pixel_index(col, row));
+        }
+    });
+}
+
+void PatchTile::put_jumps() {
+    for (std::size_t pixel = 0; pixel < scratch_.jumps.size(); ++pixel) {
+        const Jump& jump = scratch_.jumps[pixel];
+        PatchHit hit = answer_.hit(pixel);
+        const double reach = answer_.reach(pixel);
+        if (std::min(jump.s, jump.unsettled) >= reach) continue;
+        if (jump.s < reach)
+            hit = {.s = jump.s, .s_radius = jump.s_radius, .unsettled = hit.unsettled};
+        hit.unsettled = std::min(hit.unsettled, jump.unsettled);
+        answer_.set(pixel, hit);
+    }
+    scratch_.jumps.clear();
+}
+
 void PatchTile::scan_rect(std::size_t leaf, const Rect& rect, double near) {
     for (int row = rect.row; row < rect.end_row; ++row) {
         for (int col = rect.col; col < rect.end_col; ++col)

@@ -2,6 +2,7 @@
 
 #include "engine/kernel/surface_facts.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/real/unbounded.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -113,6 +114,21 @@ double length_of(const glm::dvec3& middle, const glm::dvec3& radius) {
     return glm::length(size);
 }
 
+bool is_bounded(const glm::dvec3& radius) {
+    return radius.x < unbounded && radius.y < unbounded && radius.z < unbounded;
+}
+
+/// The lengths of a part along u and v by its slopes. Where there is none, as beside a jump or the
+/// start of a root, it counts as long as all that is known of the part: it is divided across.
+std::pair<double, double> lengths_of(const PatchForm& form) {
+    const double whole = glm::length(form.spread());
+    const auto along = [&](const glm::dvec3& slope, const glm::dvec3& radius) {
+        const bool is_open = form.known() && !is_bounded(radius);
+        return is_open ? whole : length_of(slope, radius);
+    };
+    return {along(form.du, form.du_radius), along(form.dv, form.dv_radius)};
+}
+
 std::optional<Box> box_of(const PatchCode& code) {
     if (!code.box) return std::nullopt;
     const std::array<double, 6>& ends = *code.box;
@@ -196,13 +212,34 @@ PatchNode::Children* PatchTree::parts(PatchNode& node) const {
     if (PatchNode::Children* const known = node.children.load(std::memory_order_acquire))
         return known;
     if (is_full()) return nullptr;
+    const auto [width, height] = lengths_of(node.form);
+    const bool is_jump = node.form.is_bounded_jump() && node.level > 0;
+    auto made = is_jump ? jump_parts(node) : parts_by(node, division_of(width, height));
+    return keep(node.children, std::move(made));
+}
+
+std::unique_ptr<PatchNode::Children> PatchTree::parts_by(const PatchNode& node,
+                                                         const Division& division) const {
     auto made = std::make_unique<PatchNode::Children>(PatchForms::at_once);
-    const PatchForm& form = node.form;
-    const Division division =
-        division_of(length_of(form.du, form.du_radius), length_of(form.dv, form.dv_radius));
     make_forms(place_parts(node, division, *made), *made);
     made->forms = forms_of(made->nodes);
-    return keep(node.children, std::move(made));
+    return made;
+}
+
+std::unique_ptr<PatchNode::Children> PatchTree::jump_parts(const PatchNode& node) const {
+    constexpr Division across{.cols = 16, .rows = 1};
+    constexpr Division along{.cols = 1, .rows = 16};
+    if (is_thin(node.box))
+        return parts_by(node, node.box.u_radius < node.box.v_radius ? along : across);
+    auto first = parts_by(node, across);
+    auto second = parts_by(node, along);
+    const auto size = [](const PatchNode::Children& parts) {
+        double sum = 0.0;
+        for (const PatchNode& part : parts.nodes)
+            sum += part.form.nowhere || !part.form.known() ? 0.0 : glm::length(part.form.spread());
+        return sum;
+    };
+    return size(*first) <= size(*second) ? std::move(first) : std::move(second);
 }
 
 PatchNode::Children* PatchTree::quarters(PatchNode& node) const {

@@ -5,6 +5,7 @@
 #include "engine/trace/trace_frame.hpp"
 #include "engine/view/box.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -33,6 +34,9 @@ struct Division {
 Division division_of(double width, double height);
 /// The division into four parts that are about as wide as they are high.
 Division quarters_of(double width, double height);
+
+/// Whether a part of the unit square is so narrow that a jump in it is not looked at any closer.
+inline bool is_thin(const UvBox& box) { return std::min(box.u_radius, box.v_radius) < 0x1p-40; }
 
 /// A part of the unit square.
 struct PatchNode {
@@ -99,6 +103,11 @@ private:
     /// Keeps what was made, or returns what another thread made before.
     PatchNode::Children* keep(std::atomic<PatchNode::Children*>& at,
                               std::unique_ptr<PatchNode::Children> made) const;
+    std::unique_ptr<PatchNode::Children> parts_by(const PatchNode& node,
+                                                  const Division& division) const;
+    /// Sixteen parts of one beside a jump, side by side along that variable which tells the sides
+    /// of the jump apart; of a thin one along its length.
+    std::unique_ptr<PatchNode::Children> jump_parts(const PatchNode& node) const;
     void make_forms(const PatchForms::Boxes& boxes, PatchNode::Children& parts) const;
     /// Sets those forms that models tell; returns whether all are good.
     bool make_models(std::span<const UvBox> boxes, PatchNode::Children& parts) const;
