@@ -71,17 +71,19 @@ std::optional<InputError> check_outputs(const RenderCommand& command) {
     if (!command.output && !command.depth && !command.certificate && !command.cost &&
         !command.stats && command.probes.empty()) {
         return InputError{
-            "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png, "
-            "--cost FILE.png, --probe COL,ROW or --stats -"};
+            .reason =
+                "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png, "
+                "--cost FILE.png, --probe COL,ROW or --stats -"};
     }
     for (const auto& [option, file] :
          {std::pair("--certificate ", &command.certificate), std::pair("--cost ", &command.cost)}) {
         if (!*file || (*file)->ends_with(".png")) continue;
-        return InputError{option + **file +
-                          ": the picture is a PNG; type a name that ends in .png"};
+        return InputError{.reason = option + **file +
+                                    ": the picture is a PNG; type a name that ends in .png"};
     }
     if (command.depth != "-") return std::nullopt;
-    return InputError{"--depth -: the depths need a file; type a name, for example depth.pfm"};
+    return InputError{.reason =
+                          "--depth -: the depths need a file; type a name, for example depth.pfm"};
 }
 
 OrInputError<RenderPlan> plan_of(const RenderCommand& command) {

@@ -50,9 +50,9 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv, void (*complete_h
 int run_typed(const std::vector<Subcommand>& subcommands) {
     end_on_signals(clear_progress);
     on_lost_pages(end_if_lost);
-    for (const Subcommand& subcommand : subcommands) {
-        if (!*subcommand.app) continue;
-        const int result = subcommand.run();
+    for (const auto& [app, run] : subcommands) {
+        if (!*app) continue;
+        const int result = run();
         const auto missing = jit::missing_code();
         if (missing && result == exit_ok) std::cerr << "note: " << *missing << '\n';
         return result;

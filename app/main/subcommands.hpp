@@ -5,15 +5,13 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
 
 /// A subcommand and what it does.
-struct Subcommand {
-    const CLI::App* app;
-    std::function<int()> run;
-};
+using Subcommand = std::pair<const CLI::App*, std::function<int()>>;
 
 /// Reads the arguments, of which the first is the program's name. Returns the exit code where that
 /// was all: help, or an error. `complete_help` runs before help is shown.

@@ -1,7 +1,6 @@
 #include "engine/antialias/cover_search.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
-#include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/sample_drafts.hpp"
 #include "engine/antialias/square_edges.hpp"
 #include "engine/antialias/square_field.hpp"
