@@ -210,9 +210,17 @@ private:
     }
 
     /// Prints a derivative, which is never read, with the axes that it is by. What the text of a
-    /// field without parentheses has from a comma on stands behind the operands: "noise, 7".
+    /// field without parentheses has from a comma on stands behind the operands: "noise, 7". A
+    /// field of one number has a place for it: "besselj(2, #)".
     static int lookup(const Node& node, std::vector<Piece>& pieces) {
         std::string text = node.field->text();
+        if (const std::size_t place = text.find('#');
+            place != std::string::npos && !text.contains('"')) {
+            pieces = {{.text = text.substr(0, place)},
+                      operand(node.a, Or),
+                      {.text = text.substr(place + 1)}};
+            return Atom;
+        }
         std::string last;
         if (const std::size_t comma = text.find(','); comma < text.find('(')) {
             last = text.substr(comma);

@@ -7,6 +7,7 @@
 #include "tests/support/blob_reference.hpp"
 #include "tests/support/noise_reference.hpp"
 #include "tests/support/random_numbers.hpp"
+#include "tests/support/special_reference.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +78,11 @@ const std::vector<std::shared_ptr<const Field>>& sample_fields() {
         noise_field(NoiseWord::Cellular2, 4294967295U),
         sample_blobs(BlobKind::Wyvill),
         sample_blobs(BlobKind::Metaball),
-        sample_blobs(BlobKind::Blinn)};
+        sample_blobs(BlobKind::Blinn),
+        special_field(SpecialFunction::Erf),
+        special_field(SpecialFunction::ReciprocalGamma),
+        special_field(SpecialFunction::BesselJ, 2),
+        special_field(SpecialFunction::BesselY)};
     return fields;
 }
 
@@ -93,6 +98,8 @@ Reference field_reference(const Field& field, const MpfrNumber& x, const MpfrNum
         const Cellular& of = cells->function();
         return {.defined = true, .value = cellular_reference(of.rank(), of.seed(), x, y, z)};
     }
+    if (const auto* const line = dynamic_cast<const LineField*>(&field))
+        return special_reference(*line, x);
     if (const auto* const balls = dynamic_cast<const BlobsField*>(&field))
         return {.defined = true, .value = blobs_reference(balls->function(), x, y, z)};
     ADD_FAILURE() << "the reference does not know the field " << field.text();

@@ -3,6 +3,7 @@
 #include "engine/expr/simplify.hpp"
 #include "engine/real/format.hpp"
 #include "engine/real/sleef.hpp"
+#include "engine/special/line_field.hpp"
 
 #include <cmath>
 
@@ -133,6 +134,15 @@ inline std::array<GraphNumber, FieldValue::answers> answers(FieldValue /*questio
                                                             const Field& field, int derivative,
                                                             const std::array<GraphNumber, 3>& at) {
     ExprBuilder& builder = *at[0].builder;
+    const auto* const line = dynamic_cast<const LineField*>(&field);
+    if (line != nullptr && line->derivative() && derivative == 0) {
+        // These have slopes of their own, which numbered derivatives have not.
+        const NodeId zero = builder.constant(0.0);
+        const auto node = [&](NodeId id) { return GraphNumber{.builder = &builder, .id = id}; };
+        return {node(builder.look_up(field.shared_from_this(), at[0].id, at[1].id, at[2].id)),
+                node(builder.look_up(line->derivative(), at[0].id, at[1].id, at[2].id)), node(zero),
+                node(zero)};
+    }
     const auto number = [&](int of) {
         const NodeId zero = builder.constant(0.0);
         const NodeId id =
