@@ -47,6 +47,8 @@ DEFINITIONS = {
         r'ZEROSET_NOISE\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/written_out.def":
         r'ZEROSET_WRITTEN\(\w+, \w+, "\w+", \d+, -?\d+, "[^"]*", ',
+    "engine/language/vocabulary/specials.def":
+        r'ZEROSET_SPECIAL\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/shapes.def": r'ZEROSET_WORD\(\w+, "\w+", "[^"]*", "\w+", ',
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'

@@ -199,8 +199,9 @@ std::vector<HelpSection> language_help() {
         {.title = marked("Noise and blobs"), .entries = {}},
         {.title = marked("Complex numbers"), .entries = {}},
         {.title = marked("Polynomials with names"), .entries = {}},
+        {.title = marked("Special functions"), .entries = {}},
         {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
-    const std::size_t fixed = help.size() - 10;
+    const std::size_t fixed = help.size() - 11;
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";

@@ -66,8 +66,9 @@ std::string refusal(const Node& node) {
             "f is undefined in places within it, which 3MF's implicit functions cannot say; a "
             "mesh can be saved instead");
     const std::string name(op_info(node.op).spelling);
-    return filled(tr("3MF's implicit functions have no node for {0}; a mesh can be saved instead"),
-                  {node.op == Op::Field ? tr("volumes, noise and soft balls") : name});
+    return filled(
+        tr("3MF's implicit functions have no node for {0}; a mesh can be saved instead"),
+        {node.op == Op::Field ? tr("volumes, noise, soft balls and special functions") : name});
 }
 
 /// The operators that are made of several nodes.

@@ -46,6 +46,7 @@ ExpressionReader::Built ExpressionReader::call(const Syntax& syntax, const Conte
         return read_blobs(site);
     if (function.is_noise()) return read_noise(site);
     if (function.is_polynomial()) return read_polynomial(site);
+    if (function.is_special()) return read_special(site);
     if (composed == Composed::DistanceEstimate) return read_distance_estimate(site);
     if (function.iterates()) return read_iteration(site);
     if (composed == Composed::Keep || composed == Composed::Kept)

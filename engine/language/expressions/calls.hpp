@@ -46,6 +46,8 @@ GraphValues::Built read_library_call(const CallSite& site);
 GraphValues::Built read_noise(const CallSite& site);
 /// legendre(n, a) and its like: the polynomial of the degree n.
 GraphValues::Built read_polynomial(const CallSite& site);
+/// erf(a), besselj(n, a) and the like: fields of a number, and formulas of these.
+GraphValues::Built read_special(const CallSite& site);
 /// blobs(list), blobs(p, list) and the like: a field where the numbers of the balls are constants,
 /// else a formula.
 GraphValues::Built read_blobs(const CallSite& site);

@@ -335,6 +335,7 @@ void DefinitionTable::note_repetitions(const Lists& lists, Notes& notes) const {
         const bool is_value = &lists == &values_;
         if (function == nullptr || (is_value && (function->is_of_library() || function->is_word())))
             continue;
+        if (function->is_special() && function->name != name) continue;  // letters, as W
         notes.add(offset_of(indices[0]),
                   filled(tr("{0} is what this line defines, not the built-in function"), {name}));
     }

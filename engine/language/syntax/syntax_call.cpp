@@ -149,6 +149,7 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     if (!function.takes(values->size())) {
         return refuse(wrong_count(token, function, values->size()));
     }
+    note_letter(token, function);
     const SyntaxId result = add_call(function, token.offset, std::move(*values));
     if (!exponent) return result;
     return with_exponent(result, token, function, *exponent);

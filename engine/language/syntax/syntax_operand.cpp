@@ -81,11 +81,12 @@ SyntaxParser::Parsed SyntaxParser::refuse_call(const Token& token, const std::st
                 filled(tr("type {0}"), {"volume(\"ct.nrrd\")"}));
 }
 
-/// Remarks where a letter that often names a function is a factor: f, g, h, and with a number J_0.
+/// Remarks where a letter that often names a function is a factor: f, g, h, and with a number P_0.
 void SyntaxParser::note_product(const Token& token, const std::string& name) {
     const bool numbered = !token.subscript.empty() && is_digit(subscript_text(token)[0]) &&
-                          std::string_view("fghFGHHIJKLPTUY").contains(token.text);
-    const bool means_call = (numbered || std::string_view("fghFGH").contains(name)) && next_is("(");
+                          std::string_view("fghFGHHLPTU").contains(token.text);
+    const bool means_call =
+        (numbered || std::string_view("fghFGHK").contains(name)) && next_is("(");
     if (!means_call || defined_.defines_value(name) || !adjacent(token, next())) return;
     tree_.notes.add(token.offset,
                     filled(tr("{0} is read as {1}; to make it a function define it, as in {2}"),
@@ -122,6 +123,8 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
     if (const auto degree = polynomial_degree(full); degree && is_polynomial(at_ - 1, *degree))
         return polynomial_of(token, *degree);
+    if (const Function* const bessel = bessel_function(full); bessel && is_bessel(at_ - 1))
+        return bessel_call(token, *bessel);
     if (called && !defined && !is_letter_name) return refuse_call(token, full);
     note_product(token, full);
     return add(SyntaxKind::Name, token.offset, {}, {}, name_in_branch(full));

@@ -144,6 +144,9 @@ private:
     [[nodiscard]] bool has_one_argument(std::size_t opener) const;
     Parsed chebyshev(const Token& token, int degree);
     Parsed polynomial_of(const Token& token, int degree);
+    [[nodiscard]] bool is_bessel(std::size_t at) const;
+    Parsed bessel_call(const Token& token, const Function& function);
+    void note_letter(const Token& token, const Function& function);
     SyntaxId polynomial(std::size_t offset, const std::string& name,
                         std::span<const long long> coefficients);
     void note_base(const Token& token, const std::vector<SyntaxId>& values);

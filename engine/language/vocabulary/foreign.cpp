@@ -127,6 +127,8 @@ namespace {
 
 /// A hint that an unknown name may be meant as a known one, or as a product.
 std::optional<std::string> hint_for_meant(std::string_view name) {
+    if (const Function* const word = find_function(name); word != nullptr && word->is_word())
+        return filled(tr("type {0}"), {std::string(name) + "(...)"});
     if (const auto meant = nearest_known_name(name))
         return filled(tr("did you mean {0}?"), {*meant});
     if (const auto product = as_product(name))

@@ -91,6 +91,66 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"eval_chebyt", "chebyshev"},
     {"SphericalHarmonicY", "spherical_harmonic"},
     {"sph_harm_y", "spherical_harmonic"},
+    {"Erf", "erf"},
+    {"Erfc", "erfc"},
+    {"Γ", "gamma"},
+    {"Gamma", "gamma"},
+    {"GAMMA", "gamma"},
+    {"tgamma", "gamma"},
+    {"gammaln", "lgamma"},
+    {"lngamma", "lgamma"},
+    {"lnGAMMA", "lgamma"},
+    {"LogGamma", "loggamma"},
+    {"log_gamma", "lgamma"},
+    {"psi", "digamma"},
+    {"Psi", "digamma"},
+    {"ψ", "digamma"},
+    {"Beta", "beta"},
+    {"Zeta", "zeta"},
+    {"ζ", "zeta"},
+    {"W", "lambertw"},
+    {"W_0", "lambertw"},
+    {"LambertW", "lambertw"},
+    {"lambert_w", "lambertw"},
+    {"lambertW", "lambertw"},
+    {"ProductLog", "lambertw"},
+    {"BesselJ", "besselj"},
+    {"bessel_j", "besselj"},
+    {"bessel_J", "besselj"},
+    {"jv", "besselj"},
+    {"jn", "besselj"},
+    {"besj0", "j0"},
+    {"besj1", "j1"},
+    {"J0", "j0"},
+    {"J1", "j1"},
+    {"BesselY", "bessely"},
+    {"bessel_y", "bessely"},
+    {"bessel_Y", "bessely"},
+    {"yv", "bessely"},
+    {"yn", "bessely"},
+    {"besy0", "y0"},
+    {"besy1", "y1"},
+    {"Y0", "y0"},
+    {"Y1", "y1"},
+    {"BesselI", "besseli"},
+    {"bessel_i", "besseli"},
+    {"bessel_I", "besseli"},
+    {"iv", "besseli"},
+    {"besi0", "i0"},
+    {"besi1", "i1"},
+    {"I0", "i0"},
+    {"I1", "i1"},
+    {"BesselK", "besselk"},
+    {"bessel_k", "besselk"},
+    {"bessel_K", "besselk"},
+    {"kv", "besselk"},
+    {"besk0", "k0"},
+    {"besk1", "k1"},
+    {"K0", "k0"},
+    {"K1", "k1"},
+    {"besjn", "besselj"},
+    {"besyn", "bessely"},
+    {"besin", "besseli"},
     {"√", "sqrt"},
     {"∛", "cbrt"},
 };
@@ -160,6 +220,17 @@ std::vector<Function> make_table() {
                      .section = WordSection::part});
 #include "engine/language/vocabulary/shapes.def"
 #undef ZEROSET_WORD
+#define ZEROSET_SPECIAL(id, word, fewest, greatest, list, about) \
+    table.push_back({.name = (word),                             \
+                     .least = (fewest),                          \
+                     .most = (greatest),                         \
+                     .arguments = (list),                        \
+                     .meaning = (about),                         \
+                     .op = std::nullopt,                         \
+                     .composed = Composed::id,                   \
+                     .section = WordSection::Special});
+#include "engine/language/vocabulary/specials.def"
+#undef ZEROSET_SPECIAL
 #define ZEROSET_NOISE(id, word, fewest, greatest, list, about) \
     table.push_back({.name = (word),                           \
                      .least = (fewest),                        \

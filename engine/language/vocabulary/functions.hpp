@@ -11,12 +11,15 @@
 
 namespace zeroset {
 
-/// Functions composed of several operators, one for each row of functions.def, noises.def and
-/// written_out.def.
+/// Functions composed of several operators, one for each row of functions.def, specials.def,
+/// noises.def and written_out.def.
 enum class Composed : std::uint8_t {
 #define ZEROSET_FUNCTION(id, name, least, most, arguments, meaning) id,
 #include "engine/language/vocabulary/functions.def"
 #undef ZEROSET_FUNCTION
+#define ZEROSET_SPECIAL(id, name, least, most, arguments, meaning) id,
+#include "engine/language/vocabulary/specials.def"
+#undef ZEROSET_SPECIAL
 #define ZEROSET_NOISE(id, name, least, most, arguments, meaning) id,
 #include "engine/language/vocabulary/noises.def"
 #undef ZEROSET_NOISE
@@ -25,7 +28,8 @@ enum class Composed : std::uint8_t {
 #undef ZEROSET_WRITTEN
 };
 
-/// The sections of the help for the rows of shapes.def, noises.def and written_out.def.
+/// The sections of the help for the rows of shapes.def, noises.def, written_out.def and
+/// specials.def.
 enum class WordSection : std::uint8_t {
     None,
     Vectors,
@@ -35,7 +39,8 @@ enum class WordSection : std::uint8_t {
     Things,
     Noise,
     Complex,
-    Polynomials
+    Polynomials,
+    Special
 };
 
 /// A function of the language. Exactly one of `op`, `composed` and `body` is set.
@@ -46,7 +51,7 @@ struct Function {
     std::string_view arguments;
     std::string_view meaning;          ///< one line of help, in English
     std::optional<Op> op;              ///< the operator, for a row of op.def
-    std::optional<Composed> composed;  ///< for a row of functions.def, noises.def or
+    std::optional<Composed> composed;  ///< for a row of functions.def, specials.def, noises.def or
                                        ///< written_out.def
     std::string_view body = {};        ///< for a row of library.def or shapes.def: the formula, in
                                        ///< the language itself
@@ -72,8 +77,8 @@ struct Function {
         return op == Op::Min || op == Op::Max || composed == Composed::Union ||
                composed == Composed::Intersect;
     }
-    /// Whether the function is a row of shapes.def, noises.def or written_out.def, which gives way
-    /// to what the text defines and is a word before a bracket only.
+    /// Whether the function is a row of shapes.def, noises.def, specials.def or written_out.def,
+    /// which gives way to what the text defines and is a word before a bracket only.
     [[nodiscard]] bool is_word() const { return section != WordSection::None; }
     /// Whether a call of the function is a row by itself, and no value.
     [[nodiscard]] bool is_thing() const { return kinds == "T"; }
@@ -83,6 +88,8 @@ struct Function {
     [[nodiscard]] bool is_of_complex() const { return section == WordSection::Complex; }
     /// Whether the function is a polynomial whose first argument is its degree.
     [[nodiscard]] bool is_polynomial() const { return section == WordSection::Polynomials; }
+    /// Whether the function is a row of specials.def.
+    [[nodiscard]] bool is_special() const { return section == WordSection::Special; }
     /// Whether the function is written in the language: a row of library.def or shapes.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
     /// Whether a call may have this many arguments; one may have to be a list or vector.
@@ -93,8 +100,7 @@ struct Function {
     [[nodiscard]] std::string refusal(std::size_t arguments_given) const;
 };
 
-/// All functions: the rows of op.def, functions.def, library.def, shapes.def, noises.def and
-/// written_out.def.
+/// All functions: the rows of op.def and of the tables *.def in this folder.
 std::span<const Function> functions();
 /// Finds a function that is no word, as find_function does.
 const Function* find_fixed_function(std::string_view name);
@@ -106,8 +112,8 @@ std::vector<std::string_view> function_spellings();
 const Function* inverse_of(const Function& function);
 
 /// The node of a call of a function of op.def or functions.def, except those that the elaborator
-/// writes out: sum, prod, least, greatest, iterate, distance_estimate, psh, csd, noise and the rows
-/// of written_out.def. `arguments`: as many as the function takes.
+/// writes out: sum, prod, least, greatest, iterate, distance_estimate, psh, csd, noise, special
+/// functions and the rows of written_out.def. `arguments`: as many as the function takes.
 NodeId make_function(ExprBuilder& builder, const Function& function,
                      std::span<const NodeId> arguments);
 

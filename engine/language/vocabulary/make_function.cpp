@@ -222,6 +222,32 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Greatest:
         case Composed::Sum:
         case Composed::Product:
+        case Composed::Erf:
+        case Composed::Erfc:
+        case Composed::Gamma:
+        case Composed::ReciprocalGamma:
+        case Composed::Factorial:
+        case Composed::LogGamma:
+        case Composed::LogGammaRight:
+        case Composed::Digamma:
+        case Composed::DigammaRight:
+        case Composed::Beta:
+        case Composed::Zeta:
+        case Composed::ZetaTimes:
+        case Composed::LambertW:
+        case Composed::LambertRoot:
+        case Composed::BesselJ:
+        case Composed::BesselY:
+        case Composed::BesselI:
+        case Composed::BesselK:
+        case Composed::J0:
+        case Composed::J1:
+        case Composed::Y0:
+        case Composed::Y1:
+        case Composed::I0:
+        case Composed::I1:
+        case Composed::K0:
+        case Composed::K1:
         case Composed::Noise:
         case Composed::ValueNoise:
         case Composed::Cellular:

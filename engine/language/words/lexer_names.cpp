@@ -32,6 +32,8 @@ bool has_pieces(std::string_view run) {
     return true;
 }
 
+bool is_bracket(char c) { return c == '(' || c == '['; }
+
 }  // namespace
 
 std::size_t name_length(std::string_view text, std::size_t start) {
@@ -67,7 +69,8 @@ bool Lexer::identifier() {
     constexpr std::size_t longest_rest = 64;
     const bool may_be_defined = !within || run.size() <= longest_rest;
     if (library_prefix(run) || (may_be_defined && defined_name(run))) return true;
-    if (!within && is_digit(run.back()) && find_function(run) != nullptr) {
+    const Function* const numbered = !within && is_digit(run.back()) ? find_function(run) : nullptr;
+    if (numbered != nullptr && (!numbered->is_word() || is_bracket(peek(run.size())))) {
         push(TokenKind::Name, run, run.size());  // as vec3
         return true;
     }

@@ -205,7 +205,10 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
     std::vector<Token> out;
     out.reserve(tokens.size());
     for (const Token& token : tokens) {
-        if (const Function* const named = out.empty() ? nullptr : function_of(out.back(), token)) {
+        const Token* const next = &token + 1 < tokens.data() + tokens.size() ? &token + 1 : nullptr;
+        const bool is_call = next != nullptr && is_symbol(*next, {"(", "["});
+        const Function* const named = out.empty() ? nullptr : function_of(out.back(), token);
+        if (named != nullptr && (is_call || !named->is_word())) {
             Token& word = out.back();
             word.text = named->name;
             word.length += token.length;
@@ -222,8 +225,6 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
             out.push_back(token);
             continue;
         }
-        const Token* const next = &token + 1 < tokens.data() + tokens.size() ? &token + 1 : nullptr;
-        const bool is_call = next != nullptr && is_symbol(*next, {"(", "["});
         const Function* const word = is_call ? find_function(full_name(token)) : nullptr;
         if (word != nullptr && word->is_word()) {
             out.push_back(token);

@@ -52,13 +52,12 @@ bool mentions_argument(const Candidate& candidate) {
     });
 }
 
-/// Whether a name is known as a function's, though the language lacks it or reads it later: erf,
-/// and T_2, Chebyshev's polynomial.
+/// Whether a name is known as a function's, though the language lacks it or reads it later: erfi,
+/// T_2, Chebyshev's polynomial, and J_2, a Bessel function.
 bool is_known_by_name(std::string_view name) {
-    constexpr std::array<std::string_view, 14> names{"erf",     "erfc", "erfi", "gamma", "Gamma",
-                                                     "lgamma",  "zeta", "beta", "Beta",  "Ai",
-                                                     "digamma", "Bi",   "Si",   "Ci"};
-    return std::ranges::find(names, name) != names.end() || polynomial_degree(name);
+    constexpr std::array<std::string_view, 5> names{"erfi", "Ai", "Bi", "Si", "Ci"};
+    return std::ranges::find(names, name) != names.end() || polynomial_degree(name) ||
+           bessel_function(name) != nullptr;
 }
 
 /// Whether a function's value has a coordinate in it, but none of its arguments, which are
@@ -87,6 +86,21 @@ std::optional<int> polynomial_degree(std::string_view plain_name) {
         !digits.empty() && digits.size() <= 2 && std::ranges::all_of(digits, is_digit);
     const int degree = is_number ? std::stoi(digits) : highest + 1;
     return degree <= highest ? std::optional(degree) : std::nullopt;
+}
+
+const Function* bessel_function(std::string_view plain_name) {
+    if (plain_name.size() < 3 || plain_name[1] != '_') return nullptr;
+    constexpr std::size_t most_digits = 2;
+    const std::string_view order = plain_name.substr(2);
+    const bool is_number = order.size() <= most_digits && std::ranges::all_of(order, is_digit);
+    if (!is_number && order != "n" && order != "m" && order != "k") return nullptr;
+    switch (plain_name[0]) {
+        case 'J': return find_function("besselj");
+        case 'Y': return find_function("bessely");
+        case 'I': return find_function("besseli");
+        case 'K': return find_function("besselk");
+        default: return nullptr;
+    }
 }
 
 bool is_type_word(std::string_view word) {
@@ -251,11 +265,16 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
     if (candidate.is_certain) return true;
     const bool is_log = name.starts_with("log_") && is_digit(name[4]);
     if (is_log && candidates_.uses(name).calls == 0) return false;  // log_2(x) = y is an equation
-    if (is_letter_name(name) && !is_built_in_value(name)) return true;
     const NameUses uses = candidates_.uses(name);
+    const Function* const word = find_function(name);
+    if (is_letter_name(name) && !is_built_in_value(name)) {
+        // W(x) = z is an equation of Lambert's W.
+        const bool is_special = word != nullptr && word->is_special();
+        return !is_special || mentions_argument(candidate) || uses.calls > 0;
+    }
     if (is_place(name)) return defines_place(candidate, uses);
     if (is_built_in_value(name)) return uses.calls > 0 || candidate.arguments.size() > 1;
-    if (const Function* const function = find_function(name); function && function->is_word())
+    if (word != nullptr && word->is_word())
         return mentions_argument(candidate);  // else it is an equation, as sphere(p, r) = 1
     if (find_fixed_function(name) != nullptr) {
         return uses.calls > 0 && candidates_.depends_on_arguments_only(candidate);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
 #include "engine/language/words/lexer.hpp"
 
@@ -23,6 +24,10 @@ bool declares(const Token& word, const Token& next);
 /// The degree n of T_n and U_n, Chebyshev's polynomials, and of P_n, H_n and L_n, those of
 /// Legendre, Hermite and Laguerre, as far as these are read.
 std::optional<int> polynomial_degree(std::string_view plain_name);
+
+/// The function that a letter with a whole number below 100, n, m or k names, as J_2 does; nullptr:
+/// none.
+const Function* bessel_function(std::string_view plain_name);
 
 /// The form of a name in which it is looked up: c_12 for c_{12} and c₁₂, theta1 for θ1.
 std::string plain_name(std::string_view run);

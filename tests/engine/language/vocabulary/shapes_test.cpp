@@ -300,11 +300,13 @@ TEST(Words, EachHasAReference) {
     known.merge(moves_and_blends());
     known.merge(of_vectors());
     for (const Function& function : functions()) {
-        // Things have no value, noise and blobs have other references: tests/engine/language/
-        // things_test.cpp, tests/engine/noise, tests/engine/blobs; complex numbers and polynomials
-        // tests/engine/language/complex_numbers_test.cpp, polynomials_test.cpp.
+        // Things have no value, noise, blobs and special functions have other references:
+        // tests/engine/language/things_test.cpp, tests/engine/noise, blobs and special; complex
+        // numbers and polynomials tests/engine/language/complex_numbers_test.cpp,
+        // polynomials_test.cpp.
         const bool is_elsewhere = function.is_thing() || function.is_noise() ||
-                                  function.is_of_complex() || function.is_polynomial();
+                                  function.is_of_complex() || function.is_polynomial() ||
+                                  function.is_special();
         if (function.is_word() && !is_elsewhere) {
             EXPECT_TRUE(known.contains(std::string(function.name))) << function.name;
         }
