@@ -2,6 +2,7 @@
 
 #include "engine/base/translation.hpp"
 #include "engine/language/rows/distance_note.hpp"
+#include "engine/language/rows/letter_notes.hpp"
 #include "engine/language/rows/no_surface.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
 
@@ -81,6 +82,7 @@ std::expected<std::optional<RowSurface>, ParseError> Elaborator::read_row(std::s
     const auto equation = equations_.read(statement);
     if (!equation) return std::unexpected(equation.error());
     if (defines_nothing_else(statement, equation->root)) return std::nullopt;
+    note_level(reader_, statement, equation->root);
     return maker_.surface(statement, equation->root, equation->solid);
 }
 
@@ -222,6 +224,7 @@ std::expected<Program, ParseError> Elaborator::result() {
     }
     for (auto& [statement, reading] : readings_)
         program.readings.push_back(std::move(reading));
+    note_euler(reader_);
     notes_.hand_over(program.readings);
     program.parameters = reader_.names().parameters();
     program.calls_w_t = reader_.names().calls_w_t();

@@ -79,6 +79,10 @@ constexpr Line expressions[] = {
     {"T_4(x)  U_3(x)  P_2(x)  H_3(x)  L_2(x)",
      marked("Chebyshev's polynomials of the first and the second kind, for n up to 20, Legendre's, "
             "Hermite's and Laguerre's")},
+    {"n!  Y_2^1(a, b)",
+     marked(
+         "factorials of whole numbers; spherical harmonics, by the angle from the z-axis and the "
+         "one about it")},
     {"z = |x + i y|  z = Re((x + i y)^3)",
      marked("i is the imaginary unit where the text asks for Re, Im, arg or conj, or for |.| of a "
             "sum with i; elsewhere it is a parameter. Powers, exp, ln, sqrt and trigonometric "
@@ -198,7 +202,7 @@ std::vector<HelpSection> language_help() {
         {.title = marked("Things made of points"), .entries = {}},
         {.title = marked("Noise and blobs"), .entries = {}},
         {.title = marked("Complex numbers"), .entries = {}},
-        {.title = marked("Polynomials with names"), .entries = {}},
+        {.title = marked("Polynomials and other functions with names"), .entries = {}},
         {.title = marked("Special functions"), .entries = {}},
         {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
     const std::size_t fixed = help.size() - 11;

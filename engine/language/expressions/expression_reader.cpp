@@ -12,6 +12,8 @@
 #include "engine/language/words/words.hpp"
 
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace zeroset {
@@ -21,6 +23,10 @@ constexpr double largest_number = 1e300;
 constexpr double largest_bound = 1e15;  // up to here i + 1 is exact and differs from i
 constexpr int deepest_tree = 5000;      // depth of trees within calls within trees
 constexpr int deep = 500;  // from this depth on, definitions are built before they are used
+
+bool is_numbered_coordinate(std::string_view name) {
+    return name == "x_1" || name == "x_2" || name == "x_3";
+}
 
 NodeId make_mod(ExprBuilder& builder, NodeId a, NodeId b) {
     return make_call(builder, Op::Mod, a, b);
@@ -150,6 +156,23 @@ bool ExpressionReader::is_imaginary_unit(std::string_view name) {
     return *has_complex_;
 }
 
+/// Whether the text calls the coordinates x_1, x_2 and x_3: it uses two of these and none of x, y
+/// and z, and defines none.
+bool ExpressionReader::numbers_coordinates() {
+    if (numbers_coordinates_) return *numbers_coordinates_;
+    std::set<std::string_view> used;
+    bool has_plain = false;
+    for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
+        for (const NameUse& use : table_.uses(i)) {
+            const std::string& name = tree_[use.at].text;
+            has_plain = has_plain || name == "x" || name == "y" || name == "z";
+            if (is_numbered_coordinate(name) && table_.meant(use, i) == nullptr) used.insert(name);
+        }
+    }
+    numbers_coordinates_ = !has_plain && used.size() > 1;
+    return *numbers_coordinates_;
+}
+
 /// The parameter of this name, or the error for a name that can be none.
 ExpressionReader::Built ExpressionReader::unknown(const Syntax& syntax, const Context& context) {
     const std::string& name = syntax.text;
@@ -165,6 +188,12 @@ ExpressionReader::Built ExpressionReader::unknown(const Syntax& syntax, const Co
         note(offset, filled(tr("{0} is the imaginary unit"), {name}), context);
         return values_.complex(
             {.re = values_.builder().constant(0.0), .im = values_.builder().constant(1.0)}, offset);
+    }
+    if (is_numbered_coordinate(name) && numbers_coordinates()) {
+        const std::string axis(1, static_cast<char>('x' + (name.back() - '1')));
+        note(offset, filled(tr("{0} is {1}, as the text has no x, y and z"), {name, axis}),
+             context);
+        return names_.said(axis, offset);
     }
     if (is_parameter_name(name)) return names_.parameter(name, offset);
     if (const Function* const word = find_function(name);

@@ -64,6 +64,7 @@ private:
     Built literal(const Syntax& syntax, const Context& context);
     Built name(const Syntax& syntax, const Context& context);
     [[nodiscard]] bool is_imaginary_unit(std::string_view name);
+    [[nodiscard]] bool numbers_coordinates();
     Built unknown(const Syntax& syntax, const Context& context);
     Built negated(const Syntax& syntax, const Context& context);
     Built power(const Syntax& syntax, const Context& context);
@@ -102,9 +103,10 @@ private:
     DefinitionValues definitions_{*this};
     FieldFiles files_;
     std::unordered_map<SyntaxId, BuiltValue> earlier_;  ///< values of lists
-    std::optional<bool> has_complex_;  ///< whether the text has complex numbers, once asked
-    std::map<double, NodeId> kept_;    ///< values kept by psh, by index
-    int depth_ = 0;                    ///< how many expressions are being built within each other
+    std::optional<bool> numbers_coordinates_;  ///< whether x_1, x_2 and x_3 are these, once asked
+    std::optional<bool> has_complex_;          ///< whether the text has complex numbers, once asked
+    std::map<double, NodeId> kept_;            ///< values kept by psh, by index
+    int depth_ = 0;  ///< how many expressions are being built within each other
 };
 
 }  // namespace zeroset

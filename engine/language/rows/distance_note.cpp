@@ -44,6 +44,17 @@ void note_distance(const SyntaxTree& tree, DefinitionTable& table, std::size_t s
                   filled(tr("{0} is {1}; for a radius with a slider type {2}"),
                          {"r", "sqrt(x^2 + y^2 + z^2)", "R"}));
     }
+    const auto theta = said.find("theta");
+    const auto phi = said.find("phi");
+    const bool is_angle = theta != said.end() || phi != said.end();
+    const bool are_both = theta != said.end() && phi != said.end();
+    if (are_both || (is_angle && r != said.end())) {
+        notes.add(
+            tree[(theta != said.end() ? theta : phi)->second].offset,
+            filled(tr("{0} is the angle about the z-axis and {1} the one from it; where a text "
+                      "means them the other way, as in physics, exchange them"),
+                   {"theta", "phi"}));
+    }
     if (said.contains("x") || said.contains("y")) return;
     const auto rho = said.find("rho");
     const bool is_spherical = said.contains("phi");

@@ -6,7 +6,6 @@
 #include "engine/language/words/words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <span>
 #include <utility>
@@ -132,6 +131,11 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         tree_.notes.add(token.offset,
                         filled(tr("{0} is {1}, as in Mathematica"), {"Log[b, x]", "log(x, b)"}));
     }
+    if (function.name == "sinc") {
+        tree_.notes.add(token.offset,
+                        filled(tr("{0} is {1}; for that of NumPy and MATLAB type {2}"),
+                               {"sinc(a)", "sin(a)/a", "sinc(pi a)"}));
+    }
     if (function.composed == Composed::LogBase && token.text != "Log") note_base(token, *values);
     if (function.op == Op::Where && values->size() == 3) {
         tree_.notes.add(token.offset, tr("where(condition, a, b) is if(condition, a, b)"));
@@ -153,114 +157,6 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     const SyntaxId result = add_call(function, token.offset, std::move(*values));
     if (!exponent) return result;
     return with_exponent(result, token, function, *exponent);
-}
-
-/// Whether the bracket at this index holds no comma of its own.
-bool SyntaxParser::has_one_argument(std::size_t opener) const {
-    int open = 0;
-    for (std::size_t at = opener; tokens_[at].kind != TokenKind::End; ++at) {
-        if (is_symbol(tokens_[at], {"(", "[", "{"})) ++open;
-        if (is_symbol(tokens_[at], {")", "]", "}"}) && --open == 0) return true;
-        if (open == 1 && is_symbol(tokens_[at], {","})) return false;
-    }
-    return true;
-}
-
-/// Whether the name at this index is T_n, U_n, P_n, H_n or L_n and called: the bracket stands
-/// directly behind it, and it is no name of the text, nor a point P_2(1, 2, 3). T_0 and T_1 are
-/// parameters unless one of a higher degree is called in the text, and so with the others.
-bool SyntaxParser::is_polynomial(std::size_t at, int degree) {
-    const Token& token = tokens_[at];
-    const Token& opener = tokens_[at + 1];
-    if (!is_symbol(opener, {"(", "["}) || !adjacent(token, opener)) return false;
-    if (defined_.find(full_name(token), token.offset)) return false;
-    const char letter = token.text[0] == 'U' ? 'T' : token.text[0];
-    if (letter != 'T' && !has_one_argument(at + 1)) return false;
-    if (degree >= 2) return true;
-    const auto [known, is_new] = calls_polynomial_.try_emplace(letter, false);
-    for (std::size_t i = 0; is_new && !known->second && i < tokens_.size(); ++i) {
-        if (tokens_[i].kind != TokenKind::Name) continue;
-        const char other = tokens_[i].text[0] == 'U' ? 'T' : tokens_[i].text[0];
-        const auto higher =
-            other == letter ? polynomial_degree(full_name(tokens_[i])) : std::nullopt;
-        known->second = higher && *higher >= 2 && is_polynomial(i, *higher);
-    }
-    return known->second;
-}
-
-/// Reads P_n(a), H_n(a) or L_n(a), which is legendre(n, a), hermite(n, a) or laguerre(n, a); T_n(a)
-/// and U_n(a).
-SyntaxParser::Parsed SyntaxParser::polynomial_of(const Token& token, int degree) {
-    static constexpr std::array<std::array<std::string_view, 3>, 3> others{
-        {{"P", "legendre", "Legendre"},
-         {"H", "hermite", "Hermite"},
-         {"L", "laguerre", "Laguerre"}}};
-    const auto* const found =
-        std::ranges::find_if(others, [&](const auto& other) { return other[0] == token.text; });
-    if (found == others.end()) return chebyshev(token, degree);
-    const Token& opener = next();
-    const List values = arguments();
-    if (!values || !close(opener)) return std::nullopt;
-    const std::string name = full_name(token);
-    tree_.notes.add(token.offset, filled(tr("{0} is {1}'s polynomial; for a product type {2}"),
-                                         {name, (*found)[2], name + "*(...)"}));
-    const SyntaxId count = add(SyntaxKind::Number, token.offset, {}, {}, std::to_string(degree));
-    return add_call(*find_function((*found)[1]), token.offset, {count, values->front()});
-}
-
-/// Reads T_n(a) or U_n(a) as a polynomial: p(n + 1) = 2 a p(n) - p(n - 1), from 1 and a or 2 a on.
-SyntaxParser::Parsed SyntaxParser::chebyshev(const Token& token, int degree) {
-    const std::string name = full_name(token);
-    const Token& opener = next();
-    const List values = arguments();
-    if (!values || !close(opener)) return std::nullopt;
-    if (values->size() != 1) {
-        return fail(token, filled(tr("{0} takes 1 argument, not {1}"),
-                                  {name, std::to_string(values->size())}));
-    }
-    tree_.notes.add(token.offset,
-                    filled(tr("{0} is Chebyshev's polynomial; for a product type {1}"),
-                           {name, name + "*(...)"}));
-    std::vector<long long> before{1};
-    std::vector<long long> here{0, token.text == "T" ? 1 : 2};
-    for (int n = 0; n < degree; ++n) {
-        std::vector<long long> next_one(here.size() + 1, 0);
-        for (std::size_t k = 0; k < here.size(); ++k)
-            next_one[k + 1] = 2 * here[k];
-        for (std::size_t k = 0; k < before.size(); ++k)
-            next_one[k] -= before[k];
-        before = std::exchange(here, std::move(next_one));
-    }
-    const std::string argument = name + " of";
-    const SyntaxId sum = polynomial(token.offset, argument, before);
-    return add(SyntaxKind::Let, token.offset, {values->front(), sum}, {}, argument);
-}
-
-/// The sum of coefficients[k]*name^k, the highest power first.
-SyntaxId SyntaxParser::polynomial(std::size_t offset, const std::string& name,
-                                  std::span<const long long> coefficients) {
-    const auto number = [&](long long value) {
-        return add(SyntaxKind::Number, offset, {}, {}, std::to_string(std::abs(value)));
-    };
-    std::vector<SyntaxId> terms;
-    std::string marks;
-    for (std::size_t k = coefficients.size(); k-- > 0;) {
-        const long long factor = coefficients[k];
-        if (factor == 0) continue;
-        SyntaxId term = k == 0 ? number(factor) : add(SyntaxKind::Name, offset, {}, {}, name);
-        if (k > 1) {
-            const SyntaxId exponent = number(static_cast<long long>(k));
-            term = add(SyntaxKind::Power, offset, {term, exponent});
-        }
-        if (k > 0 && std::abs(factor) != 1) {
-            const SyntaxId times = number(factor);
-            term = add(SyntaxKind::Product, offset, {times, term}, "*");
-        }
-        if (!terms.empty()) marks += factor < 0 ? '-' : '+';
-        terms.push_back(term);
-    }
-    return terms.size() == 1 ? terms.front()
-                             : add(SyntaxKind::Sum, offset, std::move(terms), marks);
 }
 
 /// Notes that log(2, x) has its base behind, where the first of two values alone is a number.

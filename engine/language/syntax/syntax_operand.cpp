@@ -40,6 +40,13 @@ SyntaxParser::Parsed SyntaxParser::operand() {
         return add(SyntaxKind::Number, token.offset, {}, {}, decimal(token.text));
     }
     if (token.kind == TokenKind::Name) return name(token);
+    if (token.kind == TokenKind::Superscript && tokens_[at_ + 1].text == "√") {
+        const Parsed degree = superscript();  // ³√x
+        if (!degree) return degree;
+        take();
+        const Parsed of = radical_operand();
+        return of ? Parsed(add_call(*find_function("root"), token.offset, {*of, *degree})) : of;
+    }
     if (token.kind == TokenKind::Volume) return volume(take());
     if (next_is_one_of({"(", "[", "{"})) return group(take());
     if (next_is_one_of({"|", "(|"})) return absolute(take());
@@ -121,6 +128,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
+    if (const auto harmonic_call = harmonic_at(token)) return harmonic(token, *harmonic_call);
     if (const auto degree = polynomial_degree(full); degree && is_polynomial(at_ - 1, *degree))
         return polynomial_of(token, *degree);
     if (const Function* const bessel = bessel_function(full); bessel && is_bessel(at_ - 1))
@@ -238,10 +246,14 @@ SyntaxParser::Parsed SyntaxParser::fraction() {
     return add(SyntaxKind::Product, offset, {*numerator, *denominator}, "/");
 }
 
+/// Reads what stands behind √: √x² is √(x²), but √(x)² is (√x)².
+SyntaxParser::Parsed SyntaxParser::radical_operand() {
+    return next_is_one_of({"(", "[", "{"}) ? operand() : power();
+}
+
 SyntaxParser::Parsed SyntaxParser::radical(const Token& token) {
     if (token.text != "\\sqrt") {
-        // √x² is √(x²), but √(x)² is (√x)².
-        const Parsed of = next_is_one_of({"(", "[", "{"}) ? operand() : power();
+        const Parsed of = radical_operand();
         if (!of) return of;
         return add_call(*find_function(token.text), token.offset, {*of});
     }
@@ -260,7 +272,8 @@ SyntaxParser::Parsed SyntaxParser::superscript() {
     std::string digits;
     for (std::size_t at = 0; at < token.text.size();) {
         const CodePoint point = code_point_at(token.text, at);
-        digits += superscript_digit(point.code);
+        const char digit = superscript_digit(point.code);
+        if (digit != '(' && digit != ')') digits += digit;
         at += point.length;
     }
     const bool negative = digits.starts_with('-');

@@ -227,6 +227,7 @@ SyntaxParser::Parsed SyntaxParser::power() {
     Parsed base = operand();
     while (base && next().kind == TokenKind::Part)
         base = part_of(*base);
+    if (base && next_is("!") && adjacent(tokens_[at_ - 1], next())) base = factorial(*base);
     while (base) {
         const std::size_t offset = next().offset;
         Parsed exponent = 0;

@@ -65,6 +65,13 @@ private:
         int& depth_;
     };
 
+    /// A call such as Y_2^{-1}(a, b), from its bracket on.
+    struct Harmonic {
+        std::size_t opener;
+        std::string degree, order;
+        bool is_negative;
+    };
+
     // syntax_statement.cpp
     bool statement();
     void skip_label();
@@ -138,10 +145,14 @@ private:
     Parsed floor_or_ceil(const Token& opener);
     Parsed fraction();
     Parsed radical(const Token& token);
+    Parsed radical_operand();
     Parsed part();
     Parsed call(const Token& token, const Function& function);
     [[nodiscard]] bool is_polynomial(std::size_t at, int degree);
-    [[nodiscard]] bool has_one_argument(std::size_t opener) const;
+    [[nodiscard]] std::size_t arguments_at(std::size_t opener) const;
+    [[nodiscard]] std::optional<Harmonic> harmonic_at(const Token& token) const;
+    Parsed harmonic(const Token& token, const Harmonic& of);
+    Parsed factorial(SyntaxId of);
     Parsed chebyshev(const Token& token, int degree);
     Parsed polynomial_of(const Token& token, int degree);
     [[nodiscard]] bool is_bessel(std::size_t at) const;

@@ -41,9 +41,10 @@ std::optional<ParseError> error_for_word_of_programs(std::string_view word, std:
             .reason = filled(tr("{0} belongs to a program, which is not read"), {quoted(name)}),
             .hint = tr("type its formulas, each on a line of its own")};
     }
-    if (is_one_of(word, {"contourplot3d", "plot3d", "implicitplot3d", "implicitplot",
-                         "implicit_plot3d", "fimplicit3", "fimplicit", "isosurface",
-                         "parametricplot3d", "show", "manipulate"})) {
+    if (is_one_of(word,
+                  {"contourplot3d", "plot3d", "implicitplot3d", "implicitplot", "implicit_plot3d",
+                   "fimplicit3", "fimplicit", "isosurface", "parametricplot3d", "show",
+                   "manipulate", "plot3", "implicit3d", "contour3", "scatter3d", "plot_surface"})) {
         return ParseError{
             .offset = offset,
             .reason = filled(tr("{0} is a command of another program"), {quoted(name)}),

@@ -151,6 +151,9 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"besjn", "besselj"},
     {"besyn", "bessely"},
     {"besin", "besseli"},
+    {"Sinc", "sinc"},
+    {"UnitStep", "heaviside"},
+    {"HeavisideTheta", "heaviside"},
     {"√", "sqrt"},
     {"∛", "cbrt"},
 };

@@ -86,7 +86,8 @@ struct Function {
     [[nodiscard]] bool is_noise() const { return section == WordSection::Noise; }
     /// Whether the function asks for something of a complex number.
     [[nodiscard]] bool is_of_complex() const { return section == WordSection::Complex; }
-    /// Whether the function is a polynomial whose first argument is its degree.
+    /// Whether the function is a polynomial whose first argument is its degree, or another one
+    /// that is known by a name.
     [[nodiscard]] bool is_polynomial() const { return section == WordSection::Polynomials; }
     /// Whether the function is a row of specials.def.
     [[nodiscard]] bool is_special() const { return section == WordSection::Special; }

@@ -3,6 +3,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/foreign.hpp"
+#include "engine/language/vocabulary/functions.hpp"
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/words/lexer_reader.hpp"
 
@@ -204,6 +205,35 @@ void Lexer::superscript() {
     push(TokenKind::Superscript, text_.substr(at_, length), length);
 }
 
+/// Reads letters in italics and the like: a function's name, or one letter after the other.
+void Lexer::letters_of_mathematics() {
+    static constexpr std::string_view alphabet =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+    std::string run;
+    std::vector<std::pair<char32_t, std::size_t>> letters;
+    std::size_t end = at_;
+    while (end < text_.size()) {
+        const CodePoint point = code_point_at(text_, end);
+        const char32_t letter = plain_letter(point.code);
+        if (letter == 0) break;
+        run += letter < 0x80 ? static_cast<char>(letter) : '?';
+        letters.emplace_back(letter, point.length);
+        end += point.length;
+    }
+    const Function* const function = run.size() > 1 ? find_fixed_function(run) : nullptr;
+    if (function != nullptr) return push(TokenKind::Name, function->name, end - at_);
+    for (const auto& [letter, length] : letters) {
+        if (const std::optional<Sign> sign = sign_of(letter)) {
+            push_sign(*sign, length);
+        } else if (const std::size_t at = alphabet.find(static_cast<char>(letter));
+                   at < alphabet.size()) {
+            name(alphabet.substr(at, 1), length);
+        } else {
+            at_ += length;
+        }
+    }
+}
+
 Done Lexer::other_character() {
     const CodePoint point = code_point_at(text_, at_);
     if (superscript_digit(point.code) != '\0') {
@@ -212,6 +242,10 @@ Done Lexer::other_character() {
     }
     if (const std::optional<Sign> sign = sign_of(point.code)) {
         push_sign(*sign, point.length);
+        return {};
+    }
+    if (plain_letter(point.code) != 0) {
+        letters_of_mathematics();
         return {};
     }
     std::string hint = hint_for_sign(point.code);
@@ -268,11 +302,12 @@ Done Lexer::command() {
     if (word == "begin" || word == "end") return environment(word);
     const std::optional<Sign> sign = sign_of_command(word);
     if (!sign) {
-        return std::unexpected(
-            ParseError{.offset = at_,
-                       .reason = filled(tr("the LaTeX command {0} is not known here"),
-                                        {quoted(text_.substr(at_, length))}),
-                       .hint = tr("leave it out or type its meaning")});
+        const char32_t of = sign_without_meaning(word);
+        return std::unexpected(ParseError{
+            .offset = at_,
+            .reason = filled(tr("the LaTeX command {0} is not known here"),
+                             {quoted(text_.substr(at_, length))}),
+            .hint = of != 0 ? hint_for_sign(of) : tr("leave it out or type its meaning")});
     }
     if (sign->text.empty() && word_in_braces(at_ + length)) return {};
     push_sign(*sign, length);

@@ -37,6 +37,7 @@ public:
 
 private:
     Done step();
+    void letters_of_mathematics();
     Done other_character();
     Done command();
     Done environment(std::string_view word);

@@ -169,9 +169,45 @@ std::optional<Sign> sign_of(char32_t code) {
 bool is_greek(char32_t code) { return std::ranges::find(greek, code, &Greek::code) != greek.end(); }
 
 char superscript_digit(char32_t code) {
-    constexpr std::u32string_view raised = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻";
+    constexpr std::u32string_view raised = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾";
     const std::size_t at = raised.find(code);
-    return at == std::u32string_view::npos ? '\0' : std::string_view("0123456789+-")[at];
+    return at == std::u32string_view::npos ? '\0' : std::string_view("0123456789+-()")[at];
+}
+
+char32_t plain_letter(char32_t code) {
+    constexpr char32_t first_latin = 0x1D400;  // alphabets of 26 capital and 26 small letters
+    constexpr char32_t first_greek = 0x1D6A8;  // alphabets of 58: capital, nabla, small, others
+    constexpr char32_t end_of_greek = 0x1D7CB;
+    if (code == U'ℎ') return U'h';
+    if (code >= first_latin && code < first_latin + 13 * 52) {
+        const char32_t letter = (code - first_latin) % 52;
+        return letter < 26 ? U'A' + letter : U'a' + letter - 26;
+    }
+    if (code < first_greek || code >= end_of_greek) return 0;
+    const char32_t letter = (code - first_greek) % 58;
+    if (letter < 25) return U'Α' + letter;
+    if (letter > 25 && letter < 51) return U'α' + letter - 26;
+    return letter < 52 ? 0 : U"ϵϑκϕϱπ"[letter - 52];
+}
+
+char32_t sign_without_meaning(std::string_view command) {
+    constexpr std::array<std::pair<std::string_view, char32_t>, 14> known{{{"pm", U'±'},
+                                                                           {"mp", U'∓'},
+                                                                           {"sum", U'∑'},
+                                                                           {"prod", U'∏'},
+                                                                           {"int", U'∫'},
+                                                                           {"iint", U'∫'},
+                                                                           {"oint", U'∫'},
+                                                                           {"partial", U'∂'},
+                                                                           {"nabla", U'∇'},
+                                                                           {"infty", U'∞'},
+                                                                           {"in", U'∈'},
+                                                                           {"notin", U'∉'},
+                                                                           {"subset", U'⊂'},
+                                                                           {"forall", U'∀'}}};
+    const auto* const found =
+        std::ranges::find(known, command, &std::pair<std::string_view, char32_t>::first);
+    return found == known.end() ? 0 : found->second;
 }
 
 char subscript_digit(char32_t code) {

@@ -30,6 +30,10 @@ std::optional<Sign> sign_of(char32_t code);
 bool is_greek(char32_t code);
 /// '0' to '9', '+' or '-' for a superscript character; 0 for any other.
 char superscript_digit(char32_t code);
+/// The plain letter that one of mathematics stands for, x for an italic or a bold one; 0: none.
+char32_t plain_letter(char32_t code);
+/// The sign that a command without a meaning here stands for, as hint_for_sign has it; 0: none.
+char32_t sign_without_meaning(std::string_view command);
 /// '0' to '9' for a subscript digit; 0 for any other.
 char subscript_digit(char32_t code);
 /// The meaning of a LaTeX command, given without its backslash: cdot, pi, sin, left.

@@ -70,6 +70,12 @@ TEST(Polynomials, SphericalHarmonicsHaveTheLibrarysValues) {
     }
 }
 
+TEST(Polynomials, OtherFunctionsHaveTheirValues) {
+    expect_value("sinc(x + 3)", [](double x, double) { return std::sin(x + 3.0) / (x + 3.0); });
+    expect_value("heaviside(y)", [](double, double y) { return y < 0.0 ? 0.0 : 1.0; });
+    expect_value("5! x", [](double x, double) { return 120.0 * x; });
+}
+
 TEST(Polynomials, RefuseWhatIsNoDegree) {
     for (const char* const text :
          {"legendre(21, x)", "hermite(-1, x)", "laguerre(1.5, x)", "legendre(2, 3, x)",
