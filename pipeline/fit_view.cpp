@@ -78,10 +78,10 @@ std::optional<Box> asked_box(const Program& program) {
 std::string fit_view(Document& document, const PictureRequest& request, double aspect,
                      bool fits_box, const TimeLimit& limit) {
     document.camera = request.camera;
-    Framing framing =
-        frame_surfaces(document, find_extent(scene_of(request), limit), aspect, fits_box);
+    const Extent extent = find_extent(scene_of(request), limit);
+    Framing framing = frame_surfaces(document, extent, aspect, fits_box);
     document = std::move(framing.document);
-    return framing.found ? "" : framing.note;
+    return framing.found && extent.whole ? "" : framing.note;
 }
 
 }  // namespace zeroset

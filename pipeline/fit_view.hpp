@@ -19,7 +19,7 @@ std::optional<Box> asked_box(const Program& program);
 
 /// Makes the document's camera look at all of its surfaces, in a picture of this aspect (width /
 /// height); `fits_box`: and fits the clip box to them. `request`: for a picture of the document.
-/// Returns one line on why it cannot, or nothing.
+/// Returns one line on why it cannot, or that surfaces go on beyond what is shown; else nothing.
 std::string fit_view(Document& document, const PictureRequest& request, double aspect,
                      bool fits_box, const TimeLimit& limit);
 

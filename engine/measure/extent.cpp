@@ -18,6 +18,8 @@ namespace {
 /// Cells that are no longer than this part of what is found are not halved any more.
 constexpr double finest_share = 1.0 / 64.0;
 constexpr std::size_t most_cells = 200'000;
+/// Surfaces are looked for as far away as this, in sizes of the clip box.
+constexpr double farthest_reach = extent_reach * extent_reach * extent_reach;
 /// Cells of one face that are halved at a time: those are enough to settle most faces.
 constexpr std::size_t face_cells_at_once = 64;
 /// Cells smaller than their coordinates times this are enclosed in double.
@@ -159,6 +161,18 @@ bool strictly_inside(const Box& box, const Box& domain) {
            glm::all(glm::lessThan(box.hi, domain.hi));
 }
 
+/// A box that holds all of surfaces of which nothing is within extent_reach; nothing where they go
+/// on beyond all that is looked at.
+std::optional<Box> far_box(const Scene& scene, const TimeLimit& limit) {
+    for (double reach = extent_reach * extent_reach; reach <= farthest_reach;
+         reach *= extent_reach) {
+        const Box domain = scaled(scene.clip, reach);
+        const auto all = enclosing_box(scene, domain, limit);
+        if (all) return strictly_inside(*all, domain) ? all : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Box> enclosing_box(const Scene& scene, const Box& domain, const TimeLimit& limit) {
@@ -166,12 +180,13 @@ std::optional<Box> enclosing_box(const Scene& scene, const Box& domain, const Ti
 }
 
 Extent find_extent(const Scene& scene, const TimeLimit& limit) {
-    const double half = 0.5 * extent_reach * scene.clip.size();
-    const glm::dvec3 centre = scene.clip.centre();
-    const Box domain{.lo = centre - half, .hi = centre + half};
     Extent extent;
+    const Box domain = scaled(scene.clip, extent_reach);
     const std::optional<Box> all = enclosing_box(scene, domain, limit);
-    if (!all) return extent;
+    if (!all) {
+        extent.whole = far_box(scene, limit);
+        return extent;
+    }
     if (strictly_inside(*all, domain)) extent.whole = all;
     extent.inside = enclosing_box(scene, scene.clip, limit);
     for (double factor = 2.0; !extent.inside && !extent.reached && factor <= extent_reach;

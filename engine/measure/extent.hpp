@@ -23,7 +23,8 @@ struct Extent {
     std::optional<Box> reached;
 };
 
-/// The size of the space in which surfaces are looked for, in sizes of the clip box.
+/// The size of the space in which surfaces are looked for, in sizes of the clip box; bounded ones
+/// that begin beyond it are found, too, up to the third power of it.
 inline constexpr double extent_reach = 64.0;
 
 /// Where `limit` is over before it is found, the boxes are wider than they need be.

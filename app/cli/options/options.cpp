@@ -209,6 +209,18 @@ void tell_notes(const InputDocument& input) {
     }
 }
 
+/// Says on stderr that one scale for all axes makes a long clip box thin.
+void tell_thin_box(const Box& clip) {
+    constexpr double most = 10.0;
+    const glm::dvec3 sides = clip.hi - clip.lo;
+    const auto [least, longest] = std::minmax({sides.x, sides.y, sides.z});
+    if (!(longest > most * least)) return;
+    std::cerr
+        << "zeroset: note: the clip box is " << short_number(longest / least, 3)
+        << " times as long as it is thin, and all axes have the same scale: what is in it may "
+           "be too thin to see; scale the formula, or give --box another shape\n";
+}
+
 }  // namespace
 
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view,
@@ -217,6 +229,7 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     if (!input) return input;
     if (!view.quiet) tell_notes(*input);
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);
+    if (!view.quiet) tell_thin_box(input->document.clip);
     if (input->path.empty()) input->document.home = input->document.camera;
     // An unreadable text is reported before options that do not fit it.
     if (!input->rows && input->path.empty()) return input;

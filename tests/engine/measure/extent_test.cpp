@@ -36,6 +36,9 @@ TEST(Extent, IsThatOfABoundedSurface) {
         {"(x - 40)^2 + y^2 + z^2 - 1", {{39, -1, -1}, {41, 1, 1}}},
         {"(sqrt(x^2 + y^2) - 1)^2 + z^2 - 0.0625", {{-1.25, -1.25, -0.25}, {1.25, 1.25, 0.25}}},
         {"max(abs(x) - 1, abs(y) - 0.5, abs(z) - 0.25)", {{-1, -0.5, -0.25}, {1, 0.5, 0.25}}},
+        {"x^2 + y^2 + z^2 - 2.5e5", Box::cube(500)},
+        {"(x - 3000)^2 + y^2 + z^2 - 1e4", {{2900, -100, -100}, {3100, 100, 100}}},
+        {"x^2 + y^2 + z^2 - 1e11", Box::cube(316227.766)},
         {"(x - 1)^2 + y^2 + z^2 - 1e-12", {{1 - 1e-6, -1e-6, -1e-6}, {1 + 1e-6, 1e-6, 1e-6}}}};
     for (const auto& [text, exact] : cases) {
         const Extent extent = find_extent(scene_of(text, Box::cube(2)));
@@ -63,7 +66,8 @@ TEST(Extent, OfAnUnboundedSurfaceIsNotKnown) {
 }
 
 TEST(Extent, OfAnEmptySurfaceIsNothing) {
-    for (const std::string text : {"x^2 + y^2 + z^2 + 1", "sqrt(-1 - x^2)", "exp(x) + 1"}) {
+    for (const std::string text :
+         {"x^2 + y^2 + z^2 + 1", "sqrt(-1 - x^2)", "exp(x) + 1", "x + y^2 - 1e6"}) {
         const Extent extent = find_extent(scene_of(text, Box::cube(2)));
         EXPECT_FALSE(extent.whole || extent.inside || extent.reached) << text;
     }
