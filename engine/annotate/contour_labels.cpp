@@ -23,8 +23,8 @@ constexpr std::size_t most_labels = 80;
 constexpr double least_cell = 3.0;
 constexpr double most_cells = 220.0;
 /// Lengths in units of the letters' size.
-constexpr double spacing_across_em = 1.3;      ///< from line to line
-constexpr double spacing_along_em = 16.0;      ///< between labels of one line
+constexpr double spacing_across_em = 1.3;   ///< from line to line
+constexpr double spacing_along_em = 16.0;   ///< between labels of one line
 constexpr double margin_em = 0.35;          ///< about a label
 constexpr double half_height_em = 0.5;      ///< of a label
 constexpr std::uint32_t ink = 0xFF1C1816U;  ///< as dark as lines are

@@ -1,5 +1,6 @@
-#include "engine/base/enum_names.hpp"
 #include "engine/scene/settings.hpp"
+
+#include "engine/base/enum_names.hpp"
 
 namespace zeroset {
 namespace {

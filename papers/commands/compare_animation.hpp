@@ -5,7 +5,8 @@
 
 namespace zeroset {
 
-/// `zeroset dev compare` of an animation: frames by one grid for several of them, and by one for each.
+/// `zeroset dev compare` of an animation: frames by one grid for several of them, and by one for
+/// each.
 int run_compare_animation(const CompareCommand& command, const PrintedAnimation& animation);
 
 }  // namespace zeroset
