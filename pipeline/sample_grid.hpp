@@ -8,9 +8,8 @@
 #include "engine/volume/samples.hpp"
 #include "pipeline/input_error.hpp"
 
-#include <cstdint>
-
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
