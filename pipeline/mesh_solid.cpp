@@ -9,8 +9,6 @@
 #include "jit/compile.hpp"
 #include "pipeline/sample_region.hpp"
 
-#include <algorithm>
-#include <thread>
 #include <utility>
 
 namespace zeroset {
@@ -19,18 +17,10 @@ namespace {
 // LLVM takes about 1 ms for a node; larger graphs are interpreted.
 constexpr std::size_t most_nodes_of_mesh_code = 3'000;
 
-KernelFunction<RangeBatchOf<double>> ranges_of(const Expr& expr) {
-    if (expr.nodes().size() <= most_nodes_of_mesh_code) {
-        if (auto code = jit::compile_ranges(expr)) return std::move(*code);
-    }
-    return interpret(expr).in_double.range;
-}
-
-KernelFunction<ValueBatchOf<double>> values_of(const Expr& expr) {
-    if (expr.nodes().size() <= most_nodes_of_mesh_code) {
-        if (auto code = jit::compile_values(expr)) return std::move(*code);
-    }
-    return interpret(expr).in_double.value;
+/// Functions in double, machine code from when it pays.
+Kernel quick_kernel(const Expr& expr) {
+    const bool small = expr.nodes().size() <= most_nodes_of_mesh_code;
+    return small ? jit::compile_when_called(expr) : interpret(expr);
 }
 
 SolidNode::Kind kind_of(ChoiceTree::Kind kind, double sign) {
@@ -69,17 +59,14 @@ std::uint32_t add_function(const Expr& f, double sign, MeshSolid& solid) {
 
 SolidPart solid_part(const Expr& f, const Box& clip) {
     SolidPart part;
+    const Kernel kernel = quick_kernel(f);
+    part.range = kernel.in_double.range;
+    part.value = kernel.in_double.value;
+    part.branches = kernel.branches;
     const std::array<Expr, 3> slopes = gradient_of(f);
-    {
-        const std::jthread other([&] {
-            part.range = ranges_of(f);
-            part.value = values_of(f);
-        });
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            part.gradient[axis] = ranges_of(tightened(slopes[axis], sample_region(clip)));
-    }
-    const Kernel plain = interpret(f);
-    part.branches = plain.branches;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        part.gradient[axis] =
+            quick_kernel(tightened(slopes[axis], sample_region(clip))).in_double.range;
     part.defined_everywhere = is_defined_everywhere(f);
     return part;
 }

@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t cells_of_task = 256;
 
-/// About how far a surface is from a triangle whose corners lie on it, within a cell of this edge
-/// in which its normal turns by `turn`: the curvature is turn / (half the diagonal), the triangle's
-/// circle has a radius of some 0.55 edges.
-double sagitta(double turn, double edge) { return 0.17 * turn * edge; }
+/// About how far a surface is from the lattice's triangles within a cell of this edge in which its
+/// normal turns by `turn`: the curvature is turn / (half the diagonal), the triangles' circles have
+/// a radius of some 0.4 edges. What is farther all the same is measured and divided later.
+double sagitta(double turn, double edge) { return 0.1 * turn * edge; }
 
 /// By how much normals of a part turn among values at a cell's corners and, the last, its middle.
 double turn_of(std::span<const SolidValue> values, std::uint32_t part) {

@@ -1,7 +1,7 @@
 #include "engine/mesh/collapsible_mesh.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -19,18 +19,39 @@ CollapsibleMesh::CollapsibleMesh(TriangleMesh mesh)
       stars_(mesh_.vertices.size()),
       dead_(mesh_.triangles.size()),
       alive_(mesh_.triangles.size()) {
+    std::vector<std::uint32_t> counts(mesh_.vertices.size());
+    for (const Triangle& triangle : mesh_.triangles) {
+        for (const std::uint32_t v : triangle)
+            ++counts[v];
+    }
+    for (std::size_t v = 0; v < counts.size(); ++v)
+        stars_[v].reserve(counts[v] + 4);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
         for (const std::uint32_t v : mesh_.triangles[t])
             stars_[v].push_back(t);
     }
 }
 
+std::size_t CollapsibleMesh::triangles() const {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): read, but atomic_ref takes no const
+    return std::atomic_ref(const_cast<std::size_t&>(alive_)).load(std::memory_order_relaxed);
+}
+
 void CollapsibleMesh::ring(std::uint32_t v, std::vector<std::uint32_t>& vertices) const {
     vertices.clear();
-    for (const std::uint32_t t : stars_[v]) {
-        for (const std::uint32_t other : mesh_.triangles[t]) {
-            if (other != v && std::ranges::find(vertices, other) == vertices.end())
-                vertices.push_back(other);
+    const std::vector<std::uint32_t>& star = stars_[v];
+    if (star.empty()) return;
+    const auto corner_of = [&](const Triangle& t) { return t[0] == v ? 0U : t[1] == v ? 1U : 2U; };
+    const Triangle& first = mesh_.triangles[star.front()];
+    std::uint32_t at = first[(corner_of(first) + 1) % 3];
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        vertices.push_back(at);
+        for (const std::uint32_t t : star) {
+            const Triangle& triangle = mesh_.triangles[t];
+            const std::uint32_t k = corner_of(triangle);
+            if (triangle[(k + 1) % 3] != at) continue;
+            at = triangle[(k + 2) % 3];
+            break;
         }
     }
 }
@@ -43,8 +64,8 @@ bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into) const
 
 bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into,
                                    std::span<const std::uint32_t> ring_of_from) const {
-    // A vertex beside both is in two triangles about `into`; the two triangles between them have
-    // two.
+    // A vertex beside both is in two triangles about `into`; the two triangles between the ends
+    // have two such vertices.
     int common = 0;
     for (const std::uint32_t t : stars_[into]) {
         for (const std::uint32_t v : mesh_.triangles[t]) {
@@ -53,45 +74,16 @@ bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into,
         }
     }
     if (common != 4) return false;
-    std::array<std::uint32_t, 2> both{};
-    std::size_t count = 0;
-    for (const std::uint32_t t : stars_[from]) {
-        const Triangle& triangle = mesh_.triangles[t];
-        if (!has(triangle, into)) continue;
-        if (count == both.size()) return false;
-        for (const std::uint32_t v : triangle) {
-            if (v != from && v != into) both.at(count) = v;
-        }
-        ++count;
-    }
-    if (count != both.size()) return false;
-    // The ends of the two triangles must not be joined by a triangle of each vertex: a tetrahedron.
-    const auto joined = [&](std::uint32_t v) {
-        return std::ranges::any_of(stars_[v], [&](std::uint32_t t) {
-            return has(mesh_.triangles[t], both[0]) && has(mesh_.triangles[t], both[1]);
-        });
-    };
-    return !(joined(from) && joined(into));
-}
-
-void CollapsibleMesh::changes(std::uint32_t from, std::uint32_t into,
-                              std::vector<Change>& changed) const {
-    changed.clear();
-    for (const std::uint32_t t : stars_[from]) {
-        const Triangle& before = mesh_.triangles[t];
-        if (has(before, into)) continue;
-        Change change{.before = before, .after = before};
-        std::ranges::replace(change.after, from, into);
-        changed.push_back(change);
-    }
+    // Where three triangles are about each of them, all belongs to a tetrahedron.
+    return stars_[from].size() > 3 || stars_[into].size() > 3;
 }
 
 void CollapsibleMesh::collapse(std::uint32_t from, std::uint32_t into) {
     for (const std::uint32_t t : std::exchange(stars_[from], {})) {
         Triangle& triangle = mesh_.triangles[t];
         if (has(triangle, into)) {
-            dead_[t] = true;
-            --alive_;
+            dead_[t] = 1;
+            std::atomic_ref(alive_).fetch_sub(1, std::memory_order_relaxed);
             for (const std::uint32_t v : triangle)
                 std::erase(stars_[v], t);
         } else {
@@ -99,6 +91,10 @@ void CollapsibleMesh::collapse(std::uint32_t from, std::uint32_t into) {
             stars_[into].push_back(t);
         }
     }
+}
+
+void CollapsibleMesh::raise_kind(std::uint32_t v, VertexKind kind) {
+    mesh_.vertices[v].kind = std::max(mesh_.vertices[v].kind, kind);
 }
 
 TriangleMesh CollapsibleMesh::finish() {
@@ -110,15 +106,11 @@ TriangleMesh CollapsibleMesh::finish() {
         result.vertices.push_back(mesh_.vertices[v]);
     }
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-        if (dead_[t]) continue;
+        if (dead_[t] != 0) continue;
         const Triangle& old = mesh_.triangles[t];
         result.triangles.push_back({numbers[old[0]], numbers[old[1]], numbers[old[2]]});
     }
     return result;
-}
-
-glm::dvec3 area_vector(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return glm::cross(b - a, c - a);
 }
 
 double shape_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

@@ -29,6 +29,11 @@ struct SolidValue {
 std::vector<SolidValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
                                  const MeshWork& work);
 
+/// The values at points, on this thread, in upward rounding; `values` has as many items as
+/// `points`.
+void field_here(const MeshSolid& solid, std::span<const glm::dvec3> points,
+                std::span<SolidValue> values);
+
 /// The part's or the cut's own value at a point, with the sign of its first leaf.
 struct PartPlace {
     std::uint32_t part;

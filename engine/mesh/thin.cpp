@@ -1,314 +1,277 @@
-#include "engine/mesh/collapsible_mesh.hpp"
 #include "engine/mesh/field_at_points.hpp"
 #include "engine/mesh/mesh_steps.hpp"
 #include "engine/mesh/parallel.hpp"
-#include "engine/real/unbounded.hpp"
+#include "engine/mesh/place_index.hpp"
+#include "engine/mesh/thinning.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
+
+// Edges are collapsed tile by tile: a thread has the vertices of one tile, and only those go into
+// neighbours whose whole rings lie in it, so that no thread waits for another. Then come tiles
+// that lie across the sides of the first ones, then the few vertices that are left.
 
 namespace zeroset {
 namespace {
 
-// The least shape of new triangles, unless the old ones were worse.
-constexpr double least_shape_kept = 0.15;
-// Normals of a new triangle and of its smooth vertices, of it and of the one before at features.
-constexpr double least_turn = 0.6;
-
-/// The sum of squared distances from planes, weighted by area.
-struct Quadric {
-    glm::dmat3 a{0.0};
-    glm::dvec3 b{0.0};
-    double c = 0.0;
-
-    void add_plane(const glm::dvec3& normal, const glm::dvec3& point, double weight) {
-        const double offset = glm::dot(normal, point);
-        a += weight * glm::outerProduct(normal, normal);
-        b -= weight * offset * normal;
-        c += weight * offset * offset;
-    }
-    void add(const Quadric& other) {
-        a += other.a;
-        b += other.b;
-        c += other.c;
-    }
-    [[nodiscard]] double at(const glm::dvec3& p) const {
-        return std::abs(glm::dot(p, a * p) + 2.0 * glm::dot(b, p) + c);
-    }
-};
-
-/// A vertex that may go into a neighbour.
-struct Move {
-    std::uint32_t from = 0, into = 0;
-    double cost = unbounded;
-};
-
-class Thinner {
+/// Vertices by the costs of their collapses, the cheapest first but for a quarter or so.
+class CostQueue {
 public:
-    Thinner(TriangleMesh mesh, const MeshSolid& solid, const ThinOptions& options);
-    TriangleMesh run();
+    CostQueue() : buckets_(std::size_t{1} << bits) {}
+
+    void push(std::uint32_t v, float cost) {
+        const std::size_t bucket = bucket_of(cost);
+        buckets_[bucket].push_back(v);
+        first_ = std::min(first_, bucket);
+        ++size_;
+    }
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+    std::uint32_t pop() {
+        while (buckets_[first_].empty())
+            ++first_;
+        const std::uint32_t v = buckets_[first_].back();
+        buckets_[first_].pop_back();
+        --size_;
+        return v;
+    }
+    /// Whether a cost is among the cheapest that are left, as far as the queue tells them apart.
+    [[nodiscard]] bool comes_now(float cost) const { return bucket_of(cost) <= first_; }
 
 private:
-    using Change = CollapsibleMesh::Change;
-
-    [[nodiscard]] Move best_move(std::uint32_t from) const;
-    [[nodiscard]] double cost_of(std::uint32_t from, std::uint32_t into) const;
-    [[nodiscard]] bool keeps_features(std::uint32_t from, std::uint32_t into) const;
-    [[nodiscard]] bool keeps_shape(const std::vector<Change>& changes) const;
-    [[nodiscard]] bool keeps_normals(const Change& change) const;
-    [[nodiscard]] bool is_crease(std::uint32_t a, std::uint32_t b) const;
-    [[nodiscard]] glm::dvec3 across(const Triangle& t) const {
-        return area_vector(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
+    static constexpr unsigned bits = 10;
+    /// Four for each doubling: of a float above 0 its exponent and first two bits.
+    static std::size_t bucket_of(float cost) {
+        return std::bit_cast<std::uint32_t>(std::max(cost, 0.0F)) >> (31U - bits);
     }
-    [[nodiscard]] double shape(const Triangle& t) const {
-        return shape_of(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
-    }
-    void find_moves();
-    [[nodiscard]] std::vector<Move> found_moves() const;
-    [[nodiscard]] std::vector<Move> independent(std::vector<Move> moves) const;
-    void add_samples(const Triangle& triangle, std::vector<glm::dvec3>& points) const;
-    std::size_t apply(const std::vector<Move>& moves);
-    void make(const Move& move);
 
-    CollapsibleMesh mesh_;
-    const MeshSolid& solid_;
-    ThinOptions options_;
-    std::vector<Quadric> quadrics_;
-    std::vector<float> detail_;          ///< the longest edge that was at a vertex
-    std::vector<Move> moves_;            ///< the best of each vertex, if there is one
-    std::vector<std::uint8_t> changed_;  ///< whether it is to be found anew
+    std::vector<std::vector<std::uint32_t>> buckets_;
+    std::size_t first_ = (std::size_t{1} << bits) - 1, size_ = 0;
 };
 
-Thinner::Thinner(TriangleMesh mesh, const MeshSolid& solid, const ThinOptions& options)
-    : mesh_(std::move(mesh)),
-      solid_(solid),
-      options_(options),
-      quadrics_(mesh_.size()),
-      detail_(mesh_.size(), std::numeric_limits<float>::max()),
-      moves_(mesh_.size()),
-      changed_(mesh_.size(), 1) {
-    for (std::uint32_t v = 0; v < mesh_.size(); ++v) {
-        double longest = 0.0;
-        for (const std::uint32_t t : mesh_.star(v)) {
-            const Triangle& triangle = mesh_.triangle(t);
-            const glm::dvec3 vector = across(triangle);
-            const double area = glm::length(vector);
-            if (area > 0) quadrics_[v].add_plane(vector / area, mesh_.point(triangle[0]), area);
-            for (const std::uint32_t other : triangle)
-                longest = std::max(longest, glm::distance(mesh_.point(v), mesh_.point(other)));
+/// The states of vertices, which tiles share.
+struct VertexStates {
+    explicit VertexStates(std::size_t count)
+        : costs(count), asked(count, 1), tiles(count), batches(count) {}
+
+    std::vector<float> costs;         ///< by which each waits in a queue
+    std::vector<std::uint8_t> asked;  ///< 0: cannot go anywhere, unless something changes beside it
+    std::vector<std::uint32_t> tiles;
+    /// The last batch with a candidate that changes the triangles there.
+    std::vector<std::uint32_t> batches;
+    std::atomic<std::uint32_t> next_batch = 1;
+};
+
+class TileThinner {
+public:
+    TileThinner(Thinning& thinning, const MeshSolid& solid, const ThinOptions& options,
+                VertexStates& states, std::uint32_t tile)
+        : thinning_(thinning), solid_(solid), options_(options), states_(states), tile_(tile) {}
+    void run(std::span<const std::uint32_t> vertices);
+
+private:
+    /// A collapse whose distance from the surface is to be measured.
+    struct Candidate {
+        Collapse collapse;
+        std::vector<Triangle> triangles;
+        std::size_t points_end = 0;  ///< of its points among all
+        double far = 0.0;            ///< the greatest distance from the surface so far
+    };
+
+    [[nodiscard]] bool is_done() const {
+        return options_.most_triangles > 0 &&
+               thinning_.mesh().triangles() <= options_.most_triangles;
+    }
+    [[nodiscard]] bool is_inner(std::uint32_t v);
+    void ask(std::uint32_t v);
+    void take(std::uint32_t v);
+    void fill_batch();
+    void measure(bool samples);
+    void make_batch();
+
+    Thinning& thinning_;
+    const MeshSolid& solid_;
+    const ThinOptions& options_;
+    VertexStates& states_;
+    std::uint32_t tile_;
+    CostQueue queue_;
+    std::vector<Candidate> batch_;
+    std::size_t count_ = 0;                 ///< of the batch's candidates
+    std::vector<std::uint32_t> put_aside_;  ///< beside a candidate of the batch
+    std::uint32_t number_ = 0;              ///< of the batch
+    std::vector<std::uint32_t> ring_;
+    std::vector<glm::dvec3> points_;
+    std::vector<SolidValue> values_;
+};
+
+bool TileThinner::is_inner(std::uint32_t v) {
+    thinning_.mesh().ring(v, ring_);
+    return std::ranges::all_of(ring_,
+                               [&](std::uint32_t other) { return states_.tiles[other] == tile_; });
+}
+
+void TileThinner::ask(std::uint32_t v) {
+    states_.asked[v] = 1;
+    states_.costs[v] = thinning_.least_cost(v);
+    queue_.push(v, states_.costs[v]);
+}
+
+/// Takes a vertex out of the queue: into the batch, back into the queue or aside.
+void TileThinner::take(std::uint32_t v) {
+    const CollapsibleMesh& mesh = thinning_.mesh();
+    if (states_.asked[v] == 0 || mesh.star(v).empty() || !queue_.comes_now(states_.costs[v]))
+        return;
+    if (!is_inner(v)) return;
+    const auto is_taken = [&](std::uint32_t other) { return states_.batches[other] == number_; };
+    if (is_taken(v) || std::ranges::any_of(ring_, is_taken)) return put_aside_.push_back(v);
+    const Collapse best = thinning_.best_collapse(v);
+    if (!best.exists()) {
+        states_.asked[v] = 0;
+        return;
+    }
+    if (!queue_.comes_now(best.cost)) {
+        states_.costs[v] = best.cost;
+        return queue_.push(v, best.cost);
+    }
+    for (const std::uint32_t other : ring_)
+        states_.batches[other] = number_;
+    states_.batches[v] = number_;
+    if (count_ == batch_.size()) batch_.emplace_back();
+    batch_[count_].collapse = best;
+    thinning_.new_triangles(best, batch_[count_].triangles);
+    ++count_;
+}
+
+void TileThinner::fill_batch() {
+    constexpr std::size_t most_candidates = 32;
+    count_ = 0;
+    number_ = states_.next_batch++;
+    while (count_ < most_candidates && put_aside_.size() < most_candidates && !queue_.empty())
+        take(queue_.pop());
+}
+
+/// Measures the candidates in the middles of new triangles and sides; where these are some way off,
+/// in samples, too.
+void TileThinner::measure(bool samples) {
+    constexpr double share_without_samples = 0.3;
+    points_.clear();
+    for (std::size_t i = 0; i < count_; ++i) {
+        Candidate& candidate = batch_[i];
+        if (!samples) {
+            candidate.far = 0.0;
+            thinning_.add_middles(candidate.triangles, candidate.collapse.into, points_);
+        } else if (candidate.far > share_without_samples * options_.tolerance &&
+                   candidate.far <= options_.tolerance) {
+            thinning_.add_samples(candidate.triangles, points_);
         }
-        detail_[v] = static_cast<float>(longest);
+        candidate.points_end = points_.size();
+    }
+    values_.resize(points_.size());
+    field_here(solid_, points_, values_);
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+        for (; i < batch_[k].points_end; ++i)
+            batch_[k].far = std::max(batch_[k].far, values_[i].distance());
     }
 }
 
-/// Whether the two triangles at an edge meet at an angle.
-bool Thinner::is_crease(std::uint32_t a, std::uint32_t b) const {
-    constexpr double bent = 0.94;
-    std::array<glm::dvec3, 2> normals{};
-    std::size_t count = 0;
-    for (const std::uint32_t t : mesh_.star(a)) {
-        const Triangle& triangle = mesh_.triangle(t);
-        if (count < 2 && std::ranges::find(triangle, b) != triangle.end())
-            normals[count++] = across(triangle);
-    }
-    const double sizes = glm::length(normals[0]) * glm::length(normals[1]);
-    return glm::dot(normals[0], normals[1]) < bent * sizes;
-}
-
-bool Thinner::keeps_features(std::uint32_t from, std::uint32_t into) const {
-    switch (mesh_.vertex(from).kind) {
-        case VertexKind::Smooth: return true;
-        case VertexKind::Corner: return false;
-        case VertexKind::Crease:
-            return mesh_.vertex(into).kind != VertexKind::Smooth && is_crease(from, into);
-    }
-    return false;
-}
-
-bool Thinner::keeps_normals(const Change& change) const {
-    const glm::dvec3 after = across(change.after);
-    const double area = glm::length(after);
-    bool smooth = true;
-    for (const std::uint32_t v : change.after) {
-        const MeshVertex& vertex = mesh_.vertex(v);
-        if (vertex.kind != VertexKind::Smooth || vertex.normal == glm::dvec3(0.0)) {
-            smooth = false;
-        } else if (glm::dot(vertex.normal, after) < least_turn * area) {
-            return false;
-        }
-    }
-    if (smooth) return true;
-    const glm::dvec3 before = across(change.before);
-    return glm::dot(before, after) >= least_turn * area * glm::length(before);
-}
-
-bool Thinner::keeps_shape(const std::vector<Change>& changes) const {
-    double before = 1.0;
-    double after = 1.0;
-    for (const Change& change : changes) {
-        before = std::min(before, shape(change.before));
-        after = std::min(after, shape(change.after));
-    }
-    return after > std::min(before, least_shape_kept);
-}
-
-double Thinner::cost_of(std::uint32_t from, std::uint32_t into) const {
-    const glm::dvec3 way = mesh_.point(into) - mesh_.point(from);
-    // Where all is flat, short edges go first.
-    constexpr double share_of_length = 1e-6;
-    const double length = glm::dot(way, way);
-    return quadrics_[from].at(mesh_.point(into)) + share_of_length * length * length;
-}
-
-Move Thinner::best_move(std::uint32_t from) const {
-    static thread_local std::vector<std::uint32_t> ring;
-    static thread_local std::vector<Move> moves;
-    static thread_local std::vector<Change> changes;
-    mesh_.ring(from, ring);
-    moves.clear();
-    for (const std::uint32_t into : ring)
-        moves.push_back({.from = from, .into = into, .cost = cost_of(from, into)});
-    std::ranges::sort(moves, {}, &Move::cost);
-    for (const Move& move : moves) {
-        if (!keeps_features(from, move.into) || !mesh_.may_collapse(from, move.into, ring))
+void TileThinner::make_batch() {
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Candidate& candidate = batch_[i];
+        const std::uint32_t from = candidate.collapse.from;
+        if (candidate.far > options_.tolerance || is_done()) {
+            states_.asked[from] = 0;
             continue;
-        mesh_.changes(from, move.into, changes);
-        const bool turned = !std::ranges::all_of(
-            changes, [&](const Change& change) { return keeps_normals(change); });
-        if (!turned && keeps_shape(changes)) return move;
-    }
-    return {};
-}
-
-void Thinner::find_moves() {
-    parallel_upward(mesh_.size(), 1024, options_.work, [&](std::size_t first, std::size_t last) {
-        if (options_.work.limit.over()) return;
-        for (std::size_t i = first; i < last; ++i) {
-            const auto v = static_cast<std::uint32_t>(i);
-            if (changed_[i] == 0) continue;
-            changed_[i] = 0;
-            moves_[i] = mesh_.star(v).empty() ? Move() : best_move(v);
         }
-    });
-}
-
-std::vector<Move> Thinner::found_moves() const {
-    std::vector<Move> found;
-    for (const Move& move : moves_) {
-        if (move.cost != unbounded) found.push_back(move);
+        thinning_.mesh().ring(from, ring_);
+        thinning_.make(candidate.collapse);
+        for (const std::uint32_t v : ring_)
+            ask(v);
     }
-    return found;
 }
 
-/// The cheapest moves whose triangles no other of them changes.
-std::vector<Move> Thinner::independent(std::vector<Move> moves) const {
-    std::ranges::sort(moves, {}, &Move::cost);
-    // The dearest of a pass would keep cheaper ones of the next from being made.
-    moves.resize((moves.size() + 1) / 2);
-    std::vector<bool> taken(mesh_.size());
-    std::vector<std::uint32_t> ring;
-    std::erase_if(moves, [&](const Move& move) {
-        mesh_.ring(move.from, ring);
-        ring.push_back(move.from);
-        if (std::ranges::any_of(ring, [&](std::uint32_t v) { return taken[v]; })) return true;
-        for (const std::uint32_t v : ring)
-            taken[v] = true;
-        return false;
-    });
-    return moves;
+void TileThinner::run(std::span<const std::uint32_t> vertices) {
+    for (const std::uint32_t v : vertices) {
+        if (states_.asked[v] != 0 && !thinning_.mesh().star(v).empty()) ask(v);
+    }
+    while (!queue_.empty() && !is_done() && !options_.work.limit.over()) {
+        fill_batch();
+        measure(false);
+        measure(true);
+        make_batch();
+        for (const std::uint32_t v : std::exchange(put_aside_, {}))
+            queue_.push(v, states_.costs[v]);
+    }
 }
 
-/// Points of a triangle, as close together as details were before.
-void Thinner::add_samples(const Triangle& triangle, std::vector<glm::dvec3>& points) const {
-    const glm::dvec3& a = mesh_.point(triangle[0]);
-    const glm::dvec3 ab = mesh_.point(triangle[1]) - a;
-    const glm::dvec3 ac = mesh_.point(triangle[2]) - a;
-    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-    double detail = unbounded;
-    for (const std::uint32_t v : triangle)
-        detail = std::min(detail, double{detail_[v]});
-    const double wanted = longest / std::max(detail, 0.02 * longest);
-    // An even number, so that the middles of the sides are among them.
-    const int parts = 2 * static_cast<int>(std::clamp(std::ceil(0.5 * wanted), 1.0, 6.0));
-    points.push_back(a + (ab + ac) / 3.0);
-    for (int i = 0; i <= parts; ++i) {
-        for (int k = 0; i + k <= parts; ++k) {
-            const bool corner = (i == 0 && k == 0) || i == parts || k == parts;
-            if (corner) continue;
-            points.push_back(a + (static_cast<double>(i) * ab + static_cast<double>(k) * ac) /
-                                     static_cast<double>(parts));
+/// Cubes of about this edge that hold the mesh, moved by a share of it; gives each vertex the
+/// number of its cube, and returns the vertices of each.
+std::vector<std::vector<std::uint32_t>> tiles_of(const CollapsibleMesh& mesh, double edge,
+                                                 double moved, std::vector<std::uint32_t>& tiles) {
+    KeyIndex cubes(64);
+    std::vector<std::vector<std::uint32_t>> members;
+    for (std::uint32_t v = 0; v < mesh.size(); ++v) {
+        const glm::dvec3 place = glm::floor(mesh.point(v) / edge + moved);
+        const auto part = [](double x) { return static_cast<std::uint64_t>(x + 0x1p20); };
+        tiles[v] = cubes.add(part(place.x) | part(place.y) << 21U | part(place.z) << 42U);
+        if (tiles[v] == members.size()) members.emplace_back();
+        members[tiles[v]].push_back(v);
+    }
+    return members;
+}
+
+/// The edge of tiles that hold about so many vertices each.
+double tile_edge(const CollapsibleMesh& mesh) {
+    constexpr double vertices_of_tile = 8'000;
+    double area = 0.0;
+    for (std::uint32_t v = 0; v < mesh.size(); ++v) {
+        for (const std::uint32_t t : mesh.star(v)) {
+            const Triangle& triangle = mesh.triangle(t);
+            area += glm::length(area_vector(mesh.point(triangle[0]), mesh.point(triangle[1]),
+                                            mesh.point(triangle[2]))) /
+                    6.0;
         }
     }
-}
-
-void Thinner::make(const Move& move) {
-    static thread_local std::vector<std::uint32_t> ring;
-    static thread_local std::vector<std::uint32_t> beyond;
-    mesh_.ring(move.from, ring);
-    for (const std::uint32_t v : ring) {
-        changed_[v] = 1;
-        // Whether these may go into v depends on what is about v.
-        mesh_.ring(v, beyond);
-        for (const std::uint32_t other : beyond) {
-            if (moves_[other].cost != unbounded && moves_[other].into == v) changed_[other] = 1;
-        }
-    }
-    quadrics_[move.into].add(quadrics_[move.from]);
-    detail_[move.into] = std::min(detail_[move.into], detail_[move.from]);
-    mesh_.collapse(move.from, move.into);
-    moves_[move.from] = {};
-}
-
-/// Makes the moves whose new triangles keep the tolerance; returns how many these are.
-std::size_t Thinner::apply(const std::vector<Move>& moves) {
-    std::vector<glm::dvec3> points;
-    std::vector<std::size_t> ends;
-    std::vector<Change> changes;
-    for (const Move& move : moves) {
-        mesh_.changes(move.from, move.into, changes);
-        for (const Change& change : changes)
-            add_samples(change.after, points);
-        ends.push_back(points.size());
-    }
-    const std::vector<SolidValue> values = field_at(solid_, points, options_.work);
-    std::size_t made = 0;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        const auto own = std::span(values).subspan(first, ends[i] - first);
-        first = ends[i];
-        const bool near = std::ranges::all_of(
-            own, [&](const SolidValue& value) { return value.distance() <= options_.tolerance; });
-        if (near && (options_.most_triangles == 0 || mesh_.triangles() > options_.most_triangles)) {
-            make(moves[i]);
-            ++made;
-        } else {
-            moves_[moves[i].from] = {};
-        }
-    }
-    return made;
-}
-
-TriangleMesh Thinner::run() {
-    constexpr int most_passes = 200;
-    constexpr std::size_t few = 2'000;  // a part in so many of the vertices is not worth a pass
-    for (int pass = 0; pass < most_passes && !options_.work.limit.over(); ++pass) {
-        find_moves();
-        std::vector<Move> moves = found_moves();
-        if (moves.empty()) break;
-        const std::size_t made = apply(independent(std::move(moves)));
-        if (options_.most_triangles > 0 && mesh_.triangles() <= options_.most_triangles) break;
-        if (pass > 20 && made < mesh_.triangles() / few) break;
-    }
-    return mesh_.finish();
+    return std::sqrt(area * vertices_of_tile / static_cast<double>(mesh.size()));
 }
 
 }  // namespace
 
 void thin(TriangleMesh& mesh, const MeshSolid& solid, const ThinOptions& options) {
-    mesh = Thinner(std::move(mesh), solid, options).run();
+    if (mesh.triangles.empty()) return;
+    Thinning thinning(std::move(mesh), options.tolerance);
+    VertexStates states(thinning.mesh().size());
+    const auto thin_tiles = [&](const std::vector<std::vector<std::uint32_t>>& tiles) {
+        parallel_upward(tiles.size(), 1, options.work, [&](std::size_t tile, std::size_t) {
+            TileThinner(thinning, solid, options, states, static_cast<std::uint32_t>(tile))
+                .run(tiles[tile]);
+        });
+    };
+    // Where the number of triangles ends the work, the cheapest of all must come first.
+    if (options.most_triangles == 0) {
+        const double edge = tile_edge(thinning.mesh());
+        for (const double moved : {0.0, 0.5})
+            thin_tiles(tiles_of(thinning.mesh(), edge, moved, states.tiles));
+    }
+    std::ranges::fill(states.tiles, 0U);
+    std::vector<std::vector<std::uint32_t>> all(1);
+    all[0].resize(thinning.mesh().size());
+    std::iota(all[0].begin(), all[0].end(), 0U);
+    thin_tiles(all);
+    // A vertex that could go nowhere is asked again only where its ring changes, but what is beyond
+    // that counts, too.
+    constexpr int most_rounds = 4;
+    std::size_t before = 0;
+    for (int round = 0; round < most_rounds && before != thinning.mesh().triangles(); ++round) {
+        before = thinning.mesh().triangles();
+        std::ranges::fill(states.asked, std::uint8_t{1});
+        thin_tiles(all);
+    }
+    mesh = thinning.finish();
 }
 
 }  // namespace zeroset
