@@ -1,7 +1,5 @@
 #include "engine/mesh/contour.hpp"
 
-#include "engine/mesh/mesh_facts.hpp"
-
 #include <array>
 #include <utility>
 
@@ -119,10 +117,14 @@ Contour Marcher::finish(const MeshSolid& solid, const MeshWork& work) {
 
 }  // namespace
 
-std::size_t contour_complexity(const Lattice& lattice) {
+MeshFacts contour_facts(const Lattice& lattice) {
     Marcher marcher(lattice);
     marcher.march();
-    const MeshFacts facts = facts_of(marcher.finish_without_roots());
+    return facts_of(marcher.finish_without_roots());
+}
+
+std::size_t contour_complexity(const Lattice& lattice) {
+    const MeshFacts facts = contour_facts(lattice);
     return facts.components + static_cast<std::size_t>(facts.genus());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/mesh_facts.hpp"
 #include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
@@ -30,6 +31,8 @@ Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshW
 
 /// How many components and handles the contour has, all together.
 std::size_t contour_complexity(const Lattice& lattice);
+/// The contour's counts.
+MeshFacts contour_facts(const Lattice& lattice);
 
 /// Roots of the solid's function between points inside and outside, by Newton's method within
 /// brackets; where it jumps, the place of the jump. Those that are left when the time is over are

@@ -41,8 +41,10 @@ std::vector<FeatureSide> sides_of(const std::vector<const MeshVertex*>& vertices
             return glm::dot(side.normal, vertex->normal) > same_side;
         });
         if (!known) {
-            sides.push_back(
-                {.base = vertex->point, .point = vertex->point, .normal = vertex->normal});
+            sides.push_back({.base = vertex->point,
+                             .point = vertex->point,
+                             .normal = vertex->normal,
+                             .part = vertex->part});
         }
     }
     return sides;

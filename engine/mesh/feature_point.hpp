@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace zeroset {
 struct FeatureSide {
     glm::dvec3 base{0.0};                ///< a vertex on this side
     glm::dvec3 point{0.0}, normal{0.0};  ///< of the plane
+    std::uint32_t part = 0;              ///< SolidValue::part at the base
 };
 
 /// Sides of vertices: each with a normal that turns from the others' by more than an angle.

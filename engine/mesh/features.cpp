@@ -43,6 +43,7 @@ private:
     void find_corners();
     void find_corner(std::uint32_t cell, std::span<const std::uint32_t> pieces);
     void approach(double share);
+    void settle();
     void accept(Piece& piece) const;
     void fan(const Piece& piece);
     void turn_sides();
@@ -149,6 +150,32 @@ void FeatureMaker::approach(double share) {
     }
 }
 
+/// Brings features onto the parts that meet there: where a side's plane was taken too far away,
+/// they are not there yet.
+void FeatureMaker::settle() {
+    std::vector<PartsMeeting> places;
+    std::vector<Piece*> pieces;
+    for (Piece& piece : pieces_) {
+        if (!piece.feature) continue;
+        std::vector<std::uint32_t> parts;
+        for (const FeatureSide& side : piece.sides)
+            parts.push_back(side.part);
+        std::ranges::sort(parts);
+        if (std::ranges::adjacent_find(parts) != parts.end()) continue;
+        places.push_back({.parts = std::move(parts), .point = *piece.feature});
+        pieces.push_back(&piece);
+    }
+    approach_meetings(solid_, places);
+    std::vector<glm::dvec3> points;
+    for (const PartsMeeting& place : places)
+        points.push_back(place.point);
+    const std::vector<SolidValue> values = field_at(solid_, points, work_);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const bool near = glm::distance(points[i], *pieces[i]->feature) < 0.5 * pieces[i]->edge;
+        if (near && values[i].distance() < 1e-6 * lattice_.step) pieces[i]->feature = points[i];
+    }
+}
+
 /// Drops a feature that has left the piece's surroundings.
 void FeatureMaker::accept(Piece& piece) const {
     const double reach = 1.2 * piece.edge;
@@ -222,6 +249,7 @@ void FeatureMaker::make() {
     }
     for (const double share : {0.5, 0.25, 0.05, 0.01, 0.002})
         approach(share);
+    settle();
     first_tip_ = contour_.mesh.vertices.size();
     for (const Piece& piece : pieces_) {
         if (piece.feature) fan(piece);

@@ -27,7 +27,7 @@ public:
         for (int i = 0; i < rings; ++i)
             want_neighbours();
     }
-    void split();
+    bool split();
 
 private:
     void want_neighbours();
@@ -224,9 +224,9 @@ void KinkSplitter::find_levels(std::size_t first) {
     }
 }
 
-void KinkSplitter::split() {
+bool KinkSplitter::split() {
     find_edges();
-    if (edges_.keys().empty()) return;
+    if (edges_.keys().empty()) return false;
     const std::size_t first = lattice_.vertices.size();
     find_changes();
     result_.reserve(lattice_.tetrahedra.size());
@@ -234,13 +234,14 @@ void KinkSplitter::split() {
         split_tetrahedron(tetrahedron);
     lattice_.tetrahedra = std::move(result_);
     find_levels(first);
+    return true;
 }
 
 }  // namespace
 
-void split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices, int rings,
+bool split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices, int rings,
                     Lattice& lattice, const MeshWork& work) {
-    KinkSplitter(solid, vertices, rings, lattice, work).split();
+    return KinkSplitter(solid, vertices, rings, lattice, work).split();
 }
 
 }  // namespace zeroset

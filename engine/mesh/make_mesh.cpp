@@ -4,6 +4,7 @@
 #include "engine/mesh/contour.hpp"
 #include "engine/mesh/lattice.hpp"
 #include "engine/mesh/mesh_steps.hpp"
+#include "engine/mesh/parts_apart.hpp"
 #include "engine/mesh/star_proof.hpp"
 #include "engine/real/rounding.hpp"
 
@@ -57,6 +58,7 @@ private:
     }
     void prove();
     void prove_locally(std::vector<std::uint32_t> cells);
+    void divide_at_kinks();
     void contour();
     bool divide_coarse();
     std::vector<std::uint32_t> wanted_finer();
@@ -132,20 +134,29 @@ void MeshMaker::prove() {
         prove_locally(std::move(cells));
     }
     if (proof_.failed.empty() || proving_.limit.over()) return;
+    divide_at_kinks();
+    if (proof_.unknown.empty()) return;
+    if (simplify_unproved(tree_, proof_.unknown, proof_.failed, lattice_, proving_))
+        proof_ = prove_stars(tree_, lattice_, proving_);
+}
+
+void MeshMaker::divide_at_kinks() {
     // The solid has neither pieces nor handles at its edges: what one lattice has more is false.
-    std::size_t least = contour_complexity(lattice_);
-    std::optional<Lattice> best;
+    std::optional<std::size_t> least;
+    const std::vector<std::uint32_t> failed = proof_.failed;
+    const Lattice whole = lattice_;
     for (const int rings : {0, 3}) {
-        Lattice divided = lattice_;
-        split_at_kinks(solid_, proof_.failed, rings, divided, proving_);
+        Lattice divided = whole;
+        if (!split_at_kinks(solid_, failed, rings, divided, proving_)) continue;
+        if (!least) least = contour_complexity(whole);
         const std::size_t complexity = contour_complexity(divided);
-        if (complexity > least || (best && complexity == least)) continue;
+        if (complexity > least) continue;
+        StarProof proof = prove_stars(tree_, divided, proving_);
+        if (complexity == least && proof.failed.size() >= proof_.failed.size()) continue;
         least = complexity;
-        best = std::move(divided);
+        lattice_ = std::move(divided);
+        proof_ = std::move(proof);
     }
-    if (!best) return;
-    lattice_ = std::move(*best);
-    proof_ = prove_stars(tree_, lattice_, proving_);
 }
 
 void MeshMaker::contour() {
@@ -155,6 +166,7 @@ void MeshMaker::contour() {
     const std::size_t vertices = contour_.mesh.vertices.size();
     sharpen_creases(solid_, lattice_.step, contour_, contouring_);
     add_features(tree_, lattice_, solid_, contour_, contouring_);
+    split_creased_sides(solid_, lattice_.step, contour_, contouring_);
     report_.unchanged = contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
 }
 
@@ -245,6 +257,8 @@ void MeshMaker::thin_mesh() {
 /// Measures how far the mesh is from the surface.
 void MeshMaker::measure() {
     const std::vector<float> far = deviations(solid_, contour_.mesh, work_);
+    for (const MeshVertex& vertex : contour_.mesh.vertices)
+        report_.deviation = std::max(report_.deviation, double{vertex.error});
     for (std::size_t i = 0; i < far.size(); ++i) {
         report_.deviation = std::max(report_.deviation, double{far[i]});
         for (const std::uint32_t v : contour_.mesh.triangles[i]) {
@@ -258,7 +272,15 @@ void MeshMaker::measure() {
 
 MadeMesh make_mesh(const MeshSolid& solid, const MeshOptions& options) {
     const UpwardRegisters upward;
-    return MeshMaker(solid, options).make();
+    const auto make = [](const MeshSolid& of, const MeshOptions& how) {
+        return MeshMaker(of, how).make();
+    };
+    if (options.most_triangles == 0 && options.thin) {
+        if (const auto gap = gap_between_parts(solid, fifths_of(options, 1))) {
+            if (auto made = mesh_of_parts(solid, options, *gap, make)) return std::move(*made);
+        }
+    }
+    return make(solid, options);
 }
 
 }  // namespace zeroset

@@ -12,15 +12,18 @@ namespace {
 /// Groups of vertices that triangles join.
 class Groups {
 public:
-    explicit Groups(std::size_t count) : parents_(count) {
+    explicit Groups(const TriangleMesh& mesh) : parents_(mesh.vertices.size()) {
         std::iota(parents_.begin(), parents_.end(), 0U);
+        for (const Triangle& t : mesh.triangles) {
+            join(t[0], t[1]);
+            join(t[1], t[2]);
+        }
     }
     std::uint32_t root(std::uint32_t v) {
         while (parents_[v] != v)
             v = parents_[v] = parents_[parents_[v]];
         return v;
     }
-    void join(std::uint32_t a, std::uint32_t b) { parents_[root(a)] = root(b); }
     [[nodiscard]] std::size_t count() const {
         std::size_t roots = 0;
         for (std::uint32_t v = 0; v < parents_.size(); ++v)
@@ -29,6 +32,8 @@ public:
     }
 
 private:
+    void join(std::uint32_t a, std::uint32_t b) { parents_[root(a)] = root(b); }
+
     std::vector<std::uint32_t> parents_;
 };
 
@@ -70,14 +75,17 @@ void measure(const TriangleMesh& mesh, MeshFacts& facts) {
 MeshFacts facts_of(const TriangleMesh& mesh) {
     MeshFacts facts{.vertices = mesh.vertices.size(), .triangles = mesh.triangles.size()};
     count_edges(mesh, facts);
-    Groups groups(mesh.vertices.size());
-    for (const Triangle& t : mesh.triangles) {
-        groups.join(t[0], t[1]);
-        groups.join(t[1], t[2]);
-    }
-    facts.components = groups.count();
+    facts.components = Groups(mesh).count();
     measure(mesh, facts);
     return facts;
+}
+
+std::vector<std::uint32_t> components_of(const TriangleMesh& mesh) {
+    Groups groups(mesh);
+    std::vector<std::uint32_t> components(mesh.vertices.size());
+    for (std::uint32_t v = 0; v < components.size(); ++v)
+        components[v] = groups.root(v);
+    return components;
 }
 
 }  // namespace zeroset

@@ -4,6 +4,8 @@
 #include "engine/view/box.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace zeroset {
 
@@ -27,5 +29,8 @@ struct MeshFacts {
 };
 
 MeshFacts facts_of(const TriangleMesh& mesh);
+
+/// One of the vertices of each vertex's component, the same one for all of it.
+std::vector<std::uint32_t> components_of(const TriangleMesh& mesh);
 
 }  // namespace zeroset

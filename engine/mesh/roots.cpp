@@ -65,6 +65,33 @@ void step_all(const MeshSolid& solid, const std::vector<CrossedEdge>& brackets,
     searches.resize(kept);
 }
 
+/// Where a search ended at an end of its edge, and the surface is not there, there is no root, as
+/// where simplify_unproved turned a vertex: such places go to the edge's middle.
+void settle_rootless(const MeshSolid& solid, const std::vector<CrossedEdge>& brackets,
+                     std::vector<SolidValue>& values, std::vector<glm::dvec3>& points,
+                     const MeshWork& work) {
+    std::vector<std::size_t> rootless;
+    std::vector<glm::dvec3> middles;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const CrossedEdge& edge = brackets[i];
+        const double near = 2 * apart * glm::distance(edge.inside, edge.outside);
+        const bool at_end = std::min(glm::distance(points[i], edge.inside),
+                                     glm::distance(points[i], edge.outside)) < near;
+        if (!at_end || values[i].distance() <= near) continue;
+        rootless.push_back(i);
+        middles.push_back(point_at(edge, 0.5));
+    }
+    const std::vector<SolidValue> there = field_at(solid, middles, work);
+    for (std::size_t k = 0; k < rootless.size(); ++k) {
+        const CrossedEdge& edge = brackets[rootless[k]];
+        points[rootless[k]] = middles[k];
+        values[rootless[k]] = there[k];
+        // f and its gradient there tell nothing of the mesh; the surface is in one of these cells.
+        values[rootless[k]].level = glm::distance(edge.inside, edge.outside);
+        values[rootless[k]].normal = glm::dvec3(0.0);
+    }
+}
+
 MeshVertex vertex_at(const glm::dvec3& point, const SolidValue& value) {
     return {.point = point,
             .normal = value.normal,
@@ -86,7 +113,8 @@ std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<Cro
     std::vector<glm::dvec3> points(brackets.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = point_at(brackets[i], places[i]);
-    const std::vector<SolidValue> values = field_at(solid, points, work);
+    std::vector<SolidValue> values = field_at(solid, points, work);
+    settle_rootless(solid, brackets, values, points, work);
     std::vector<MeshVertex> vertices(brackets.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         vertices[i] = vertex_at(points[i], values[i]);

@@ -87,12 +87,16 @@ Rise Prover::rise(std::size_t vertex) const {
     static thread_local std::vector<GradientBox> gradients;
     cells.clear();
     gradients.clear();
+    bool kinked = false;
     for (const std::uint32_t id : stars_.of(vertex)) {
-        const auto& own = lattice_.tetrahedra[id].cells;
-        cells.insert(cells.end(), own.begin(), own.end());
+        const Tetrahedron& tetrahedron = lattice_.tetrahedra[id];
+        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
+        // Tetrahedra of split_at_kinks may be too flat.
+        kinked = kinked || std::ranges::any_of(tetrahedron.vertices, [&](std::uint32_t v) {
+                     return lattice_.vertices[v].is_kink();
+                 });
     }
     keep_each_once(cells);
-    bool kinked = false;
     for (const std::uint32_t cell : cells) {
         const BoxFacts& facts = tree_[cell].facts;
         if (facts.side != BoxSide::Unknown) continue;

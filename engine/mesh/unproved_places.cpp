@@ -13,23 +13,12 @@ public:
         : tree_(tree), left_(cells.begin(), cells.end()) {}
 
     [[nodiscard]] bool empty() const { return left_.empty(); }
-    UnprovedPlace take_group() {
-        std::vector<std::uint32_t> open{*left_.begin()};
+    std::vector<std::uint32_t> take_group() {
+        std::vector<std::uint32_t> group{*left_.begin()};
         left_.erase(left_.begin());
-        UnprovedPlace place;
-        const Box first = tree_.box(tree_[open.front()]);
-        Box box = first;
-        while (!open.empty()) {
-            const std::uint32_t id = open.back();
-            open.pop_back();
-            const Box own = tree_.box(tree_[id]);
-            box = {.lo = glm::min(box.lo, own.lo), .hi = glm::max(box.hi, own.hi)};
-            ++place.cells;
-            add_neighbours(id, open);
-        }
-        place.cell = first.centre();
-        place.reach = 0.5 * box.size();
-        return place;
+        for (std::size_t i = 0; i < group.size(); ++i)
+            add_neighbours(group[i], group);
+        return group;
     }
 
 private:
@@ -51,15 +40,33 @@ private:
     std::unordered_set<std::uint32_t> left_;
 };
 
+UnprovedPlace place_of(const CellTree& tree, std::span<const std::uint32_t> group) {
+    const Box first = tree.box(tree[group.front()]);
+    Box box = first;
+    for (const std::uint32_t id : group) {
+        const Box own = tree.box(tree[id]);
+        box = {.lo = glm::min(box.lo, own.lo), .hi = glm::max(box.hi, own.hi)};
+    }
+    return {.cell = first.centre(), .reach = 0.5 * box.size(), .cells = group.size()};
+}
+
 }  // namespace
+
+std::vector<std::vector<std::uint32_t>> groups_of(const CellTree& tree,
+                                                  std::span<const std::uint32_t> cells) {
+    std::vector<std::vector<std::uint32_t>> groups;
+    Flood flood(tree, cells);
+    while (!flood.empty())
+        groups.push_back(flood.take_group());
+    std::ranges::sort(groups, std::ranges::greater(), &std::vector<std::uint32_t>::size);
+    return groups;
+}
 
 std::vector<UnprovedPlace> unproved_places(const CellTree& tree,
                                            std::span<const std::uint32_t> cells) {
     std::vector<UnprovedPlace> places;
-    Flood flood(tree, cells);
-    while (!flood.empty())
-        places.push_back(flood.take_group());
-    std::ranges::sort(places, std::ranges::greater(), &UnprovedPlace::cells);
+    for (const std::vector<std::uint32_t>& group : groups_of(tree, cells))
+        places.push_back(place_of(tree, group));
     return places;
 }
 
