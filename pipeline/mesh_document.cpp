@@ -23,6 +23,13 @@ TimeLimit share_of(const TimeLimit& limit, std::size_t parts) {
             .until = now + (limit.until - now) / static_cast<Clock::rep>(parts)};
 }
 
+/// The limit of a mesh, so that something is left for its measures and its file.
+TimeLimit before_measuring(const TimeLimit& limit) {
+    if (limit.until == TimeLimit::never) return limit;
+    const auto now = Clock::now();
+    return {.cancel = limit.cancel, .until = now + (limit.until - now) / 8 * 7};
+}
+
 std::string place_text(const UnprovedPlace& place) {
     return short_number(place.cell.x, 4) + "," + short_number(place.cell.y, 4) + "," +
            short_number(place.cell.z, 4);
@@ -53,6 +60,7 @@ public:
 
 private:
     std::optional<InputError> make_walls(double size);
+    void make_numbers_different();
     void measure(const TriangleMesh& mesh, SurfaceMesh& surface) const;
     [[nodiscard]] MeshOptions options(std::size_t left) const {
         return {.tolerance = result_.tolerance,
@@ -60,7 +68,7 @@ private:
                 .most_triangles = settings_.most_triangles,
                 .thin = settings_.thin,
                 .threads = settings_.threads,
-                .limit = share_of(settings_.limit, left),
+                .limit = before_measuring(share_of(settings_.limit, left)),
                 .on_stage = settings_.on_stage};
     }
 
@@ -112,7 +120,28 @@ OrInputError<DocumentMeshes> DocumentMesher::finish() {
     if (settings_.wall_mm) {
         if (auto wrong = make_walls(all.size())) return std::unexpected(*wrong);
     }
+    make_numbers_different();
     return std::move(result_);
+}
+
+/// Makes the meshes those that readers of any file get.
+void DocumentMesher::make_numbers_different() {
+    std::vector<double> scales;
+    for (const double unit : mesh_file_units)
+        scales.push_back(unit * result_.file.mm_per_unit);
+    for (std::size_t i = 0; i < result_.surfaces.size(); ++i) {
+        MeshObject& object = result_.file.objects[i];
+        const std::size_t before = object.mesh.vertices.size();
+        const auto left = zeroset::make_numbers_different(object.mesh, scales);
+        result_.surfaces[i].facts = facts_of(object.mesh);
+        if (left.size() == before) continue;
+        result_.surfaces[i].report.unchanged = false;
+        if (object.colors.empty()) continue;
+        std::vector<MeshColor> colors;
+        for (const std::uint32_t v : left)
+            colors.push_back(object.colors[v]);
+        object.colors = std::move(colors);
+    }
 }
 
 /// Makes the surfaces walls, whose longest edge, with the wall, is of the size asked for.
@@ -163,12 +192,23 @@ std::string proof_line(const MeshReport& report) {
         report.places);
 }
 
+bool misses_tolerance(const MeshReport& report) {
+    constexpr double measuring = 1.01;
+    constexpr double unknown = 1e20;
+    return report.deviation > measuring * report.tolerance && report.deviation < unknown;
+}
+
 std::vector<std::string> limit_lines(const MeshReport& report, const std::string& more_time) {
     std::vector<std::string> lines;
     if (report.dense) {
         lines.push_back(filled(tr("f is not enclosed closely enough along its surface: cells there "
                                   "are left unproved at a size of some {0}"),
                                {short_number(report.smallest_cell, 2)}));
+    }
+    if (misses_tolerance(report)) {
+        lines.push_back(filled(
+            tr("triangles are up to {0} away from the surface, more than the tolerance of {1}"),
+            {short_number(report.deviation, 3), short_number(report.tolerance, 3)}));
     }
     if (report.cut)
         lines.push_back(filled(

@@ -64,6 +64,10 @@ std::string nothing_found(const DocumentMeshes& meshes);
 /// One line on what of a surface's topology is proved.
 std::string proof_line(const MeshReport& report);
 
+/// Whether triangles were measured to be farther from the surface than the tolerance; where f jumps
+/// or is not defined, that is not known.
+bool misses_tolerance(const MeshReport& report);
+
 /// The limits that ended the work on a surface before it was done, one line for each; `more_time`:
 /// how to give it more of it.
 std::vector<std::string> limit_lines(const MeshReport& report, const std::string& more_time);

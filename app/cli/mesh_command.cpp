@@ -11,6 +11,7 @@
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/prepare.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -190,9 +191,13 @@ int run_mesh(const MeshCommand& command) {
     if (!written) return report_run_time(written.error());
     if (command.stats != "-") std::cout << mesh_text(command.output, *meshes);
     std::cerr << mesh_warnings(*meshes, budget_s);
-    if (!command.stats) return exit_ok;
-    const auto stats = write_text(*command.stats, mesh_stats(*meshes, ms_since(start)) + "\n");
-    return stats ? exit_ok : report_run_time(stats.error().message);
+    if (command.stats) {
+        const auto stats = write_text(*command.stats, mesh_stats(*meshes, ms_since(start)) + "\n");
+        if (!stats) return report_run_time(stats.error().message);
+    }
+    const bool inexact = std::ranges::any_of(
+        meshes->surfaces, [](const SurfaceMesh& mesh) { return misses_tolerance(mesh.report); });
+    return inexact ? exit_inexact : exit_ok;
 }
 
 }  // namespace zeroset

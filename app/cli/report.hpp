@@ -13,6 +13,7 @@ namespace zeroset {
 inline constexpr int exit_ok = 0;
 inline constexpr int exit_run_time = 1;
 inline constexpr int exit_wrong_input = 2;
+inline constexpr int exit_inexact = 3;  ///< all was written, but not as exactly as was asked
 
 /// Prints the error and returns its exit code.
 int report(const InputError& error);

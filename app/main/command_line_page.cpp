@@ -23,8 +23,9 @@ Zeroset wrote the session in it, `-` reads it from standard input, and files of 
 ([import.md](import.md)). How equations are typed: [language.md](language.md).
 
 **Exit codes**: 0; 2 for what was typed wrong (one line with the reason, a caret under the place in a formula); 1 for
-what went wrong at run time, or was ended by a signal. Files are written beside their place and renamed: they are whole
-or untouched. On a terminal a line shows how far it is after a second; Ctrl+C and SIGTERM end it at once.
+what went wrong at run time, or was ended by a signal; 3 of `mesh` for a file that was written but is farther from the
+surface than the tolerance, as stderr says. Files are written beside their place and renamed: they are whole or untouched.
+On a terminal a line shows how far it is after a second; Ctrl+C and SIGTERM end it at once.
 )";
 
 /// An option of the same names and meaning in one or more subcommands.

@@ -7,9 +7,12 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 // Changes and measures of finished triangles. Each has a source of its own.
 
@@ -22,6 +25,12 @@ void keep_surface(TriangleMesh& mesh, const MeshSolid& solid);
 /// Takes out vertices that no triangle has.
 void drop_unused(TriangleMesh& mesh);
 
+/// Makes no two vertices have the same numbers in a file of 32-bit numbers, `scales` of them to a
+/// unit, so that the mesh stays closed for readers that join equal points. Moves vertices by some
+/// last digits of these numbers at most. Returns which vertices are left, in their order.
+std::vector<std::uint32_t> make_numbers_different(TriangleMesh& mesh,
+                                                  std::span<const double> scales);
+
 /// The thinnest place that was found in a closed mesh.
 struct SmallestWall {
     double thickness = 0.0;  ///< world units
@@ -33,7 +42,7 @@ struct SmallestWall {
 /// where that way leaves the solid; a wall is there if the side met faces the other way within 60
 /// degrees. So edges of less than 60 degrees have no thickness, and walls between the places that
 /// are asked may be thinner, by what they change from one triangle to the next. Nothing: there is
-/// no such place.
+/// no such place, or the time did not suffice.
 std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWork& work);
 
 /// A closed mesh of all points that are at most half of `thickness` from an open or closed surface

@@ -115,9 +115,15 @@ void keep_surface(TriangleMesh& mesh, const MeshSolid& solid) {
             wanted[i] = part < solid.surface_parts;
         }
     }
+    // A triangle across the surface's end has a vertex beyond it.
+    const auto is_beyond = [&](std::uint32_t v) {
+        const MeshVertex& vertex = mesh.vertices[v];
+        return vertex.kind == VertexKind::Smooth && vertex.part >= solid.surface_parts;
+    };
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (wanted[i]) mesh.triangles[kept++] = mesh.triangles[i];
+        if (wanted[i] && std::ranges::none_of(mesh.triangles[i], is_beyond))
+            mesh.triangles[kept++] = mesh.triangles[i];
     }
     mesh.triangles.resize(kept);
     while (drop_lesser_fans(mesh)) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <vector>
 
 namespace zeroset {
@@ -58,15 +59,20 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
 }  // namespace
 
 std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWork& work) {
-    const TriangleTree tree(mesh);
     const std::size_t count = mesh.triangles.size();
+    // Beginning the tree takes about so long for a triangle, and cannot be ended.
+    constexpr std::chrono::nanoseconds of_tree(500);
+    if (work.limit.until - TimeLimit::Clock::now() < count * of_tree) return std::nullopt;
+    const TriangleTree tree(mesh);
     const std::size_t every = (count + most_triangles - 1) / most_triangles;
     const std::size_t asked = count == 0 ? 0 : (count + every - 1) / every;
     std::vector<SmallestWall> found(asked);
-    parallel_upward(asked, 512, work, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
+    parallel_upward(asked, 64, work, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last && !work.limit.over(); ++i)
             found[i] = behind(mesh, tree, static_cast<std::uint32_t>(i * every));
     });
+    // Another place might have a thinner one.
+    if (work.limit.over()) return std::nullopt;
     SmallestWall least{.thickness = unbounded};
     for (const SmallestWall& wall : found) {
         const std::size_t places_before = least.places;

@@ -3,6 +3,7 @@
 #include "engine/mesh/finished_mesh.hpp"
 #include "engine/mesh/place_index.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -29,14 +30,39 @@ std::vector<glm::dvec3> points_of(const TriangleMesh& mesh) {
     return points;
 }
 
+/// The sums of what triangles give their corners: those with a smooth vertex alone, as the
+/// direction of one between vertices of edges may be that of what ends the surface; for corners
+/// without such triangles what their neighbours have, or else what all triangles give.
+std::vector<glm::dvec3> sums_across(const TriangleMesh& mesh,
+                                    const std::vector<glm::dvec3>& points) {
+    const std::vector<glm::dvec3> none(points.size(), glm::dvec3(0.0));
+    std::vector<glm::dvec3> smooth = none;
+    std::vector<glm::dvec3> any = none;
+    for (const Triangle& t : mesh.triangles) {
+        const glm::dvec3 vector = across(points, t);
+        const bool has_smooth = std::ranges::any_of(
+            t, [&](std::uint32_t v) { return mesh.vertices[v].kind == VertexKind::Smooth; });
+        for (const std::uint32_t v : t) {
+            any[v] += vector;
+            if (has_smooth) smooth[v] += vector;
+        }
+    }
+    std::vector<glm::dvec3> beside = none;
+    for (const Triangle& t : mesh.triangles) {
+        for (const std::uint32_t v : t)
+            beside[v] += smooth[t[0]] + smooth[t[1]] + smooth[t[2]];
+    }
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        if (smooth[v] == glm::dvec3(0.0)) smooth[v] = beside[v];
+        if (smooth[v] == glm::dvec3(0.0)) smooth[v] = any[v];
+    }
+    return smooth;
+}
+
 /// Normals of vertices: the surface's, elsewhere the mean of the triangles' by their areas.
 std::vector<glm::dvec3> normals_of(const TriangleMesh& mesh,
                                    const std::vector<glm::dvec3>& points) {
-    std::vector<glm::dvec3> normals(points.size(), glm::dvec3(0.0));
-    for (const Triangle& t : mesh.triangles) {
-        for (const std::uint32_t v : t)
-            normals[v] += across(points, t);
-    }
+    std::vector<glm::dvec3> normals = sums_across(mesh, points);
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const glm::dvec3 mean = glm::normalize(normals[v]);
         const MeshVertex& vertex = mesh.vertices[v];

@@ -170,7 +170,7 @@ std::vector<std::byte> GlbWriter::finish(const std::vector<std::string>& comment
 }  // namespace
 
 EncodedMesh encode_glb(const MeshFile& file) {
-    constexpr double metres_per_mm = 1e-3;
+    constexpr double metres_per_mm = mesh_file_units[1];
     GlbWriter writer;
     std::size_t bytes = 0;
     for (const MeshObject& object : file.objects)

@@ -32,6 +32,9 @@ struct MeshFile {
     std::vector<std::string> comment = {};  ///< lines of ASCII
 };
 
+/// Units of files, in those of millimetres: of STL, PLY, OBJ and 3MF, of glTF.
+inline constexpr std::array mesh_file_units{1.0, 1e-3};
+
 /// A kind of file for meshes.
 struct MeshFormat {
     std::string_view ending;  ///< with its dot, in small letters
