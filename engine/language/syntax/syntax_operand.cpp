@@ -128,9 +128,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
-    if (const auto harmonic_call = harmonic_at(token)) return harmonic(token, *harmonic_call);
-    if (const auto degree = polynomial_degree(full); degree && is_polynomial(at_ - 1, *degree))
-        return polynomial_of(token, *degree);
+    if (const auto polynomial = named_polynomial(token, full)) return *polynomial;
     if (const Function* const bessel = bessel_function(full); bessel && is_bessel(at_ - 1))
         return bessel_call(token, *bessel);
     if (called && !defined && !is_letter_name) return refuse_call(token, full);

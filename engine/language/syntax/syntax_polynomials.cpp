@@ -47,6 +47,16 @@ bool SyntaxParser::is_polynomial(std::size_t at, int degree) {
     return known->second;
 }
 
+/// Reads a call of a spherical harmonic or of a polynomial by a letter, whose name has just been
+/// taken; nothing where it is none.
+std::optional<SyntaxParser::Parsed> SyntaxParser::named_polynomial(const Token& token,
+                                                                   const std::string& name) {
+    if (const auto call = harmonic_at(token)) return harmonic(token, *call);
+    const auto degree = polynomial_degree(name);
+    if (!degree || !is_polynomial(at_ - 1, *degree)) return std::nullopt;
+    return polynomial_of(token, *degree);
+}
+
 /// Reads P_n(a), H_n(a) or L_n(a), which is legendre(n, a), hermite(n, a) or laguerre(n, a); T_n(a)
 /// and U_n(a).
 SyntaxParser::Parsed SyntaxParser::polynomial_of(const Token& token, int degree) {

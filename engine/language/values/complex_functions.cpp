@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -213,28 +214,25 @@ ComplexNodes ComplexFunctions::arc_cosine(const ComplexNodes& a) {
 
 std::optional<ComplexNodes> ComplexFunctions::call(Op function, const ComplexNodes& a) {
     using Self = ComplexFunctions;
-    struct Row {
-        Op op;
-        ComplexNodes (Self::*make)(const ComplexNodes&);
-    };
-    static constexpr std::array<Row, 16> rows{{{Op::Exp, &Self::exponential},
-                                               {Op::Log, &Self::logarithm},
-                                               {Op::Sqrt, &Self::square_root},
-                                               {Op::Sin, &Self::sine},
-                                               {Op::Cos, &Self::cosine},
-                                               {Op::Tan, &Self::tangent},
-                                               {Op::Cot, &Self::cotangent},
-                                               {Op::Sinh, &Self::hyperbolic_sine},
-                                               {Op::Cosh, &Self::hyperbolic_cosine},
-                                               {Op::Tanh, &Self::hyperbolic_tangent},
-                                               {Op::Asin, &Self::arc_sine},
-                                               {Op::Acos, &Self::arc_cosine},
-                                               {Op::Atan, &Self::arc_tangent},
-                                               {Op::Asinh, &Self::area_sine},
-                                               {Op::Acosh, &Self::area_cosine},
-                                               {Op::Atanh, &Self::area_tangent}}};
-    const auto* const row = std::ranges::find(rows, function, &Row::op);
-    return row == rows.end() ? std::nullopt : std::optional((this->*row->make)(a));
+    using Row = std::pair<Op, ComplexNodes (Self::*)(const ComplexNodes&)>;
+    static constexpr std::array rows{Row(Op::Exp, &Self::exponential),
+                                     Row(Op::Log, &Self::logarithm),
+                                     Row(Op::Sqrt, &Self::square_root),
+                                     Row(Op::Sin, &Self::sine),
+                                     Row(Op::Cos, &Self::cosine),
+                                     Row(Op::Tan, &Self::tangent),
+                                     Row(Op::Cot, &Self::cotangent),
+                                     Row(Op::Sinh, &Self::hyperbolic_sine),
+                                     Row(Op::Cosh, &Self::hyperbolic_cosine),
+                                     Row(Op::Tanh, &Self::hyperbolic_tangent),
+                                     Row(Op::Asin, &Self::arc_sine),
+                                     Row(Op::Acos, &Self::arc_cosine),
+                                     Row(Op::Atan, &Self::arc_tangent),
+                                     Row(Op::Asinh, &Self::area_sine),
+                                     Row(Op::Acosh, &Self::area_cosine),
+                                     Row(Op::Atanh, &Self::area_tangent)};
+    const auto* const row = std::ranges::find(rows, function, &Row::first);
+    return row == rows.end() ? std::nullopt : std::optional((this->*row->second)(a));
 }
 
 }  // namespace zeroset

@@ -7,21 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 namespace zeroset {
 namespace {
 
 using Operation = ComplexNodes (ComplexFunctions::*)(const ComplexNodes&, const ComplexNodes&);
 
-struct OperationRow {
-    GraphValues::Binary real;
-    Operation complex;
-};
-constexpr std::array<OperationRow, 5> operations{{{make_add, &ComplexFunctions::sum},
-                                                  {make_subtract, &ComplexFunctions::difference},
-                                                  {make_multiply, &ComplexFunctions::product},
-                                                  {make_divide, &ComplexFunctions::quotient},
-                                                  {make_power, &ComplexFunctions::power}}};
+using OperationRow = std::pair<GraphValues::Binary, Operation>;
+constexpr std::array operations{OperationRow(make_add, &ComplexFunctions::sum),
+                                OperationRow(make_subtract, &ComplexFunctions::difference),
+                                OperationRow(make_multiply, &ComplexFunctions::product),
+                                OperationRow(make_divide, &ComplexFunctions::quotient),
+                                OperationRow(make_power, &ComplexFunctions::power)};
 
 /// A function composed of others; nothing of one that is none of complex numbers.
 std::optional<ComplexNodes> composed(ComplexFunctions& numbers, Composed function,
@@ -78,12 +76,12 @@ GraphValues::Built GraphValues::complex_combined(const BuiltValue& a, const Buil
         return fail(offset, filled(tr("{0} does not go with {1}"), {a.described(), b.described()}),
                     tr("complex numbers go with numbers only"));
     }
-    const auto* const row = std::ranges::find(operations, make, &OperationRow::real);
+    const auto* const row = std::ranges::find(operations, make, &OperationRow::first);
     if (row == operations.end()) return refuse_complex(offset);
     ComplexFunctions numbers(builder_);
     const ComplexNodes left = nodes_of(a);
     const ComplexNodes right = nodes_of(b);
-    return complex((numbers.*row->complex)(left, right), offset);
+    return complex((numbers.*row->second)(left, right), offset);
 }
 
 GraphValues::Built GraphValues::complex_call(const Function& function, const BuiltValues& values,

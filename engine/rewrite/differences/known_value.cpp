@@ -30,7 +30,7 @@ std::optional<Fraction> known_call(Op op, const std::optional<Fraction>& a) {
 std::optional<Fraction> value_within(const ExprBuilder& builder, NodeId id, int& visits) {
     if (--visits < 0) return std::nullopt;
     if (auto exact = exact_fraction(builder, id)) return exact;
-    const Node node = builder.node(id);
+    const Node& node = builder.node(id);
     if (arity(node.op) == 1) return known_call(node.op, value_within(builder, node.a, visits));
     if (!is_any_of(node.op, {Op::Add, Op::Subtract, Op::Multiply})) return std::nullopt;
     if (node.op == Op::Subtract && node.a == node.b) return known_zero;

@@ -137,7 +137,7 @@ Expr without_removable_poles(const Expr& expr) {
     ExprBuilder builder;
     PoleRemover remover(builder);
     bool is_any = false;
-    Expr result = rebuilt(
+    const Expr result = rebuilt(
         builder, expr, [&](ExprBuilder& to, const Node& node, NodeId a, NodeId b, NodeId c) {
             const auto continuous = divides(node) ? remover.quotient(a, b) : std::nullopt;
             is_any = is_any || continuous;
