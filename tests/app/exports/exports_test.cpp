@@ -173,8 +173,8 @@ TEST_F(Exports, SayWhyTheFormulaItselfIsNotWritten) {
         return mesh_work(subject_of(text), wish, folder_ / "a.3mf", nullptr)(news_).error();
     };
     EXPECT_EQ(error_of("noise(x, y, z) = 0"),
-              "the mesh was not saved: 3MF's implicit functions have no node for volumes, noise "
-              "and soft balls; a mesh can be saved instead");
+              "the mesh was not saved: 3MF's implicit functions have no node for volumes, noise, "
+              "soft balls and special functions; a mesh can be saved instead");
     EXPECT_EQ(error_of("(u, v, u v), 0 < u < 1, 0 < v < 1"),
               "the mesh was not saved: an implicit function is made of equations, not of "
               "parametric surfaces, curves and points: hide their rows");
