@@ -128,9 +128,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (function != nullptr && !is_letter && !hides && (called || !defined))
         return call(token, *function);
     const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
-    if (const auto polynomial = named_polynomial(token, full)) return *polynomial;
-    if (const Function* const bessel = bessel_function(full); bessel && is_bessel(at_ - 1))
-        return bessel_call(token, *bessel);
+    if (const auto by_letter = call_by_letter(token, full)) return *by_letter;
     if (called && !defined && !is_letter_name) return refuse_call(token, full);
     note_product(token, full);
     return add(SyntaxKind::Name, token.offset, {}, {}, name_in_branch(full));

@@ -154,7 +154,7 @@ private:
     Parsed harmonic(const Token& token, const Harmonic& of);
     Parsed factorial(SyntaxId of);
     Parsed chebyshev(const Token& token, int degree);
-    std::optional<Parsed> named_polynomial(const Token& token, const std::string& name);
+    std::optional<Parsed> call_by_letter(const Token& token, const std::string& name);
     Parsed polynomial_of(const Token& token, int degree);
     [[nodiscard]] bool is_bessel(std::size_t at) const;
     Parsed bessel_call(const Token& token, const Function& function);

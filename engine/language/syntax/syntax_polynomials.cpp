@@ -47,11 +47,13 @@ bool SyntaxParser::is_polynomial(std::size_t at, int degree) {
     return known->second;
 }
 
-/// Reads a call of a spherical harmonic or of a polynomial by a letter, whose name has just been
-/// taken; nothing where it is none.
-std::optional<SyntaxParser::Parsed> SyntaxParser::named_polynomial(const Token& token,
-                                                                   const std::string& name) {
+/// Reads a call of a spherical harmonic, a Bessel function or a polynomial by a letter, whose name
+/// has just been taken; nothing where it is none.
+std::optional<SyntaxParser::Parsed> SyntaxParser::call_by_letter(const Token& token,
+                                                                 const std::string& name) {
     if (const auto call = harmonic_at(token)) return harmonic(token, *call);
+    if (const Function* const bessel = bessel_function(name); bessel && is_bessel(at_ - 1))
+        return bessel_call(token, *bessel);
     const auto degree = polynomial_degree(name);
     if (!degree || !is_polynomial(at_ - 1, *degree)) return std::nullopt;
     return polynomial_of(token, *degree);
