@@ -127,6 +127,7 @@ OrInputError<DocumentMeshes> DocumentMesher::finish() {
 /// Makes the meshes those that readers of any file get.
 void DocumentMesher::make_numbers_different() {
     std::vector<double> scales;
+    scales.reserve(std::size(mesh_file_units));
     for (const double unit : mesh_file_units)
         scales.push_back(unit * result_.file.mm_per_unit);
     for (std::size_t i = 0; i < result_.surfaces.size(); ++i) {
@@ -138,6 +139,7 @@ void DocumentMesher::make_numbers_different() {
         result_.surfaces[i].report.unchanged = false;
         if (object.colors.empty()) continue;
         std::vector<MeshColor> colors;
+        colors.reserve(left.size());
         for (const std::uint32_t v : left)
             colors.push_back(object.colors[v]);
         object.colors = std::move(colors);

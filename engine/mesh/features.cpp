@@ -158,6 +158,7 @@ void FeatureMaker::settle() {
     for (Piece& piece : pieces_) {
         if (!piece.feature) continue;
         std::vector<std::uint32_t> parts;
+        parts.reserve(piece.sides.size());
         for (const FeatureSide& side : piece.sides)
             parts.push_back(side.part);
         std::ranges::sort(parts);
@@ -167,6 +168,7 @@ void FeatureMaker::settle() {
     }
     approach_meetings(solid_, places);
     std::vector<glm::dvec3> points;
+    points.reserve(places.size());
     for (const PartsMeeting& place : places)
         points.push_back(place.point);
     const std::vector<SolidValue> values = field_at(solid_, points, work_);
