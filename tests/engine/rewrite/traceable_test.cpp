@@ -228,7 +228,8 @@ TEST(Traceable, KeepsRandomQuotientsZerosDomainsAndSigns) {
 
 TEST(Traceable, LeavesRemovablePolesWhereTheFunctionWithoutThemIsEnclosedWorse) {
     const auto has_sinc = [](const char* text) {
-        const Expr drawn = traceable(*parse(text), {.lo = {-2, -2, -2}, .hi = {2, 2, 2}});
+        const Expr drawn =
+            traceable(*parse(text), {.lo = {-2, -2, -2}, .hi = {2, 2, 2}, .uniforms = {}});
         return std::ranges::any_of(drawn.nodes(), [](const Node& n) { return n.op == Op::Sinc; });
     };
     EXPECT_TRUE(has_sinc("z = sin(x y)/(x y)"));
