@@ -165,7 +165,7 @@ void FormulaJob::prepare_sheets() {
             wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
             if (stop_) return;
             request = std::move(*std::exchange(pending_, std::nullopt));
-            set_language(style_.language, style_.decimal_mark);
+            set_language(style_);
         }
         FormulaResult result = preparer.prepare(std::move(request.sheet), request.region,
                                                 request.choice, request.files);
@@ -203,7 +203,7 @@ void FormulaJob::compile_more() {
             lock.lock();
         } else if (interpreted_ && Clock::now() >= compile_at_) {
             FormulaResult interpreted = std::move(*std::exchange(interpreted_, std::nullopt));
-            set_language(style_.language, style_.decimal_mark);
+            set_language(style_);
             lock.unlock();
             publish(compiled(std::move(interpreted)));
             lock.lock();

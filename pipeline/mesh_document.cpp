@@ -13,23 +13,6 @@
 namespace zeroset {
 namespace {
 
-using Clock = TimeLimit::Clock;
-
-/// The limit of one of `parts` pieces of work that come one after the other.
-TimeLimit share_of(const TimeLimit& limit, std::size_t parts) {
-    if (limit.until == TimeLimit::never) return limit;
-    const auto now = Clock::now();
-    return {.cancel = limit.cancel,
-            .until = now + (limit.until - now) / static_cast<Clock::rep>(parts)};
-}
-
-/// The limit of a mesh, so that something is left for its measures and its file.
-TimeLimit before_measuring(const TimeLimit& limit) {
-    if (limit.until == TimeLimit::never) return limit;
-    const auto now = Clock::now();
-    return {.cancel = limit.cancel, .until = now + (limit.until - now) / 8 * 7};
-}
-
 std::string place_text(const UnprovedPlace& place) {
     return short_number(place.cell.x, 4) + "," + short_number(place.cell.y, 4) + "," +
            short_number(place.cell.z, 4);
@@ -68,7 +51,8 @@ private:
                 .most_triangles = settings_.most_triangles,
                 .thin = settings_.thin,
                 .threads = settings_.threads,
-                .limit = before_measuring(share_of(settings_.limit, left)),
+                // Something is left for the measures and the file.
+                .limit = settings_.limit.share(1, static_cast<int>(left)).share(7, 8),
                 .on_stage = settings_.on_stage};
     }
 
@@ -134,7 +118,7 @@ void DocumentMesher::make_numbers_different() {
         MeshObject& object = result_.file.objects[i];
         const std::size_t before = object.mesh.vertices.size();
         const auto left = zeroset::make_numbers_different(object.mesh, scales);
-        result_.surfaces[i].facts = facts_of(object.mesh);
+        result_.surfaces[i].facts = facts_of(object.mesh);  // of moved points, too
         if (left.size() == before) continue;
         result_.surfaces[i].report.unchanged = false;
         if (object.colors.empty()) continue;

@@ -38,8 +38,10 @@ Expr drawn_formula(const Expr& surface, std::size_t thickness) {
 
 Kernel patch_code(const PatchGraphs& graphs, std::size_t thickness) {
     std::array<Expr, 3> shown = shown_patch(graphs, thickness);
-    for (Expr& coordinate : shown)
-        coordinate = without_removable_poles(coordinate);
+    for (Expr& coordinate : shown) {
+        if (auto continuous = without_removable_poles(coordinate))
+            coordinate = std::move(*continuous);
+    }
     std::array<Kernel, 3> point;
     std::ranges::transform(shown, point.begin(), [](const Expr& graph) {
         Kernel kernel = jit::compile_when_called(graph);

@@ -34,8 +34,7 @@ public:
 
 private:
     [[nodiscard]] double along(std::size_t axis, std::size_t index) const {
-        return geometry_.origin[axis] +
-               geometry_.world_from_index[axis][axis] * static_cast<double>(index);
+        return sample_place(geometry_, axis, index);
     }
 
     Geometry geometry_;

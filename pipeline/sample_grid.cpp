@@ -53,7 +53,7 @@ void round_to_floats(std::span<const double> numbers, std::span<float> floats) {
 }
 
 /// Lets threads pass in the order of their numbers.
-class Turns {
+class InOrder {
 public:
     /// Waits until all lower numbers are done, then calls `act`, which returns whether to go on.
     template <class Act>
@@ -94,6 +94,11 @@ Geometry geometry_of(const GridPlan& plan) {
     return geometry;
 }
 
+double sample_place(const Geometry& geometry, std::size_t axis, std::size_t index) {
+    return geometry.origin[axis] +
+           geometry.world_from_index[axis][axis] * static_cast<double>(index);
+}
+
 GridFunction::GridFunction(const Expr& f, const Uniforms& uniforms, const GridPlan& plan)
     : plan_(plan),
       geometry_(geometry_of(plan)),
@@ -118,8 +123,8 @@ GridFunction::GridFunction(const Expr& f, const Uniforms& uniforms, const GridPl
 GridFunction::Column GridFunction::along(std::size_t axis) const {
     Column places(padded(plan_.size[axis]));
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto index = static_cast<double>(std::min<std::size_t>(i, plan_.size[axis] - 1));
-        places[i] = geometry_.origin[axis] + geometry_.world_from_index[axis][axis] * index;
+        const std::size_t index = std::min<std::size_t>(i, plan_.size[axis] - 1);
+        places[i] = sample_place(geometry_, axis, index);
     }
     return places;
 }
@@ -135,10 +140,8 @@ std::vector<GridFunction::Column> GridFunction::row_values(std::size_t first_row
     for (std::size_t i = 0; i < at[0].size(); ++i) {
         const std::size_t row = first_row + std::min(i, count - 1);
         const std::array index{row % plan_.size[1], row / plan_.size[1]};
-        for (std::size_t k = 0; k < 2; ++k) {
-            at[k][i] = geometry_.origin[k + 1] +
-                       geometry_.world_from_index[k + 1][k + 1] * static_cast<double>(index[k]);
-        }
+        for (std::size_t k = 0; k < 2; ++k)
+            at[k][i] = sample_place(geometry_, k + 1, index[k]);
     }
     std::vector<Column> values;
     for (const PointFunction& value : of_row_) {
@@ -168,19 +171,19 @@ bool sample_in_order(const GridFunction& function,
     const std::size_t at_once = function.rows_at_once();
     const std::size_t count = (function.rows() + at_once - 1) / at_once;
     std::atomic<std::size_t> next = 0;
-    Turns turns;
+    InOrder order;
     const auto work = [&](std::size_t /*thread*/) {
         std::vector<float> samples(at_once * function.width());
-        for (std::size_t i = next++; i < count && !turns.ended(); i = next++) {
+        for (std::size_t i = next++; i < count && !order.ended(); i = next++) {
             const std::size_t first = i * at_once;
             const std::size_t rows = std::min(at_once, function.rows() - first);
             const std::span<float> part(samples.data(), rows * function.width());
             function.sample(first, part);
-            turns.pass(i, [&] { return take(part); });
+            order.pass(i, [&] { return take(part); });
         }
     };
     parallel_for(static_cast<std::size_t>(core_count()), 0, work);
-    return !turns.ended();
+    return !order.ended();
 }
 
 Samples sampled(const Expr& f, const Uniforms& uniforms, const GridPlan& plan) {

@@ -25,6 +25,9 @@ struct GridPlan {
 /// Where the samples of the plan lie.
 Geometry geometry_of(const GridPlan& plan);
 
+/// The coordinate along an axis of a plan's samples with this index.
+double sample_place(const Geometry& geometry, std::size_t axis, std::size_t index);
+
 /// f at the samples of a plan, row by row along x: computed in double, rounded to the nearest
 /// float32, NaN where it is not defined. Large grids take machine code where it can be made. Once
 /// made it can be asked by any thread.

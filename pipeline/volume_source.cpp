@@ -1,5 +1,6 @@
 #include "pipeline/volume_source.hpp"
 
+#include "engine/base/file_stamp.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/blobs/blob_file.hpp"
 #include "engine/blobs/blobs.hpp"
@@ -20,11 +21,6 @@ namespace zeroset {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_within(const fs::path& file, const fs::path& folder) {
-    const auto [end, other] = std::ranges::mismatch(folder, file);
-    return end == folder.end() || (end != folder.end() && end->empty());
-}
 
 /// The arguments that are typed behind the file's name.
 struct Wanted {

@@ -37,18 +37,16 @@ TABLES = {
     "ui/panels/side_panel.cpp": ["title"],
     "ui/picture/view_notice.cpp": ["title"],
 }
+WRITTEN = r'ZEROSET_WRITTEN\(\w+, \w+, "\w+", \d+, -?\d+, "[^"]*", '
 # Tables of macros whose last text tells what a row means: file, a row up to that text.
 DEFINITIONS = {
     "engine/expr/op.def": r'ZEROSET_OP\(\w+,\s*\w+,\s*"[^"]*",\s*\d,\s*\w+,\s*',
     "engine/language/vocabulary/functions.def":
         r'ZEROSET_FUNCTION\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
     "engine/language/vocabulary/library.def": r'ZEROSET_LIBRARY\("\w+", "[^"]*", ',
-    "engine/language/vocabulary/noises.def":
-        r'ZEROSET_NOISE\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
-    "engine/language/vocabulary/written_out.def":
-        r'ZEROSET_WRITTEN\(\w+, \w+, "\w+", \d+, -?\d+, "[^"]*", ',
-    "engine/language/vocabulary/specials.def":
-        r'ZEROSET_SPECIAL\(\w+, "\w+", \d+, -?\d+, "[^"]*", ',
+    "engine/language/vocabulary/noises.def": WRITTEN,
+    "engine/language/vocabulary/specials.def": WRITTEN,
+    "engine/language/vocabulary/written_out.def": WRITTEN,
     "engine/language/vocabulary/shapes.def": r'ZEROSET_WORD\(\w+, "\w+", "[^"]*", "\w+", ',
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'

@@ -54,7 +54,7 @@ OrInputError<int> read_count(const std::string& option, const std::optional<std:
     return text ? read_integer(option, *text, lowest, highest) : OrInputError<int>(0);
 }
 
-/// Reads the options that are numbers, of a mesh of one of so many surfaces.
+/// Reads the options that are numbers. `surfaces`: how many the text has, for --surface.
 void take_numbers(const MeshCommand& command, std::size_t surfaces, OptionReader& reader,
                   MeshPlan& plan) {
     constexpr int deepest = 18;

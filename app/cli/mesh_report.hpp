@@ -9,7 +9,8 @@
 
 namespace zeroset {
 
-// The texts that `mesh` prints about what it made.
+// Texts about results: those that `mesh` prints about what it made, and `render --probe` about a
+// pixel.
 
 /// Some lines on the file and each of its surfaces.
 std::string mesh_text(const std::string& output, const DocumentMeshes& meshes);

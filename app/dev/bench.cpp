@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>

@@ -1,5 +1,4 @@
 #include "app/cli/report.hpp"
-#include "app/cli/timing.hpp"
 #include "app/dev/bench_suite.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/render/render_job.hpp"
@@ -15,7 +14,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>

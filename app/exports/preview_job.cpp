@@ -49,7 +49,7 @@ std::optional<PreviewRequest> PreviewJob::next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stop_ || waiting_; });
     if (stop_) return std::nullopt;
-    set_language(style_.language, style_.decimal_mark);
+    set_language(style_);
     making_ = std::exchange(waiting_, std::nullopt);
     news_ = std::make_shared<ExportNews>(wake_);
     return making_;

@@ -54,7 +54,8 @@ int run_typed(const std::vector<Subcommand>& subcommands) {
         if (!*app) continue;
         const int result = run();
         const auto missing = jit::missing_code();
-        if (missing && result == exit_ok) std::cerr << "note: " << *missing << '\n';
+        const bool is_written = result == exit_ok || result == exit_inexact;
+        if (missing && is_written) std::cerr << "note: " << *missing << '\n';
         return result;
     }
     return exit_ok;

@@ -106,7 +106,7 @@ bool Portal::Thread::follow(PortalBus& bus) {
         const std::scoped_lock lock(mutex_);
         if (stop_) return false;
         asked = std::exchange(asked_, std::nullopt);
-        set_language(style_.language, style_.decimal_mark);
+        set_language(style_);
         given_up = std::exchange(given_up_, false);
     }
     if (given_up) bus.give_up();

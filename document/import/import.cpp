@@ -3,6 +3,7 @@
 #include "document/import/cannot_open.hpp"
 #include "document/import/plain_text.hpp"
 #include "document/import/readers.hpp"
+#include "engine/base/file_stamp.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
@@ -60,7 +61,7 @@ std::optional<std::string> text_below(const fs::path& folder, std::string_view n
     std::error_code error;
     const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
     const fs::path file = fs::weakly_canonical(root / path, error);
-    if (std::ranges::mismatch(root, file).in1 != root.end()) return std::nullopt;
+    if (!is_within(file, root)) return std::nullopt;
     const auto bytes = bytes_of(file, largest_script);
     return bytes ? std::optional(plain_text(*bytes)) : std::nullopt;
 }

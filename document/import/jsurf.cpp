@@ -4,6 +4,7 @@
 #include "document/import/readers.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/image/gamma.hpp"
 
 #include <array>
@@ -31,11 +32,9 @@ std::optional<std::string> unicode(std::string_view digits) {
     const auto [end, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
     if (error != std::errc() || digits.size() != 4 || end != digits.data() + 4) return std::nullopt;
-    const auto byte = [](unsigned value) { return static_cast<char>(value); };
-    if (code < 0x80U) return std::string{byte(code)};
-    if (code < 0x800U) return std::string{byte(0xC0U | code >> 6U), byte(0x80U | (code & 0x3FU))};
-    return std::string{byte(0xE0U | code >> 12U), byte(0x80U | (code >> 6U & 0x3FU)),
-                       byte(0x80U | (code & 0x3FU))};
+    std::string text;
+    add_character(text, code);
+    return text;
 }
 
 /// Reads lines "key=value" with the escapes of Java's properties.

@@ -1,28 +1,12 @@
 #include "document/import/plain_text.hpp"
 
+#include "engine/base/utf8.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace zeroset {
 namespace {
-
-/// Adds a character of Unicode in UTF-8.
-void add_character(std::string& text, std::uint32_t code) {
-    const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
-    const auto further = [&](unsigned shift) { byte(0x80U | (code >> shift & 0x3FU)); };
-    if (code < 0x80U) return byte(code);
-    if (code < 0x800U) {
-        byte(0xC0U | code >> 6U);
-    } else if (code < 0x10000U) {
-        byte(0xE0U | code >> 12U);
-        further(6);
-    } else {
-        byte(0xF0U | code >> 18U);
-        further(12);
-        further(6);
-    }
-    further(0);
-}
 
 /// Units of 16 bits, of which pairs may stand for one character, in UTF-8.
 std::string from_utf16(std::string_view bytes, bool big_endian) {

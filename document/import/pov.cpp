@@ -53,9 +53,8 @@ public:
         note_axes();
         for (ImportNote& note : result_.notes)
             tell_file(note.line, note.entry);
-        std::string entry;
         for (std::size_t& line : result_.row_lines)
-            tell_file(line, entry);
+            line = line_of_scene(script_.file_line(line));
         Imported imported;
         imported.documents.push_back(std::move(result_));
         return imported;
@@ -98,10 +97,14 @@ private:
                      tr("the file shows nothing; this, which it declares, is drawn"));
     }
 
+    /// The line of the scene itself, in which another file is included.
+    static std::size_t line_of_scene(const PovScript::FileLine& place) {
+        return place.file.empty() ? place.line : place.included_at;
+    }
     /// Names the file of an included line, and takes the line that includes it.
     void tell_file(std::size_t& line, std::string& entry) const {
         const PovScript::FileLine place = script_.file_line(line);
-        line = place.file.empty() ? place.line : place.included_at;
+        line = line_of_scene(place);
         if (place.file.empty()) return;
         entry = place.file + ":" + std::to_string(place.line) + (entry.empty() ? "" : ": ") + entry;
     }

@@ -27,4 +27,9 @@ FileStamp FileStamp::now(const std::filesystem::path& file) {
     return stamp;
 }
 
+bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    const auto end = std::ranges::mismatch(folder, file).in1;
+    return end == folder.end() || end->empty();  // empty behind the '/' at a folder's end
+}
+
 }  // namespace zeroset

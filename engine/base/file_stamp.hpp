@@ -19,4 +19,7 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
+/// Whether a file is in a folder or below it, both as real paths: without links, "." and "..".
+bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 }  // namespace zeroset

@@ -28,14 +28,15 @@ struct TextStyle {
     char decimal_mark = '.';
 };
 TextStyle text_style();
+inline void set_language(const TextStyle& style) {
+    set_language(style.language, style.decimal_mark);
+}
 
 /// Lets a thread write texts in a style until the end of a scope.
 class WithTextStyle {
 public:
-    explicit WithTextStyle(TextStyle style) : before_(text_style()) {
-        set_language(style.language, style.decimal_mark);
-    }
-    ~WithTextStyle() { set_language(before_.language, before_.decimal_mark); }
+    explicit WithTextStyle(TextStyle style) : before_(text_style()) { set_language(style); }
+    ~WithTextStyle() { set_language(before_); }
     WithTextStyle(const WithTextStyle&) = delete;
     WithTextStyle& operator=(const WithTextStyle&) = delete;
 

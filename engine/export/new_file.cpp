@@ -4,8 +4,8 @@
 
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -47,12 +47,13 @@ fs::path beside(const fs::path& path) {
     return temporary;
 }
 
-/// A temporary name for what goes to the device `path`.
+/// A new file that only the user may read, for what goes to the device `path`.
 fs::path apart_from(const fs::path& path) {
-    static std::atomic<int> count;
     std::error_code ignored;
-    const std::string name = "zeroset_" + std::to_string(count++) + "_" + path.filename().string();
-    return beside(fs::temp_directory_path(ignored) / name);
+    std::string name =
+        fs::temp_directory_path(ignored) / ("zeroset_" + path.filename().string() + ".XXXXXX");
+    if (const int file = ::mkstemp(name.data()); file >= 0) ::close(file);
+    return name;
 }
 
 /// Files that are written but not renamed yet. Holding the mutex keeps all threads from beginning
@@ -73,10 +74,10 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 NewFile::NewFile(const fs::path& path, Order order)
     : path_(path), is_device_(is_device(path)), target_(is_device_ ? path : behind_links(path)) {
-    grows_at_ = beside(target_);
-    if (is_device_) grows_at_ = order == Order::Appended ? target_ : apart_from(target_);
+    grows_at_ = is_device_ ? target_ : beside(target_);
     // A device is opened without the mutex, as that of a pipe waits for its reader.
     std::unique_lock lock(unfinished().mutex);
+    if (is_device_ && order == Order::Any) grows_at_ = apart_from(target_);
     if (grows_at_ == target_) {
         lock.unlock();
     } else {
@@ -85,6 +86,11 @@ NewFile::NewFile(const fs::path& path, Order order)
     errno = 0;
     stream_.open(grows_at_, std::ios::binary);
     if (!stream_) error_ = errno;
+    // While it is empty: nobody reads it who may not read the file that it replaces.
+    std::error_code ignored;
+    const fs::file_status before = fs::status(target_, ignored);
+    if (!is_device_ && fs::exists(before))
+        fs::permissions(grows_at_, before.permissions(), ignored);
 }
 
 NewFile::~NewFile() {
@@ -117,8 +123,6 @@ std::expected<void, FileError> NewFile::keep() {
     if (is_device_) return copy_to_device();
     const std::scoped_lock lock(unfinished().mutex);
     std::error_code error;
-    const fs::file_status before = fs::status(target_, error);
-    if (fs::exists(before)) fs::permissions(grows_at_, before.permissions(), error);
     fs::rename(grows_at_, target_, error);
     if (error) return cannot_write(path_, error.message());
     kept_ = true;
@@ -148,9 +152,10 @@ std::expected<void, FileError> check_writable(const fs::path& path) {
     // The system lets root write to what nobody may write to.
     const bool is_protected =
         fs::is_regular_file(found) && (found.permissions() & writers) == fs::perms::none;
-    if (is_protected || (fs::exists(found) && ::access(path.c_str(), W_OK) != 0))
-        return cannot_write(path, reason_of(EACCES));
-    if (is_device(path)) return {};
+    if (is_protected) return cannot_write(path, reason_of(EACCES));
+    if (fs::exists(found) && ::access(path.c_str(), W_OK) != 0)
+        return cannot_write(path, reason_of(errno));
+    if (fs::exists(found) && !fs::is_regular_file(found)) return {};
     const fs::path target = behind_links(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {

@@ -2,7 +2,9 @@
 
 #include "engine/expr/expr.hpp"
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -40,6 +42,19 @@ std::vector<NodeId> copy_nodes(ExprBuilder& builder, const Expr& expr, auto make
 
 /// Copies a graph as it is. Returns the copy of each node.
 std::vector<NodeId> copy_nodes(ExprBuilder& builder, const Expr& expr);
+
+/// Calls visit(operand) for each operand that a node has.
+void each_operand(const Node& node, auto visit) {
+    const std::array operands{node.a, node.b, node.c};
+    for (int k = 0; k < arity(node.op); ++k)
+        visit(operands[static_cast<std::size_t>(k)]);
+}
+
+/// A node and all that it is made of, operands first.
+std::vector<NodeId> nodes_below(const Expr& expr, NodeId root);
+
+/// The graph below a node, with the names of all parameters.
+Expr graph_below(const Expr& expr, NodeId root);
 
 /// A graph rebuilt with the nodes of a builder, its operators as in `copy_nodes`.
 Expr rebuilt(ExprBuilder& builder, const Expr& expr, auto make) {

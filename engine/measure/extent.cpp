@@ -162,13 +162,13 @@ bool strictly_inside(const Box& box, const Box& domain) {
 }
 
 /// A box that holds all of surfaces of which nothing is within extent_reach; nothing where they go
-/// on beyond all that is looked at.
+/// on beyond all of it.
 std::optional<Box> far_box(const Scene& scene, const TimeLimit& limit) {
     for (double reach = extent_reach * extent_reach; reach <= farthest_reach;
          reach *= extent_reach) {
         const Box domain = scaled(scene.clip, reach);
         const auto all = enclosing_box(scene, domain, limit);
-        if (all) return strictly_inside(*all, domain) ? all : std::nullopt;
+        if (all && strictly_inside(*all, domain)) return all;
     }
     return std::nullopt;
 }

@@ -1,7 +1,6 @@
 #include "engine/mesh/collapsible_mesh.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -30,11 +29,6 @@ CollapsibleMesh::CollapsibleMesh(TriangleMesh mesh)
         for (const std::uint32_t v : mesh_.triangles[t])
             stars_[v].push_back(t);
     }
-}
-
-std::size_t CollapsibleMesh::triangles() const {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): read, but atomic_ref takes no const
-    return std::atomic_ref(const_cast<std::size_t&>(alive_)).load(std::memory_order_relaxed);
 }
 
 void CollapsibleMesh::ring(std::uint32_t v, std::vector<std::uint32_t>& vertices) const {
@@ -83,7 +77,7 @@ void CollapsibleMesh::collapse(std::uint32_t from, std::uint32_t into) {
         Triangle& triangle = mesh_.triangles[t];
         if (has(triangle, into)) {
             dead_[t] = 1;
-            std::atomic_ref(alive_).fetch_sub(1, std::memory_order_relaxed);
+            alive_.fetch_sub(1, std::memory_order_relaxed);
             for (const std::uint32_t v : triangle)
                 std::erase(stars_[v], t);
         } else {

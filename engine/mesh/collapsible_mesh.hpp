@@ -2,6 +2,7 @@
 
 #include "engine/mesh/triangle_mesh.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,7 +18,7 @@ public:
     explicit CollapsibleMesh(TriangleMesh mesh);
 
     [[nodiscard]] std::size_t size() const { return mesh_.vertices.size(); }
-    [[nodiscard]] std::size_t triangles() const;
+    [[nodiscard]] std::size_t triangles() const { return alive_.load(std::memory_order_relaxed); }
     [[nodiscard]] const MeshVertex& vertex(std::uint32_t v) const { return mesh_.vertices[v]; }
     [[nodiscard]] const glm::dvec3& point(std::uint32_t v) const { return mesh_.vertices[v].point; }
     [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return mesh_.triangles[t]; }
@@ -43,7 +44,7 @@ private:
     TriangleMesh mesh_;
     std::vector<std::vector<std::uint32_t>> stars_;
     std::vector<std::uint8_t> dead_;
-    std::size_t alive_ = 0;  ///< by std::atomic_ref
+    std::atomic<std::size_t> alive_;  ///< triangles that are left
 };
 
 /// The vector across a triangle, twice its area long.

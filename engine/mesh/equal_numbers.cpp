@@ -118,9 +118,13 @@ std::vector<std::uint32_t> make_numbers_different(TriangleMesh& mesh,
         join_repeated(mesh, scale, sources);
     // Points moved apart for one scale may meet in another.
     constexpr int most_rounds = 3;
-    for (int round = 0; round < most_rounds; ++round) {
+    bool moved = true;
+    for (int round = 0; moved && round < most_rounds; ++round) {
+        moved = false;
         for (const double scale : scales) {
-            if (!repeated(places_of(mesh, scale)).empty()) move_apart(mesh, scale);
+            if (repeated(places_of(mesh, scale)).empty()) continue;
+            move_apart(mesh, scale);
+            moved = true;
         }
     }
     return sources;

@@ -13,7 +13,8 @@ constexpr std::size_t points_at_once = 512;
 // A level where the gradient vanishes: farther than anything.
 constexpr double far_level = 1e30;
 
-/// The value that f and its gradient make; the level alone is what the loops below need.
+/// f divided by the length of its gradient: about the distance from its zeros; `far_level` where
+/// that is not known, +inf where f is not defined.
 double level_of(double f, double slope) {
     const double level = f / slope;
     if (std::isfinite(level) && std::isfinite(slope)) return level;
@@ -21,12 +22,17 @@ double level_of(double f, double slope) {
     return f == 0.0 ? 0.0 : std::copysign(far_level, f);
 }
 
-SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
+/// The direction of a gradient; 0 where it, or the level, is not known.
+glm::dvec3 direction_of(const glm::dvec3& gradient, double level) {
     const double slope = glm::length(gradient);
-    const double level = level_of(f, slope);
-    const bool known = std::abs(level) < far_level && slope > 0;
+    const bool known = std::abs(level) < far_level && slope > 0 && std::isfinite(slope);
+    return known ? gradient / slope : glm::dvec3(0.0);
+}
+
+SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
+    const double level = level_of(f, glm::length(gradient));
     return {.level = level,
-            .normal = known ? gradient / slope : glm::dvec3(0.0),
+            .normal = direction_of(gradient, level),
             .part = static_cast<std::uint32_t>(part)};
 }
 
@@ -113,11 +119,10 @@ glm::dvec3 PartValues::normal(const MeshSolid& solid, std::size_t i,
     const bool is_cut = part >= solid.parts.size();
     const glm::dvec3 gradient =
         is_cut ? solid.cuts[part - solid.parts.size()].gradient(point) : gradients_[part][i];
-    const double slope = glm::length(gradient);
-    if (!(slope > 0)) return glm::dvec3(0.0);
     // A leaf turns its part's level, and so its slope.
     const bool turned = !is_cut && std::signbit(root.level[i]) != std::signbit(levels_[part][i]);
-    return (turned ? -gradient : gradient) / slope;
+    const glm::dvec3 direction = direction_of(gradient, root.level[i]);
+    return turned ? -direction : direction;
 }
 
 void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points,

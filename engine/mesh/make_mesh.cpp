@@ -25,11 +25,7 @@ int depth_for(const Box& box, const MeshOptions& options) {
 
 /// The first fifths of the time that is left.
 MeshWork fifths_of(const MeshOptions& options, int fifths) {
-    MeshWork work{.threads = options.threads, .limit = options.limit};
-    if (options.limit.until == TimeLimit::never) return work;
-    const auto now = TimeLimit::Clock::now();
-    work.limit.until = now + (options.limit.until - now) / 5 * fifths;
-    return work;
+    return {.threads = options.threads, .limit = options.limit.share(fifths, 5)};
 }
 
 class MeshMaker {
@@ -272,15 +268,12 @@ void MeshMaker::measure() {
 
 MadeMesh make_mesh(const MeshSolid& solid, const MeshOptions& options) {
     const UpwardRegisters upward;
-    const auto make = [](const MeshSolid& of, const MeshOptions& how) {
-        return MeshMaker(of, how).make();
-    };
     if (options.most_triangles == 0 && options.thin) {
         if (const auto gap = gap_between_parts(solid, fifths_of(options, 1))) {
-            if (auto made = mesh_of_parts(solid, options, *gap, make)) return std::move(*made);
+            if (auto made = mesh_of_parts(solid, options, *gap)) return std::move(*made);
         }
     }
-    return make(solid, options);
+    return MeshMaker(solid, options).make();
 }
 
 }  // namespace zeroset

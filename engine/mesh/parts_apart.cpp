@@ -7,6 +7,7 @@
 #include "engine/mesh/parallel.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -131,9 +132,8 @@ std::optional<double> gap_between_parts(const MeshSolid& solid, const MeshWork& 
     return std::nullopt;
 }
 
-std::optional<MadeMesh> mesh_of_parts(
-    const MeshSolid& solid, const MeshOptions& options, double gap,
-    const std::function<MadeMesh(const MeshSolid&, const MeshOptions&)>& make) {
+std::optional<MadeMesh> mesh_of_parts(const MeshSolid& solid, const MeshOptions& options,
+                                      double gap) {
     std::vector<SolidNode> leaves;
     std::ranges::copy_if(solid.nodes, std::back_inserter(leaves),
                          [](const SolidNode& node) { return node.kind == SolidNode::Kind::Leaf; });
@@ -146,19 +146,16 @@ std::optional<MadeMesh> mesh_of_parts(
     // Sheets must not meet.
     own.tolerance = std::min(options.tolerance, 0.5 * gap);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        if (options.limit.until != TimeLimit::never) {
-            const auto now = TimeLimit::Clock::now();
-            own.limit.until = now + (options.limit.until - now) /
-                                        static_cast<TimeLimit::Clock::rep>(leaves.size() - i);
-        }
-        MadeMesh made = make(alone(solid, leaves[i]), own);
+        own.limit = options.limit.share(1, static_cast<int>(leaves.size() - i));
+        MadeMesh made = make_mesh(alone(solid, leaves[i]), own);
         const MeshWork work{.threads = options.threads, .limit = options.limit};
         if (!keep_components(solid, leaves[i], made.mesh, work)) return std::nullopt;
-        if (made.mesh.triangles.empty()) continue;
         add_mesh(made.mesh, all.mesh);
         add_report(made.report, all.report);
     }
     if (options.limit.cancelled()) return MadeMesh();
+    for (auto* const places : {&all.report.places, &all.report.rough_places})
+        std::ranges::stable_sort(*places, std::ranges::greater(), &UnprovedPlace::cells);
     return all;
 }
 

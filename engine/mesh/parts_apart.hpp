@@ -4,7 +4,6 @@
 #include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/solid.hpp"
 
-#include <functional>
 #include <optional>
 
 // Solids whose parts' surfaces nowhere meet, as thin shells: each part is meshed alone, as if the
@@ -18,10 +17,9 @@ namespace zeroset {
 /// rounding.
 std::optional<double> gap_between_parts(const MeshSolid& solid, const MeshWork& work);
 
-/// The mesh of a solid whose parts lie apart by such a length, of `make`'s meshes of each part.
+/// The mesh of a solid whose parts lie apart by such a length, of meshes of each part alone.
 /// Nothing where one of them ends at what is not its own.
-std::optional<MadeMesh> mesh_of_parts(
-    const MeshSolid& solid, const MeshOptions& options, double gap,
-    const std::function<MadeMesh(const MeshSolid&, const MeshOptions&)>& make);
+std::optional<MadeMesh> mesh_of_parts(const MeshSolid& solid, const MeshOptions& options,
+                                      double gap);
 
 }  // namespace zeroset

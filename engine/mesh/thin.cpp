@@ -215,7 +215,7 @@ std::vector<std::vector<std::uint32_t>> tiles_of(const CollapsibleMesh& mesh, do
     KeyIndex cubes(64);
     std::vector<std::vector<std::uint32_t>> members;
     for (std::uint32_t v = 0; v < mesh.size(); ++v) {
-        const glm::dvec3 place = glm::floor(mesh.point(v) / edge + moved);
+        const glm::dvec3 place = glm::floor((mesh.point(v) - mesh.point(0)) / edge + moved);
         const auto part = [](double x) { return static_cast<std::uint64_t>(x + 0x1p20); };
         tiles[v] = cubes.add(part(place.x) | part(place.y) << 21U | part(place.z) << 42U);
         if (tiles[v] == members.size()) members.emplace_back();

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace zeroset {
@@ -26,25 +24,6 @@ int cost_of(Op op) {
                                Op::If,     Op::Less, Op::LessEqual, Op::Where};
     if (std::ranges::find(free, op) != free.end()) return 0;
     return std::ranges::find(quick, op) != quick.end() ? 1 : 10;
-}
-
-void each_operand(const Node& node, auto visit) {
-    const std::array operands{node.a, node.b, node.c};
-    for (int k = 0; k < arity(node.op); ++k)
-        visit(operands[static_cast<std::size_t>(k)]);
-}
-
-/// A node and all that it is made of, operands first.
-std::vector<NodeId> nodes_below(const Expr& f, NodeId root) {
-    std::vector<NodeId> found{root};
-    std::unordered_set<NodeId> seen{root};
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        each_operand(f.node(found[i]), [&](NodeId operand) {
-            if (seen.insert(operand).second) found.push_back(operand);
-        });
-    }
-    std::ranges::sort(found);
-    return found;
 }
 
 /// The values of a graph that are computed less often than at each point.
@@ -106,17 +85,6 @@ private:
     std::vector<NodeId> of_x_, of_row_;
 };
 
-/// The graph below a node.
-Expr part_of(const Expr& f, NodeId root) {
-    ExprBuilder builder;
-    std::unordered_map<NodeId, NodeId> copies;
-    for (const NodeId id : nodes_below(f, root)) {
-        const auto copy_of = [&](NodeId operand) { return copies[operand]; };
-        copies[id] = copy_node(builder, f.node(id), copy_of);
-    }
-    return builder.finish(copies[root], f.parameter_names());
-}
-
 }  // namespace
 
 RowSplit split_for_rows(const Expr& f) {
@@ -131,13 +99,13 @@ RowSplit split_for_rows(const Expr& f) {
     };
     for (const NodeId id : values.of_x()) {
         put(id, static_cast<int>(split.tables.size()));
-        split.tables.push_back(part_of(f, id));
+        split.tables.push_back(graph_below(f, id));
     }
     std::vector<std::string> parameters = f.parameter_names();
     for (const NodeId id : values.of_row()) {
         put(id, variable_w + 1 + static_cast<int>(parameters.size()));
         parameters.push_back("row" + std::to_string(split.of_row.size()));
-        split.of_row.push_back(part_of(f, id));
+        split.of_row.push_back(graph_below(f, id));
     }
     for (NodeId id = 0; id < f.nodes().size(); ++id) {
         if (!is_made[id]) copies[id] = copy_node(builder, f.node(id), copies);

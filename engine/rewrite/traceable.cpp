@@ -42,10 +42,11 @@ Expr with_poles_as_they_are(const Expr& expr, const SampleRegion& region) {
 
 Expr traceable(const Expr& expr, const SampleRegion& region) {
     Expr plain = with_poles_as_they_are(expr, region);
-    const Expr without = without_removable_poles(expr);
-    if (without.key() == expr.key() || plain.nodes().size() > most_nodes_compared) return plain;
+    if (plain.nodes().size() > most_nodes_compared) return plain;
+    const auto without = without_removable_poles(expr);
+    if (!without) return plain;
     // Beyond 3, sin(x)/x is only known to be small: then poles cost less than they would without.
-    const Expr continuous = with_poles_as_they_are(without, region);
+    const Expr continuous = with_poles_as_they_are(*without, region);
     const FormSample sample(plain, region);
     return sample.open(continuous) <= sample.open() ? continuous : plain;
 }

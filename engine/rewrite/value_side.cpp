@@ -18,14 +18,6 @@ std::vector<bool> depend_on_space(const Expr& f) {
     return depends;
 }
 
-/// The graph below a node.
-Expr below(const Expr& f, NodeId id) {
-    ExprBuilder nodes;
-    const std::vector<NodeId> copies = copy_nodes(nodes, f);
-    const auto names = f.parameters();
-    return nodes.finish(copies[id], {names.begin(), names.end()});
-}
-
 }  // namespace
 
 Expr value_side(const Expr& f) {
@@ -34,7 +26,7 @@ Expr value_side(const Expr& f) {
     if (root.op != Op::Subtract) return whole;
     const std::vector<bool> depends = depend_on_space(whole);
     if (depends[root.a] == depends[root.b]) return whole;
-    return below(whole, depends[root.a] ? root.a : root.b);
+    return graph_below(whole, depends[root.a] ? root.a : root.b);
 }
 
 }  // namespace zeroset

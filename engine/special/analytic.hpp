@@ -25,7 +25,7 @@ struct ComplexBox {
 /// A real function of x >= 0, or of x > 0, that is analytic there, with all that must be known of
 /// it to replace it by polynomials with proved errors (pieces.hpp).
 struct Analytic {
-    /// f(x) to `x`'s precision, some 90 bits, but for a few of the last.
+    /// f(x) to `x`'s precision, some 115 bits, but for a few of the last.
     std::function<void(mpfr_ptr result, mpfr_srcptr x)> value;
     /// ln of a bound of |f| in a box; infinite where none is known.
     std::function<double(const ComplexBox& box)> log_bound;

@@ -11,7 +11,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t point_count = piece_degree + 1;
-constexpr mpfr_prec_t working_bits = 96;
+constexpr mpfr_prec_t working_bits = 128;
 /// The relative error of one operation in double, in any rounding mode.
 constexpr double rounding_unit = unit_of<double>;
 
@@ -104,7 +104,7 @@ void set_errors(Piece& piece, double log_rest) {
         }
         // The terms of the rest fall by 0.41 and more: 4 M rho^-k k^(2s) adds up to 6.8 M rho^-16.
         const double rest = 8 * std::exp(log_rest) * steepest;
-        const double inexact = 0x1p-80 * steepest * sizes;  // values and weights of 96 bits
+        const double inexact = 0x1p-80 * steepest * sizes;  // 128 bits, of which weights take some
         piece.errors[s] = (rest + inexact + rounding_unit * roundings + tiny) * 1.01 *
                           std::pow(piece.per_half, order);
     }

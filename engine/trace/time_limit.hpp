@@ -23,6 +23,12 @@ struct TimeLimit {
     [[nodiscard]] bool over() const {
         return cancelled() || (until != never && coarse_now() >= until);
     }
+    /// The limit of the first `parts` of `of` equal parts of the time that is left.
+    [[nodiscard]] TimeLimit share(int parts, int of) const {
+        if (until == never) return *this;
+        const auto now = Clock::now();
+        return {.cancel = cancel, .until = now + (until - now) / of * parts};
+    }
 
 private:
     /// Clock::now() as of the last tick of the kernel: a sixth of its cost.

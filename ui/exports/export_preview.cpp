@@ -102,13 +102,13 @@ void draw_texts(const ExportPreview& preview, const Palette& colors) {
     ImGui::PopTextWrapPos();
 }
 
-/// The text in the room where there is nothing to be seen yet.
+/// The text where there is nothing to be seen yet.
 const char* waiting_text(const UiState& state) {
     if (!state.shown.export_preview.warnings.empty()) return "";
     return state.shown.export_progress.name.empty() ? "..." : tr("after what is being saved");
 }
 
-/// Draws the text of what is going on over the room.
+/// Draws the text of what is going on over `space`.
 void draw_over(ImDrawList& canvas, const Rect& space, const std::string& text,
                const Palette& colors) {
     if (text.empty()) return;

@@ -1,7 +1,7 @@
 #include "document/document.hpp"
 #include "engine/base/translation.hpp"
 #include "ui/exports/export_parts.hpp"
-#include "ui/panels/setting_rows.hpp"
+#include "ui/model/edited.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"

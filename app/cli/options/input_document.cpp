@@ -61,6 +61,13 @@ std::string what_is_opened(const std::string& file) {
            "\", size 256 256 109, uint8)";
 }
 
+/// A document that was typed, not opened.
+InputDocument as_typed(ReadDocument read) {
+    InputDocument input{std::move(read)};
+    input.typed = true;
+    return input;
+}
+
 /// The document of a formula; an error of its own for what may name a file.
 OrInputError<InputDocument> formula_document(const std::string& equation, const Files& files) {
     ReadDocument read = typed_document(equation, files);
@@ -68,7 +75,7 @@ OrInputError<InputDocument> formula_document(const std::string& equation, const 
         return wrong_input("'" + equation + "': there is no such file, and it is no formula: " +
                            read.rows.error().reason);
     }
-    return InputDocument{std::move(read), {}, {}, {}, false, true};
+    return as_typed(std::move(read));
 }
 
 /// The document of a file of a session, or of a picture that holds one.
@@ -120,13 +127,8 @@ OrInputError<InputDocument> stored_document(const std::string& equation,
             return gallery_document(std::string_view(equation).substr(1), files);
         case InputKind::OtherFile: return wrong_input(what_is_opened(equation));
         case InputKind::StandardInput:
-            return InputDocument{
-                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}), files),
-                {},
-                {},
-                {},
-                false,
-                true};
+            return as_typed(
+                typed_document(std::string(std::istreambuf_iterator<char>(std::cin), {}), files));
         case InputKind::Formula: break;
     }
     return formula_document(equation, files);

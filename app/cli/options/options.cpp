@@ -229,7 +229,7 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     if (!input) return input;
     if (!view.quiet) tell_notes(*input);
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);
-    if (!view.quiet) tell_thin_box(input->document.clip);
+    if (!view.quiet && (input->typed || view.box)) tell_thin_box(input->document.clip);
     if (input->path.empty()) input->document.home = input->document.camera;
     // An unreadable text is reported before options that do not fit it.
     if (!input->rows && input->path.empty()) return input;

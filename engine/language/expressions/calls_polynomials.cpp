@@ -79,7 +79,7 @@ Polynomial laguerre(int n, int order) {
     return result;
 }
 
-/// H_n and T_n by their recurrences.
+/// H_n, T_n and U_n by their recurrences.
 Polynomial hermite(int n) {
     std::vector<double> before;
     std::vector<double> here{1.0};
@@ -88,8 +88,8 @@ Polynomial hermite(int n) {
     return {.coefficients = here};
 }
 
-Polynomial chebyshev(int n) {
-    std::vector<double> before{0.0, 1.0};
+Polynomial chebyshev(int n, bool is_second) {
+    std::vector<double> before = is_second ? std::vector<double>{} : std::vector<double>{0.0, 1.0};
     std::vector<double> here{1.0};
     for (int k = 0; k < n; ++k)
         before = std::exchange(here, next_of(0.0, 2.0, here, -1.0, before));
@@ -175,7 +175,9 @@ GraphValues::Built associated(const CallSite& site, int n, int m, const BuiltVal
 GraphValues::Built of_degree(const CallSite& site, int n, const BuiltValue& a) {
     const bool has_order = site.call.operands.size() == 3;
     if (site.composed() == Composed::Hermite) return value_of(site, hermite(n), a);
-    if (site.composed() == Composed::Chebyshev) return value_of(site, chebyshev(n), a);
+    const bool is_second = site.composed() == Composed::ChebyshevU;
+    if (is_second || site.composed() == Composed::Chebyshev)
+        return value_of(site, chebyshev(n, is_second), a);
     if (site.composed() == Composed::Laguerre) {
         const auto order = has_order ? count_at(site, 1, 0, highest_of_laguerre) : 0;
         return order ? value_of(site, laguerre(n, *order), a) : std::nullopt;

@@ -16,13 +16,7 @@ bool SyntaxParser::is_bessel(std::size_t at) const {
     const std::string name = full_name(token);
     if (!is_symbol(opener, {"(", "["}) || !adjacent(token, opener)) return false;
     if (defined_.find(name, token.offset) || defined_.defines_value(name)) return false;
-    int open = 0;
-    for (std::size_t in = at + 1; tokens_[in].kind != TokenKind::End; ++in) {
-        if (is_symbol(tokens_[in], {"(", "[", "{"})) ++open;
-        if (is_symbol(tokens_[in], {")", "]", "}"}) && --open == 0) return true;
-        if (open == 1 && is_symbol(tokens_[in], {","})) return false;
-    }
-    return true;
+    return arguments_at(at + 1) == 1;
 }
 
 /// Reads J_2(a), which is besselj(2, a).

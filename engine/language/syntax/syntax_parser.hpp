@@ -153,14 +153,11 @@ private:
     [[nodiscard]] std::optional<Harmonic> harmonic_at(const Token& token) const;
     Parsed harmonic(const Token& token, const Harmonic& of);
     Parsed factorial(SyntaxId of);
-    Parsed chebyshev(const Token& token, int degree);
     std::optional<Parsed> call_by_letter(const Token& token, const std::string& name);
     Parsed polynomial_of(const Token& token, int degree);
     [[nodiscard]] bool is_bessel(std::size_t at) const;
     Parsed bessel_call(const Token& token, const Function& function);
     void note_letter(const Token& token, const Function& function);
-    SyntaxId polynomial(std::size_t offset, const std::string& name,
-                        std::span<const long long> coefficients);
     void note_base(const Token& token, const std::vector<SyntaxId>& values);
     std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
     Parsed call_of_text(const Token& token);

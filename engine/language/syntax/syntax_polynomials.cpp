@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <utility>
 
 // Calls of polynomials with names, and factorials.
 
@@ -59,28 +57,16 @@ std::optional<SyntaxParser::Parsed> SyntaxParser::call_by_letter(const Token& to
     return polynomial_of(token, *degree);
 }
 
-/// Reads P_n(a), H_n(a) or L_n(a), which is legendre(n, a), hermite(n, a) or laguerre(n, a); T_n(a)
-/// and U_n(a).
+/// Reads P_n(a), H_n(a), L_n(a), T_n(a) or U_n(a), which is legendre(n, a) and so on.
 SyntaxParser::Parsed SyntaxParser::polynomial_of(const Token& token, int degree) {
-    static constexpr std::array<std::array<std::string_view, 3>, 3> others{
+    static constexpr std::array<std::array<std::string_view, 3>, 5> others{
         {{"P", "legendre", "Legendre"},
          {"H", "hermite", "Hermite"},
-         {"L", "laguerre", "Laguerre"}}};
-    const auto* const found =
-        std::ranges::find_if(others, [&](const auto& other) { return other[0] == token.text; });
-    if (found == others.end()) return chebyshev(token, degree);
-    const Token& opener = next();
-    const List values = arguments();
-    if (!values || !close(opener)) return std::nullopt;
-    const std::string name = full_name(token);
-    tree_.notes.add(token.offset, filled(tr("{0} is {1}'s polynomial; for a product type {2}"),
-                                         {name, (*found)[2], name + "*(...)"}));
-    const SyntaxId count = add(SyntaxKind::Number, token.offset, {}, {}, std::to_string(degree));
-    return add_call(*find_function((*found)[1]), token.offset, {count, values->front()});
-}
-
-/// Reads T_n(a) or U_n(a) as a polynomial: p(n + 1) = 2 a p(n) - p(n - 1), from 1 and a or 2 a on.
-SyntaxParser::Parsed SyntaxParser::chebyshev(const Token& token, int degree) {
+         {"L", "laguerre", "Laguerre"},
+         {"T", "chebyshev", "Chebyshev"},
+         {"U", "chebyshev_u", "Chebyshev"}}};
+    const auto& other =
+        *std::ranges::find_if(others, [&](const auto& row) { return row[0] == token.text; });
     const std::string name = full_name(token);
     const Token& opener = next();
     const List values = arguments();
@@ -89,49 +75,10 @@ SyntaxParser::Parsed SyntaxParser::chebyshev(const Token& token, int degree) {
         return fail(token, filled(tr("{0} takes 1 argument, not {1}"),
                                   {name, std::to_string(values->size())}));
     }
-    tree_.notes.add(token.offset,
-                    filled(tr("{0} is Chebyshev's polynomial; for a product type {1}"),
-                           {name, name + "*(...)"}));
-    std::vector<long long> before{1};
-    std::vector<long long> here{0, token.text == "T" ? 1 : 2};
-    for (int n = 0; n < degree; ++n) {
-        std::vector<long long> next_one(here.size() + 1, 0);
-        for (std::size_t k = 0; k < here.size(); ++k)
-            next_one[k + 1] = 2 * here[k];
-        for (std::size_t k = 0; k < before.size(); ++k)
-            next_one[k] -= before[k];
-        before = std::exchange(here, std::move(next_one));
-    }
-    const std::string argument = name + " of";
-    const SyntaxId sum = polynomial(token.offset, argument, before);
-    return add(SyntaxKind::Let, token.offset, {values->front(), sum}, {}, argument);
-}
-
-/// The sum of coefficients[k]*name^k, the highest power first.
-SyntaxId SyntaxParser::polynomial(std::size_t offset, const std::string& name,
-                                  std::span<const long long> coefficients) {
-    const auto number = [&](long long value) {
-        return add(SyntaxKind::Number, offset, {}, {}, std::to_string(std::abs(value)));
-    };
-    std::vector<SyntaxId> terms;
-    std::string marks;
-    for (std::size_t k = coefficients.size(); k-- > 0;) {
-        const long long factor = coefficients[k];
-        if (factor == 0) continue;
-        SyntaxId term = k == 0 ? number(factor) : add(SyntaxKind::Name, offset, {}, {}, name);
-        if (k > 1) {
-            const SyntaxId exponent = number(static_cast<long long>(k));
-            term = add(SyntaxKind::Power, offset, {term, exponent});
-        }
-        if (k > 0 && std::abs(factor) != 1) {
-            const SyntaxId times = number(factor);
-            term = add(SyntaxKind::Product, offset, {times, term}, "*");
-        }
-        if (!terms.empty()) marks += factor < 0 ? '-' : '+';
-        terms.push_back(term);
-    }
-    return terms.size() == 1 ? terms.front()
-                             : add(SyntaxKind::Sum, offset, std::move(terms), marks);
+    tree_.notes.add(token.offset, filled(tr("{0} is {1}'s polynomial; for a product type {2}"),
+                                         {name, other[2], name + "*(...)"}));
+    const SyntaxId count = add(SyntaxKind::Number, token.offset, {}, {}, std::to_string(degree));
+    return add_call(*find_function(other[1]), token.offset, {count, values->front()});
 }
 
 /// Reads the rest of n!, which is prod(i, i, 1, n).

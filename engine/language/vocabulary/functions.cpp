@@ -89,6 +89,9 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"ChebyshevT", "chebyshev"},
     {"chebyshevT", "chebyshev"},
     {"eval_chebyt", "chebyshev"},
+    {"ChebyshevU", "chebyshev_u"},
+    {"chebyshevU", "chebyshev_u"},
+    {"eval_chebyu", "chebyshev_u"},
     {"SphericalHarmonicY", "spherical_harmonic"},
     {"sph_harm_y", "spherical_harmonic"},
     {"Erf", "erf"},
@@ -223,28 +226,6 @@ std::vector<Function> make_table() {
                      .section = WordSection::part});
 #include "engine/language/vocabulary/shapes.def"
 #undef ZEROSET_WORD
-#define ZEROSET_SPECIAL(id, word, fewest, greatest, list, about) \
-    table.push_back({.name = (word),                             \
-                     .least = (fewest),                          \
-                     .most = (greatest),                         \
-                     .arguments = (list),                        \
-                     .meaning = (about),                         \
-                     .op = std::nullopt,                         \
-                     .composed = Composed::id,                   \
-                     .section = WordSection::Special});
-#include "engine/language/vocabulary/specials.def"
-#undef ZEROSET_SPECIAL
-#define ZEROSET_NOISE(id, word, fewest, greatest, list, about) \
-    table.push_back({.name = (word),                           \
-                     .least = (fewest),                        \
-                     .most = (greatest),                       \
-                     .arguments = (list),                      \
-                     .meaning = (about),                       \
-                     .op = std::nullopt,                       \
-                     .composed = Composed::id,                 \
-                     .section = WordSection::Noise});
-#include "engine/language/vocabulary/noises.def"
-#undef ZEROSET_NOISE
 #define ZEROSET_WRITTEN(part, id, word, fewest, greatest, list, about) \
     table.push_back({.name = (word),                                   \
                      .least = (fewest),                                \
@@ -254,6 +235,8 @@ std::vector<Function> make_table() {
                      .op = std::nullopt,                               \
                      .composed = Composed::id,                         \
                      .section = WordSection::part});
+#include "engine/language/vocabulary/noises.def"
+#include "engine/language/vocabulary/specials.def"
 #include "engine/language/vocabulary/written_out.def"
 #undef ZEROSET_WRITTEN
     return table;

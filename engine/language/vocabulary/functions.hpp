@@ -17,13 +17,9 @@ enum class Composed : std::uint8_t {
 #define ZEROSET_FUNCTION(id, name, least, most, arguments, meaning) id,
 #include "engine/language/vocabulary/functions.def"
 #undef ZEROSET_FUNCTION
-#define ZEROSET_SPECIAL(id, name, least, most, arguments, meaning) id,
-#include "engine/language/vocabulary/specials.def"
-#undef ZEROSET_SPECIAL
-#define ZEROSET_NOISE(id, name, least, most, arguments, meaning) id,
-#include "engine/language/vocabulary/noises.def"
-#undef ZEROSET_NOISE
 #define ZEROSET_WRITTEN(section, id, name, least, most, arguments, meaning) id,
+#include "engine/language/vocabulary/noises.def"
+#include "engine/language/vocabulary/specials.def"
 #include "engine/language/vocabulary/written_out.def"
 #undef ZEROSET_WRITTEN
 };

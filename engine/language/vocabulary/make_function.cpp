@@ -222,50 +222,12 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Greatest:
         case Composed::Sum:
         case Composed::Product:
-        case Composed::Erf:
-        case Composed::Erfc:
-        case Composed::Gamma:
-        case Composed::ReciprocalGamma:
-        case Composed::Factorial:
-        case Composed::LogGamma:
-        case Composed::LogGammaRight:
-        case Composed::Digamma:
-        case Composed::DigammaRight:
-        case Composed::Beta:
-        case Composed::Zeta:
-        case Composed::ZetaTimes:
-        case Composed::LambertW:
-        case Composed::LambertRoot:
-        case Composed::BesselJ:
-        case Composed::BesselY:
-        case Composed::BesselI:
-        case Composed::BesselK:
-        case Composed::J0:
-        case Composed::J1:
-        case Composed::Y0:
-        case Composed::Y1:
-        case Composed::I0:
-        case Composed::I1:
-        case Composed::K0:
-        case Composed::K1:
-        case Composed::Noise:
-        case Composed::ValueNoise:
-        case Composed::Cellular:
-        case Composed::Cellular2:
-        case Composed::Fbm:
-        case Composed::Turbulence:
-        case Composed::Blobs:
-        case Composed::Metaballs:
-        case Composed::Blinn:
-        case Composed::RealPart:
-        case Composed::ImaginaryPart:
-        case Composed::Argument:
-        case Composed::Conjugate:
-        case Composed::Legendre:
-        case Composed::Hermite:
-        case Composed::Laguerre:
-        case Composed::Chebyshev:
-        case Composed::Harmonic: break;
+#define ZEROSET_WRITTEN(section, id, name, least, most, arguments, meaning) case Composed::id:
+#include "engine/language/vocabulary/noises.def"
+#include "engine/language/vocabulary/specials.def"
+#include "engine/language/vocabulary/written_out.def"
+#undef ZEROSET_WRITTEN
+            break;
     }
     assert(false);  // the elaborator writes these functions out
     return a[0];

@@ -5,16 +5,16 @@
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/differences.hpp"
+#include "engine/rewrite/differences/kept_domain.hpp"
 #include "engine/rewrite/differences/known_value.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
+#include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace zeroset {
 namespace {
@@ -131,50 +131,17 @@ private:
     NodeId plain(const Terms& f) {
         return make_divide(builder_, make_subtract(builder_, f.f1, f.f0), delta_);
     }
-    /// The function, undefined where one of the two terms is: what cancels has no value everywhere.
     NodeId with_domain(NodeId function, NodeId f1, NodeId f0) {
-        std::set<NodeId> kept;
-        collect_computed(function, kept);
-        std::set<NodeId> terms;
-        collect_computed(f1, terms);
-        if (!leaf_) collect_computed(f0, terms);
-        for (const NodeId id : terms) {
-            if (kept.contains(id) || !may_lack_value(id)) continue;
-            const Node node = builder_.node(id);
-            if (leaf_ && is_any_of(node.op, {Op::Tan, Op::Cot})) continue;  // of_tangent divides
-            const NodeId nothing = node.op == Op::Where ? builder_.apply(Op::Where, zero(), node.b)
-                                   : node.op == Op::Atan2
-                                       ? nothing_of(builder_.apply(Op::Angle, node.a, node.b))
-                                       : nothing_of(id);
-            function = builder_.apply(Op::Add, function, nothing);
-        }
-        return function;
+        const std::array terms{f1, f0};
+        // A leaf that is replaced has no domain of its own, and of_tangent divides.
+        return leaf_ ? with_domain_of(builder_, facts_, function, std::span(terms).first(1),
+                                      {Op::Tan, Op::Cot})
+                     : with_domain_of(builder_, facts_, function, terms, {});
     }
-    /// Whether the node has no value somewhere where what it is computed from has.
-    bool may_lack_value(NodeId id) {
-        const Node& node = builder_.node(id);
-        if (node.op != Op::If) return facts_.is_partial(id);
-        std::set<NodeId> nodes;
-        collect({node.b, node.c}, nodes, &arity);
-        return std::ranges::any_of(nodes, [&](NodeId part) { return facts_.is_partial(part); });
-    }
-    NodeId nothing_of(NodeId a) { return builder_.apply(Op::Multiply, zero(), a); }
-    /// The nodes that are computed wherever the function is.
-    void collect_computed(NodeId function, std::set<NodeId>& nodes) const {
-        collect({function}, nodes, [](Op op) { return op == Op::If ? 1 : arity(op); });
-    }
-    /// `operands(op)`: how many of a node's operands are gone to.
-    void collect(std::vector<NodeId> open, std::set<NodeId>& nodes, auto operands) const {
-        while (!open.empty()) {
-            const NodeId id = open.back();
-            open.pop_back();
-            if (!nodes.insert(id).second) continue;
-            const Node& node = builder_.node(id);
-            const int count = operands(node.op);
-            if (count > 0) open.push_back(node.a);
-            if (count > 1) open.push_back(node.b);
-            if (count > 2) open.push_back(node.c);
-        }
+    /// A part of f0 as a number where that is exactly known: 0 for 0*ln(0), which has no value.
+    NodeId settled(NodeId part) {
+        const auto known = leaf_ ? known_value(builder_, part) : std::nullopt;
+        return known ? constant(*known) : part;
     }
 
     NodeId of_negative(const Terms& f) { return make_negate(builder_, of(f.to.a, f.from.a)); }
@@ -188,15 +155,15 @@ private:
         if (leaf_ && is_known_zero(builder_, f.from.a)) return times(of(f.to.a, f.from.a), f.to.b);
         if (leaf_ && is_known_zero(builder_, f.from.b)) return times(f.to.a, of(f.to.b, f.from.b));
         return make_add(builder_, times(of(f.to.a, f.from.a), f.to.b),
-                        times(f.from.a, of(f.to.b, f.from.b)));
+                        times(settled(f.from.a), of(f.to.b, f.from.b)));
     }
     NodeId of_quotient(const Terms& f) {
-        const NodeId top =
-            make_subtract(builder_, of(f.to.a, f.from.a), times(f.f0, of(f.to.b, f.from.b)));
+        const NodeId top = make_subtract(builder_, of(f.to.a, f.from.a),
+                                         times(settled(f.f0), of(f.to.b, f.from.b)));
         return make_divide(builder_, top, f.to.b);
     }
     NodeId of_power(const Terms& f) {
-        return times(of(f.to.a, f.from.a), powers(f.to.a, f.from.a, f.to.number));
+        return times(of(f.to.a, f.from.a), powers(f.to.a, settled(f.from.a), f.to.number));
     }
     /// (u^n - v^n)/(u - v)
     NodeId powers(NodeId u, NodeId v, int n) {
@@ -213,7 +180,7 @@ private:
     /// where both are.
     NodeId of_root(const Terms& f) {
         const NodeId top = of(f.to.a, f.from.a);
-        const NodeId sum = powers(f.f1, f.f0, f.to.op == Op::Sqrt ? 2 : f.to.number);
+        const NodeId sum = powers(f.f1, settled(f.f0), f.to.op == Op::Sqrt ? 2 : f.to.number);
         const NodeId quotient = make_divide(builder_, top, sum);
         if (leaf_ || apart_at_zero(f.to.a, f.from.a)) return quotient;
         return choice(call(Op::LessEqual, sum, zero()), zero(), quotient);
@@ -286,7 +253,7 @@ private:
         if (leaf_ && is_any_of(f.to.op, {Op::Sin, Op::Sinh}) && is_known_zero(builder_, f.from.a))
             return times(slope, cardinal_of(turns, f.to.a));
         const NodeId h = half_of(times(delta_, slope));
-        const NodeId m = call(derivative(f.to.op), make_add(builder_, f.from.a, h));
+        const NodeId m = call(derivative(f.to.op), make_add(builder_, settled(f.from.a), h));
         const NodeId product = times(times(slope, m), cardinal_of(turns, h));
         return f.to.op == Op::Cos ? make_negate(builder_, product) : product;
     }
@@ -311,13 +278,14 @@ private:
         const Op below = f.to.op == Op::Tan ? Op::Cos : f.to.op == Op::Cot ? Op::Sin : Op::Cosh;
         const NodeId top = times(slope, cardinal_of(f.to.op != Op::Tanh, times(delta_, slope)));
         const NodeId quotient = make_divide(
-            builder_, top, make_multiply(builder_, call(below, f.to.a), call(below, f.from.a)));
+            builder_, top,
+            make_multiply(builder_, call(below, f.to.a), call(below, settled(f.from.a))));
         return f.to.op == Op::Cot ? make_negate(builder_, quotient) : quotient;
     }
     /// atan(u) - atan(v) = atan((u - v)/(1 + u v)), if that is above 0.
     NodeId of_arc(const Terms& f) {
-        const NodeId along =
-            make_add(builder_, builder_.constant(1.0), make_multiply(builder_, f.to.a, f.from.a));
+        const NodeId along = make_add(builder_, builder_.constant(1.0),
+                                      make_multiply(builder_, f.to.a, settled(f.from.a)));
         return of_turn(f, of(f.to.a, f.from.a), along, builder_.constant(1.0));
     }
     /// The difference of the angles of two points.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace zeroset {
@@ -90,12 +91,19 @@ private:
         return divided_difference(builder_, facts_, top, there, replaced, delta);
     }
     [[nodiscard]] bool has_factor(NodeId product, NodeId factor) const {
-        const Node& node = builder_.node(product);
-        if (product == factor) return true;
-        if (node.op == Op::Multiply)
-            return has_factor(node.a, factor) || has_factor(node.b, factor);
-        const bool is_power = node.op == Op::IntPower || node.op == Op::Negate;
-        return is_power && has_factor(node.a, factor);
+        std::vector<NodeId> open{product};
+        std::unordered_set<NodeId> seen;
+        while (!open.empty()) {
+            const NodeId id = open.back();
+            open.pop_back();
+            if (id == factor) return true;
+            const Node& node = builder_.node(id);
+            const bool is_product = is_any_of(node.op, {Op::Multiply, Op::IntPower, Op::Negate});
+            if (!is_product || !seen.insert(id).second) continue;
+            open.push_back(node.a);
+            if (node.op == Op::Multiply) open.push_back(node.b);
+        }
+        return false;
     }
     /// The function with the replaced node, otherwise operator by operator as it was.
     NodeId with_replaced(NodeId root, const Replacement& replaced) {
@@ -130,20 +138,20 @@ private:
 
 }  // namespace
 
-Expr without_removable_poles(const Expr& expr) {
+std::optional<Expr> without_removable_poles(const Expr& expr) {
     const auto divides = [](const Node& node) { return node.op == Op::Divide; };
     if (expr.nodes().size() > most_of_graph || std::ranges::none_of(expr.nodes(), divides))
-        return expr;
+        return std::nullopt;
     ExprBuilder builder;
     PoleRemover remover(builder);
     bool is_any = false;
-    const Expr result = rebuilt(
+    Expr result = rebuilt(
         builder, expr, [&](ExprBuilder& to, const Node& node, NodeId a, NodeId b, NodeId c) {
             const auto continuous = divides(node) ? remover.quotient(a, b) : std::nullopt;
             is_any = is_any || continuous;
             return continuous ? *continuous : copy_node(to, node, a, b, c);
         });
-    return is_any ? result : expr;
+    return is_any ? std::optional(std::move(result)) : std::nullopt;
 }
 
 }  // namespace zeroset

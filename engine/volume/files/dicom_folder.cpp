@@ -19,33 +19,37 @@ namespace fs = std::filesystem;
 /// The files of each series, in the order of their names.
 using FilesOfSeries = std::map<std::string, std::vector<DicomFile>>;
 
+/// Adds the files of a folder; the error that its listing ends with.
 template <class Iterator>
-void add_files(const fs::path& folder, FilesOfSeries& series) {
+std::error_code add_files(const fs::path& folder, FilesOfSeries& series) {
     std::error_code error;
+    std::error_code ignored;
     std::vector<fs::path> files;
     constexpr auto options = fs::directory_options::skip_permission_denied;
     for (Iterator at(folder, options, error); at != Iterator(); at.increment(error)) {
-        if (at->is_regular_file(error) && is_dicom_file(at->path())) files.push_back(at->path());
+        if (at->is_regular_file(ignored) && is_dicom_file(at->path())) files.push_back(at->path());
     }
     std::ranges::sort(files);
     for (const fs::path& path : files) {
         DicomFile file = read_dicom_file(path);
         series[file.series].push_back(std::move(file));
     }
+    return error;
 }
 
 bool has_samples(const std::vector<DicomFile>& files) {
     return std::ranges::any_of(files, &DicomFile::has_samples);
 }
 
-FilesOfSeries files_in(const fs::path& folder) {
+Expected<FilesOfSeries> files_in(const fs::path& folder) {
     FilesOfSeries series;
-    add_files<fs::directory_iterator>(folder, series);
+    std::error_code error = add_files<fs::directory_iterator>(folder, series);
     const bool has_slices = std::ranges::any_of(
         series, [](const auto& of_series) { return has_samples(of_series.second); });
-    std::error_code error;
-    if (!has_slices && fs::exists(folder / "DICOMDIR", error))
-        add_files<fs::recursive_directory_iterator>(folder, series);
+    std::error_code ignored;
+    if (!error && !has_slices && fs::exists(folder / "DICOMDIR", ignored))
+        error = add_files<fs::recursive_directory_iterator>(folder, series);
+    if (error) return std::unexpected("its folder cannot be read: " + error.message());
     return series;
 }
 
@@ -121,13 +125,14 @@ Expected<std::vector<DicomSlice>> slices_of_series(const fs::path& path) {
         if (!is_folder && !own.problem.empty()) return std::unexpected(own.problem);
         wanted = own.series;
     }
-    const FilesOfSeries series = files_in(folder);
-    if (is_folder) wanted = only_series(series, folder);
+    const auto series = files_in(folder);
+    if (!series) return std::unexpected(series.error());
+    if (is_folder) wanted = only_series(*series, folder);
     if (!wanted) return std::unexpected(wanted.error());
-    const auto found = series.find(*wanted);
-    if (found == series.end()) return std::unexpected("it changed while it was read");
+    const auto found = series->find(*wanted);
+    if (found == series->end()) return std::unexpected("it changed while it was read");
     std::vector<DicomSlice> slices;
-    for (const auto& [uid, files] : series) {
+    for (const auto& [uid, files] : *series) {
         // A damaged file that does not say of which series it is may be a slice.
         if (uid != *wanted && !uid.empty()) continue;
         for (const DicomFile& file : files) {

@@ -63,11 +63,12 @@ std::string take_slice(const DicomHeader& header, DicomSlice& slice) {
     const auto turn = header.numbers(image_orientation, 6);
     if (!place || !turn) return {};
     slice.placed = true;
+    const std::vector<double> roundings = roundings_of(header.text(image_position));
     for (std::size_t i = 0; i < 3; ++i) {
         slice.position[i] = (*place)[i];
         slice.along_row[i] = (*turn)[i];
         slice.down_column[i] = (*turn)[i + 3];
-        slice.position_rounding[i] = roundings_of(header.text(image_position))[i];
+        slice.position_rounding[i] = roundings[i];
     }
     return {};
 }

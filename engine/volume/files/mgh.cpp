@@ -70,9 +70,7 @@ Expected<VolumeFile> read_mgh(const std::filesystem::path& file) {
     SampleBlock block{.file = file, .type = *type, .big_endian = true};
     for (std::size_t i = 0; i < 3; ++i)
         block.size[i] = static_cast<std::uint64_t>(std::max(whole(4 + 4 * i), 0));
-    const bool packed = is_packed(file);
-    if (packed) block.encoding = SampleEncoding::Gzip;
-    (packed ? block.skip_unpacked : block.offset) = mgh_header;
+    start_at(block, mgh_header);
     const auto samples = read_samples(block);
     if (!samples) return std::unexpected(samples.error());
     return VolumeFile{.samples = *samples, .geometry = mgh_geometry(*header, block.size)};

@@ -117,9 +117,7 @@ Expected<VolumeFile> read_mrc(const std::filesystem::path& file) {
         block.size[i] = static_cast<std::uint64_t>(std::max(header.whole(i), 0));
     const std::uint64_t skip =
         mrc_header + static_cast<std::uint64_t>(std::max(header.whole(23), 0));
-    const bool packed = is_packed(file);
-    if (packed) block.encoding = SampleEncoding::Gzip;
-    (packed ? block.skip_unpacked : block.offset) = skip;
+    start_at(block, skip);
     const auto samples = read_samples(block);
     if (!samples) return std::unexpected(samples.error());
     return VolumeFile{.samples = *samples, .geometry = mrc_geometry(header)};

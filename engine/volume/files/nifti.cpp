@@ -283,9 +283,7 @@ Expected<SampleBlock> block_of(const NiftiHeader& header, const std::filesystem:
                                "; behind its header samples begin at " +
                                short_number(header.least_offset()));
     }
-    const bool packed = is_packed(block.file);
-    if (packed) block.encoding = SampleEncoding::Gzip;
-    (packed ? block.skip_unpacked : block.offset) = static_cast<std::uint64_t>(offset);
+    start_at(block, static_cast<std::uint64_t>(offset));
     return block;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/base/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/volume/files/header_text.hpp"
 #include "engine/volume/files/mapped_file.hpp"
 
 #include <zlib.h>
@@ -249,6 +250,12 @@ std::optional<std::string> unpacked_bytes(std::string_view packed, std::uint64_t
         return std::nullopt;
     }
     return bytes.empty() ? std::nullopt : std::optional(std::move(bytes));
+}
+
+void start_at(SampleBlock& block, std::uint64_t start) {
+    const bool packed = is_packed(block.file);
+    if (packed) block.encoding = SampleEncoding::Gzip;
+    (packed ? block.skip_unpacked : block.offset) = start;
 }
 
 ReadSamples read_samples(const SampleBlock& block) {

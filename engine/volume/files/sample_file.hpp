@@ -27,6 +27,10 @@ struct SampleBlock {
     GridSize size{};
 };
 
+/// Lets a block's samples begin at this byte: of what is unpacked, where its file is packed by
+/// gzip.
+void start_at(SampleBlock& block, std::uint64_t start);
+
 /// Reads a block: raw samples in this machine's byte order are mapped, others copied. Nothing is
 /// allocated before the file is known to be long enough. An error is one line that begins with what
 /// the file lacks, without its name.

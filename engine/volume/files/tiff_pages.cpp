@@ -44,9 +44,10 @@ private:
         const std::size_t count = number_at<std::uint16_t>(bytes_, at, big_endian_);
         const std::size_t end = at + 2 + entry * count;
         if (end + 4 > bytes_.size()) return std::nullopt;
+        taken_ += 2 + entry * count;
         for (std::size_t i = 0; i < count; ++i)
             take(at + 2 + entry * i, page);
-        if (taken_ > bytes_.size()) return std::nullopt;  // they lie on each other
+        if (takes_too_much()) return std::nullopt;
         return number_at<std::uint32_t>(bytes_, end, big_endian_);
     }
     /// Takes a tag's values: whole numbers, a fraction or a text, within the file.
@@ -60,8 +61,8 @@ private:
         const std::size_t place =
             size <= 4 ? at + 8 : number_at<std::uint32_t>(bytes_, at + 8, big_endian_);
         if (place > bytes_.size() || size > bytes_.size() - place) return;
-        taken_ += size;
-        if (taken_ > bytes_.size()) return;
+        if (size > 4) taken_ += size;
+        if (takes_too_much()) return;
         if (type == 2) {
             const std::string_view text = bytes_.substr(place, size);
             if (tag == static_cast<std::uint16_t>(TiffTag::ImageDescription))
@@ -78,6 +79,8 @@ private:
         for (std::uint64_t i = 0; i < count; ++i)
             numbers.push_back(whole(place + i * widths[type], widths[type]));
     }
+    /// Pages may share values, as of their resolution; but links in a circle do so without end.
+    [[nodiscard]] bool takes_too_much() const { return taken_ / 8 > bytes_.size(); }
     [[nodiscard]] std::uint64_t whole(std::size_t at, std::size_t width) const {
         if (width == 1) return static_cast<unsigned char>(bytes_[at]);
         if (width == 2) return number_at<std::uint16_t>(bytes_, at, big_endian_);
@@ -86,7 +89,7 @@ private:
 
     std::string_view bytes_;
     bool big_endian_ = false;
-    std::size_t taken_ = 0;  ///< bytes of values; those of a sound file lie side by side
+    std::size_t taken_ = 0;  ///< bytes of directories and values
 };
 
 }  // namespace

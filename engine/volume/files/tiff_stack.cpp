@@ -88,6 +88,15 @@ public:
         const auto page_bytes = bytes_of({block_.size[0], block_.size[1], 1}, block_.type);
         if (!page_bytes || *page_bytes == 0) return std::unexpected("its pages have no samples");
         if (is_one_run(*page_bytes)) return one_run();
+        // Pages may name the same bytes; none are gathered that the file cannot hold.
+        const bool is_packed = std::ranges::any_of(pages_, [](const TiffPage& page) {
+            return page.number(TiffTag::Compression, plain) != plain;
+        });
+        const std::uint64_t most = bytes_.size() * (is_packed ? best_deflate_ratio : 1);
+        if (*page_bytes > most / pages_.size()) {
+            return std::unexpected("it is too short for its " + std::to_string(pages_.size()) +
+                                   " pages");
+        }
         std::string all;
         for (std::size_t n = 0; n < pages_.size(); ++n) {
             const std::size_t before = all.size();

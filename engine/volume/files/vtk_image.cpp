@@ -4,6 +4,7 @@
 #include "engine/volume/files/base64.hpp"
 #include "engine/volume/files/grid_pieces.hpp"
 #include "engine/volume/files/header_text.hpp"
+#include "engine/volume/files/mapped_file.hpp"
 #include "engine/volume/files/sample_file.hpp"
 #include "engine/volume/files/volume_file.hpp"
 
@@ -205,15 +206,18 @@ private:
     /// Samples behind the XML, `offset` bytes from their beginning.
     [[nodiscard]] Expected<Samples> appended(std::uint64_t offset, SampleBlock block) const {
         if (text_.appended == 0) return std::unexpected("its header announces data that it lacks");
+        const auto mapped = MappedFile::open(file_);
+        if (!mapped) return std::unexpected(mapped.error());
+        const auto all = (*mapped)->bytes();
+        if (text_.appended > all.size() || offset > all.size() - text_.appended)
+            return std::unexpected(damaged);
         block.offset = text_.appended + offset;
         if (text_.appended_raw && !coding_.packed) {
             block.offset += coding_.width();
             return read_samples(block);
         }
-        const auto bytes = first_bytes(file_, std::numeric_limits<std::ptrdiff_t>::max());
-        if (!bytes) return std::unexpected(bytes.error());
-        if (block.offset > bytes->size()) return std::unexpected(damaged);
-        std::string_view rest = std::string_view(*bytes).substr(block.offset);
+        std::string_view rest(reinterpret_cast<const char*>(all.data()) + block.offset,
+                              all.size() - block.offset);
         if (text_.appended_raw) return coded(rest, block);
         rest = rest.substr(0, rest.find('<'));
         const auto plain = decoded(rest, coding_);

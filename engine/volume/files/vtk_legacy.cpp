@@ -16,23 +16,12 @@
 namespace zeroset {
 namespace {
 
-std::optional<SampleType> vtk_type(std::string_view name) {
-    using Name = std::pair<std::string_view, SampleType>;
-    constexpr std::array names{Name{"char", SampleType::Int8},
-                               Name{"signed_char", SampleType::Int8},
-                               Name{"unsigned_char", SampleType::UInt8},
-                               Name{"short", SampleType::Int16},
-                               Name{"unsigned_short", SampleType::UInt16},
-                               Name{"int", SampleType::Int32},
-                               Name{"unsigned_int", SampleType::UInt32},
-                               Name{"long", SampleType::Int64},
-                               Name{"unsigned_long", SampleType::UInt64},
-                               Name{"vtktypeint64", SampleType::Int64},
-                               Name{"vtktypeuint64", SampleType::UInt64},
-                               Name{"float", SampleType::Float},
-                               Name{"double", SampleType::Double}};
-    const auto* const found = std::ranges::find(names, name, &Name::first);
-    return found == names.end() ? std::nullopt : std::optional(found->second);
+std::optional<SampleType> vtk_type(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    if (name == "char") return SampleType::Int8;
+    if (name == "long" || name == "vtktypeint64") return SampleType::Int64;
+    if (name == "unsigned long" || name == "vtktypeuint64") return SampleType::UInt64;
+    return sample_type(name);
 }
 
 /// Reads the header line by line, up to where the samples begin.

@@ -2,7 +2,7 @@
 
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
-#include "pipeline/volume_source.hpp"
+#include "pipeline/file_access.hpp"
 #include "tests/app/desktop/sessions.hpp"
 #include "ui/style/theme.hpp"
 

@@ -81,6 +81,11 @@ TEST(Extent, ReachesOutOfAClipBoxWithoutSurface) {
     EXPECT_EQ(*extent.reached, Box::cube(8));
 }
 
+TEST(Extent, OfASurfaceFarAwayIsFoundAcrossTheWallOfASmallerSpace) {
+    const Extent extent = find_extent(scene_of("x^2 + y^2 + (z - 8192)^2 - 1e4", Box::cube(2)));
+    expect_holds(extent.whole, {{-100, -100, 8092}, {100, 100, 8292}}, "a ball");
+}
+
 TEST(Extent, OfSeveralSurfacesHoldsAll) {
     Scene scene = scene_of("(x - 3)^2 + y^2 + z^2 - 1", Box::cube(2));
     scene.surfaces.push_back(scene_of("x^2 + y^2 + (z + 1)^2 - 0.25", Box::cube(2)).surfaces[0]);

@@ -149,5 +149,15 @@ TEST(MakeMesh, TakesPartsThatMeetTogether) {
     EXPECT_NEAR(facts_of(plate.mesh).volume, 0.8, 1e-6);
 }
 
+/// A point beside a ball has no triangles, but it is not proved that nothing is there.
+TEST(MakeMesh, TellsWhatIsNotProvedOfAPartWithoutTriangles) {
+    MeshSolid solid = solid_of({"x^2 + y^2 + z^2 - 0.25", "(x - 1.5)^2 + y^2 + z^2"}, Box::cube(2));
+    solid.nodes.back().kind = SolidNode::Kind::Min;
+    const MadeMesh made = make_mesh(solid, {.tolerance = 0.01});
+    EXPECT_EQ(facts_of(made.mesh).components, 1U);
+    EXPECT_FALSE(made.report.isotopic);
+    EXPECT_GT(made.report.unproved, 0U);
+}
+
 }  // namespace
 }  // namespace zeroset::test::exact_mesh_test

@@ -1,8 +1,8 @@
 // Tests of the side panel without a mouse: Tab, arrows, Space and Escape.
 
 #include "tests/ui/panels.hpp"
+#include "ui/model/edited.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/setting_rows.hpp"
 #include "ui/window/offscreen_window.hpp"
 
 #include <GLFW/glfw3.h>

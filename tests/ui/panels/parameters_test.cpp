@@ -2,8 +2,8 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
+#include "ui/model/edited.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/panels/setting_rows.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/offscreen_window.hpp"
 

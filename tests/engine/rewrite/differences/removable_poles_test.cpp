@@ -47,11 +47,13 @@ constexpr std::array quotients{
     Quotient{"atan(x)/x", 0.0, 0.2, 1.0},
     Quotient{"sin(x)*sin(y)/(x*y)", 0.0, 0.0, 1.0},
     Quotient{"(x^2 - 4)/(x - 2) + y", 2.0, 1.0, 5.0},
+    Quotient{"(exp(x*ln(x + y)) - 1)/x", 0.0, 0.5, -0x1.62e42fefa39efp-1},
+    Quotient{"((1 + x*sqrt(x + y))^2 - 1)/x", 0.0, 0.25, 1.0},
 };
 
 TEST(RemovablePoles, HaveTheirLimits) {
     for (const auto& [text, x, y, limit] : quotients) {
-        const Expr written = without_removable_poles(*parse(text));
+        const Expr written = without_removable_poles(*parse(text)).value_or(*parse(text));
         EXPECT_NEAR(value_of(written, x, y), limit, 1e-12) << text << " as " << written.canonical();
     }
 }
@@ -60,7 +62,7 @@ TEST(RemovablePoles, LeaveAllOtherValues) {
     RandomNumbers random(14);
     for (const Quotient& quotient : quotients) {
         const Expr typed = *parse(quotient.text);
-        const Expr written = without_removable_poles(typed);
+        const Expr written = without_removable_poles(typed).value_or(typed);
         for (int i = 0; i < 200; ++i) {
             const double x = random.uniform(-1.4, 1.4);
             const double y = random.uniform(-1.4, 1.4);
@@ -79,7 +81,7 @@ TEST(RemovablePoles, StayWhereThereIsNoLimit) {
          {"1/x", "cos(x)/x", "x*y/(x^2 + y^2)", "(exp(x) - exp(-y))/(x - y)", "(x^2 + y^2)/(x - y)",
           "floor(x)/x", "abs(x)/x", "sin(x)/x^2", "x*y/(x*(1 + y^2))", "x/3"}) {
         const Expr typed = *parse(text);
-        const Expr written = without_removable_poles(typed);
+        const Expr written = without_removable_poles(typed).value_or(typed);
         const double there = value_of(written, 0.0, 0.0);
         EXPECT_TRUE(!std::isfinite(there) || std::string(text) == "x/3") << text << ": " << there;
     }

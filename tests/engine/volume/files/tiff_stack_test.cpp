@@ -162,6 +162,32 @@ TEST_F(VolumeFiles, TiffMayBeDamaged) {
     std::string loop = whole;
     loop.replace(loop.size() - 4, 4, loop.substr(4, 4));
     EXPECT_EQ(error_of(write("a.tif", loop)), "its pages are damaged or cut off");
+    // A page of many entries that nothing is taken of, before itself.
+    const Tiff plain;
+    std::string entries = "II" + plain.word(42, 2) + plain.word(8, 4) + plain.word(60'000, 2);
+    for (int i = 0; i < 60'000; ++i)
+        entries += plain.entry(256, 7, 1, 4);
+    EXPECT_EQ(error_of(write("a.tif", entries + plain.word(8, 4))),
+              "its pages are damaged or cut off");
+}
+
+/// Pages that name the same samples get no more memory than the file's size tells.
+TEST_F(VolumeFiles, TiffPagesMayNotShareSamples) {
+    std::string bytes = Tiff{.pages = {std::string(24, 'a')}}.bytes();
+    const std::size_t first = bytes.find(Tiff{}.entry(256, 3, 1, 4)) - 2;
+    const std::string page = bytes.substr(first, bytes.size() - 4 - first);
+    for (int i = 0; i < 400; ++i) {
+        bytes.replace(bytes.size() - 4, 4, Tiff{}.word(bytes.size(), 4));
+        bytes += page + Tiff{}.word(0, 4);
+    }
+    const auto read = read_volume_file(write("a.tif", bytes), {});
+    EXPECT_TRUE(read) << read.error();  // directories are larger than such small pages
+    std::string large = Tiff{.pages = {std::string(24, 'a')}}.bytes();
+    large.replace(large.find(Tiff{}.entry(257, 3, 1, 3)), 12, Tiff{}.entry(257, 4, 1, 1'000'000));
+    std::string again = large.substr(first, large.size() - 4 - first);
+    large.replace(large.size() - 4, 4, Tiff{}.word(large.size(), 4));
+    large += again + Tiff{}.word(0, 4);
+    EXPECT_EQ(error_of(write("a.tif", large)), "it is too short for its 2 pages");
 }
 
 }  // namespace
