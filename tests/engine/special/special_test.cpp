@@ -43,7 +43,7 @@ std::vector<Sampled> all_sampled() {
             {BesselJ, 7, -40, 40},    {BesselJ, 60, -90, 90}, {BesselY, 0, 0, 20},
             {BesselY, 3, 0, 20},      {BesselI, 0, -9, 9},    {BesselI, 5, -9, 9},
             {BesselK, 0, 0, 9},       {BesselK, 4, 0, 9},     {BesselJ, 2, 4000, 4090},
-            {BesselY, 8, 1, 90},     {BesselK, 8, 1, 90}};
+            {BesselY, 8, 1, 90},      {BesselK, 8, 1, 90}};
 }
 
 double some_place(const Sampled& of, RandomNumbers& random) {
