@@ -33,8 +33,8 @@ struct InterpreterCode {
     Function<ValueBatchOf<double>> points;  ///< values without gradients
 };
 
-/// This thread's room for the values of a graph, kept from call to call. The code of a part may be
-/// an interpreter, too, inside that of the whole: it has room of its own.
+/// This thread's memory for the values of a graph, kept from call to call. The code of a part may
+/// be an interpreter, too, inside that of the whole: it has room of its own.
 class Scratch {
 public:
     static constexpr std::size_t alignment = 64;

@@ -15,8 +15,8 @@
 namespace zeroset {
 namespace {
 
-/// So many blocks go through the tape together: what a step needs besides its operands is looked up
-/// once for all.
+/// The number of blocks that go through the tape together: what a step needs besides its operands
+/// is looked up once for all.
 constexpr std::size_t blocks_at_once = 8;
 
 /// Makes `count` values in their places.
@@ -187,7 +187,7 @@ class RayPoints {
 public:
     using Lanes = Block<Real, bytes>;
     static constexpr std::size_t lanes = Lanes::lanes;
-    /// So many pixels at a time.
+    /// The pixels that are evaluated at a time.
     static constexpr std::size_t most_pixels = 4 * Block<float>::lanes;
     static_assert(most_pixels % batch_multiple == 0);
     using Columns = std::array<Lanes, most_pixels / lanes>;

@@ -24,7 +24,7 @@ struct DerivedFormula {
 enum class SpecialKind : std::uint8_t {
     Singular,  ///< f's gradient vanishes, too
     Top,       ///< no point of the surface nearby is higher
-    Bottom,    ///< nor lower
+    Bottom,    ///< no point of the surface nearby is lower
 };
 
 struct SpecialPoint {

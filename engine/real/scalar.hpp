@@ -6,10 +6,10 @@
 #include <limits>
 #include <type_traits>
 
-// The operations that the algebra (interval.hpp, elementary.hpp, dual.hpp) requires of its carrier,
-// for float and double; format_of (engine/real/format.hpp) belongs to them. jit/lanes.hpp
-// implements them for vectors of an IR under construction. Both must agree to the bit: the comments
-// name the machine instruction whose meaning they share.
+// The operations that the algebra (interval.hpp, elementary.hpp and dual.hpp of engine/num)
+// requires of its carrier, for float and double; format_of (engine/real/format.hpp) belongs to
+// them. jit/llvm/lanes.hpp implements them for vectors of an IR under construction. Both must agree
+// to the bit: the comments name the machine instruction whose meaning they share.
 
 namespace zeroset {
 

@@ -81,7 +81,7 @@ private:
     std::optional<NodeId> beside(NodeId id, Op op, double value);
 
     ExprBuilder& builder_;
-    int left_ = 0;  ///< so many factors more to look at
+    int left_ = 0;  ///< the number of factors that may still be looked at
 };
 
 bool Finder::is(NodeId constant, double value) {

@@ -56,7 +56,8 @@ public:
         /// The place where the min in a smooth minimum m - q, or the max in a smooth maximum, tells
         /// which operand is left out as it is outside the band.
         Index tells = no_choice;
-        /// That place, for the max(k - |a - b|, 0) in its q. It is 0 where an operand is left out.
+        /// The `tells` of the smooth minimum or maximum in whose q this max(k - |a - b|, 0) stands:
+        /// it is 0 where that one leaves an operand out.
         Index heeds = no_choice;
         /// Its place among the switches of the graph; that of a condition whose place it took.
         SwitchIndex own_switch = no_switch;
@@ -76,7 +77,7 @@ public:
                                                   std::span<const std::size_t> cells) const;
 
     [[nodiscard]] std::span<const Step> steps() const { return steps_; }
-    /// So many steps at the front are the same for a whole batch; they keep their slots.
+    /// The number of steps at the front that are the same for a whole batch; they keep their slots.
     [[nodiscard]] std::size_t uniform_steps() const { return uniform_; }
     [[nodiscard]] Index slots() const { return slots_; }
     [[nodiscard]] std::size_t choices() const { return choices_; }

@@ -35,7 +35,7 @@ private:
     }
     /// An upper bound of q, which step i computes.
     std::optional<double> bound_of(Index i);
-    /// That of max(k - |a - b|, 0), which is k.
+    /// The upper bound of max(k - |a - b|, 0), which is k.
     std::optional<double> bound_of_hat(Index i);
 
     const Tape& tape_;

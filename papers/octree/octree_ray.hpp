@@ -53,7 +53,7 @@ void store_box(const RayBox& box, Real (&ends)[6][capacity], std::size_t i) {
         ends[axis + 3][i] = static_cast<Real>(box.hi[axis]);
     }
 }
-/// Both, which have points in common but for roundings.
+/// The intersection of two boxes that have points in common but for roundings.
 RayBox both(const RayBox& a, const RayBox& b);
 
 /// The ray of a pixel of a tile; nothing where it does not meet the region. In upward rounding.

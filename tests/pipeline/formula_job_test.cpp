@@ -135,6 +135,8 @@ TEST(FormulaJob, MakesCodeInDoubleForAFormula) {
     EXPECT_EQ(receiver.job.take_double(), nullptr) << "a result is taken once";
 }
 
+// Passes by returning: a job that does not end runs into the time limit of ctest, and what it still
+// touches sanitizers tell.
 TEST(FormulaJob, EndsWhileItWorks) {
     for (int i = 0; i < 5; ++i) {
         FormulaJob job([] {});

@@ -45,7 +45,7 @@ struct ReadingFacts {
     bool uses_w = false;
     bool calls_w_t = false;     ///< the rows say t for w
     std::string color_error;    ///< what is wrong with the expression of the colours; or empty
-    std::string contour_error;  ///< the same of the contour lines
+    std::string contour_error;  ///< what is wrong with that of the contour lines; or empty
 };
 
 /// The document as a file with a history.

@@ -265,7 +265,7 @@ private:
         const NodeId half = half_of(h);
         return times(call(turns ? Op::Cos : Op::Cosh, half), builder_.apply(cardinal, half));
     }
-    /// But for its sign.
+    /// The derivative of sin, cos, sinh or cosh, but for its sign.
     static Op derivative(Op op) {
         constexpr std::array pairs{std::pair(Op::Sin, Op::Cos), std::pair(Op::Cos, Op::Sin),
                                    std::pair(Op::Sinh, Op::Cosh), std::pair(Op::Cosh, Op::Sinh)};

@@ -46,7 +46,7 @@ struct Axes {
     /// Between the start of the tile's first ray and the clip box, rounded upward.
     double from_lo[3], to_hi[3];
     double box_lo[3], box_hi[3];  ///< of the clip box
-    Real neg_lo[3], hi[3];        ///< the same, rounded upward
+    Real neg_lo[3], hi[3];        ///< the clip box, rounded upward
     double k_size;                ///< the largest |K| in the clip box
     double k_reach;  ///< not below any distance in K from a ray's start to a place in the clip box
     double direction_error;    ///< bound for the error of a direction's component
