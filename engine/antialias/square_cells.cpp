@@ -4,6 +4,7 @@
 #include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/form_signs.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/trace/in_precision.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/antialias/square_cells.cpp"
@@ -246,15 +247,12 @@ void SquareCells<Real>::advance(std::span<const std::size_t> squares, bool to_en
     }
 }
 
-void advance_by_floats(const TraceFrame& frame, std::size_t surface, SquareField& field,
-                       std::span<const std::size_t> squares, Counters& counters) {
-    SquareCells<float>(frame, surface, field).advance(squares, field.is_of_one_surface(), counters);
-}
-
-void advance_by_doubles(const TraceFrame& frame, std::size_t surface, SquareField& field,
-                        std::span<const std::size_t> squares, Counters& counters) {
-    SquareCells<double>(frame, surface, field)
-        .advance(squares, field.is_of_one_surface(), counters);
+void advance_all(const TraceFrame& frame, std::size_t surface, SquareField& field,
+                 std::span<const std::size_t> squares, Counters& counters) {
+    in_precision(frame, [&](auto real) {
+        SquareCells<decltype(real)>(frame, surface, field)
+            .advance(squares, field.is_of_one_surface(), counters);
+    });
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
@@ -265,19 +263,14 @@ HWY_AFTER_NAMESPACE();
 namespace zeroset {
 namespace {
 
-HWY_EXPORT(advance_by_floats);
-HWY_EXPORT(advance_by_doubles);
+HWY_EXPORT(advance_all);
 
 }  // namespace
 
 void advance_fronts(const TraceFrame& frame, std::size_t surface, SquareField& field,
                     std::span<const std::size_t> squares, Counters& counters) {
-    if (squares.empty()) return;
-    if (frame.precision == Precision::Double) {
-        HWY_DYNAMIC_DISPATCH(advance_by_doubles)(frame, surface, field, squares, counters);
-    } else {
-        HWY_DYNAMIC_DISPATCH(advance_by_floats)(frame, surface, field, squares, counters);
-    }
+    if (!squares.empty())
+        HWY_DYNAMIC_DISPATCH(advance_all)(frame, surface, field, squares, counters);
 }
 
 }  // namespace zeroset

@@ -2,6 +2,7 @@
 #include "engine/kernel/form_signs.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
+#include "engine/trace/in_precision.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/light/shadow_rays.cpp"
@@ -125,14 +126,11 @@ void RaySearch<Real>::search(std::span<const LightRay> rays) {
     }
 }
 
-void search_by_floats(const ShadowSearch& search, const std::vector<LightRay>& rays,
-                      ShadowBits& found, Counters& counters) {
-    RaySearch<float>(search, found, counters).search(rays);
-}
-
-void search_by_doubles(const ShadowSearch& search, const std::vector<LightRay>& rays,
-                       ShadowBits& found, Counters& counters) {
-    RaySearch<double>(search, found, counters).search(rays);
+void search_all(const ShadowSearch& search, const std::vector<LightRay>& rays, ShadowBits& found,
+                Counters& counters) {
+    in_precision(search.light, [&](auto real) {
+        RaySearch<decltype(real)>(search, found, counters).search(rays);
+    });
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
@@ -143,19 +141,13 @@ HWY_AFTER_NAMESPACE();
 namespace zeroset {
 namespace {
 
-HWY_EXPORT(search_by_floats);
-HWY_EXPORT(search_by_doubles);
+HWY_EXPORT(search_all);
 
 }  // namespace
 
 void search_rays(const ShadowSearch& search, const std::vector<LightRay>& rays, ShadowBits& found,
                  Counters& counters) {
-    if (rays.empty()) return;
-    if (search.light.precision == Precision::Double) {
-        HWY_DYNAMIC_DISPATCH(search_by_doubles)(search, rays, found, counters);
-    } else {
-        HWY_DYNAMIC_DISPATCH(search_by_floats)(search, rays, found, counters);
-    }
+    if (!rays.empty()) HWY_DYNAMIC_DISPATCH(search_all)(search, rays, found, counters);
 }
 
 }  // namespace zeroset
