@@ -29,7 +29,7 @@ public:
     NodeId times(NodeId a, NodeId b) { return make_multiply(builder_, a, b); }
     /// cos or sin of an angle in turns.
     NodeId of_turns(Op function, NodeId turns) {
-        const NodeId full = builder_.constant(tau.value.lo, tau.value.hi);
+        const NodeId full = make_constant(builder_, tau);
         return make_call(builder_, function, times(full, turns));
     }
     NodeId minus(NodeId a, NodeId b) { return make_subtract(builder_, a, b); }

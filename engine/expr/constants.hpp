@@ -22,6 +22,10 @@ inline constexpr NamedConstant euler{
     .name = "e", .value = {.lo = 0x1.5bf0a8b145769p+1, .hi = 0x1.5bf0a8b14576ap+1}};
 inline constexpr std::array named_constants{pi, tau, euler};
 
+inline NodeId make_constant(ExprBuilder& builder, const NamedConstant& constant) {
+    return builder.constant(constant.value.lo, constant.value.hi);
+}
+
 inline bool is_named(const Node& node, const NamedConstant& constant) {
     return node.op == Op::Constant && node.lo == constant.value.lo && node.hi == constant.value.hi;
 }

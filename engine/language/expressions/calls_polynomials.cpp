@@ -202,7 +202,7 @@ GraphValues::Built harmonic(const CallSite& site, int l, int m, const BuiltValue
     const NodeId sine = make_int_power(builder, make_call(builder, Op::Sin, *theta), order);
     const NodeId circle =
         make_multiply(builder, builder.constant(4.0 * factorial(l + order) / factorial(l - order)),
-                      builder.constant(pi.value.lo, pi.value.hi));
+                      make_constant(builder, pi));
     const NodeId factor =
         make_call(builder, Op::Sqrt, make_divide(builder, builder.constant(2.0 * l + 1.0), circle));
     NodeId length = make_multiply(builder, factor, make_multiply(builder, sine, slopes->id));

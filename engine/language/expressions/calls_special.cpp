@@ -23,10 +23,6 @@ NodeId field_at(ExprBuilder& builder, SpecialFunction function, NodeId a, int or
     return builder.look_up(special_field(function, order), a, zero, zero);
 }
 
-NodeId number(ExprBuilder& builder, const NamedConstant& constant) {
-    return builder.constant(constant.value.lo, constant.value.hi);
-}
-
 /// gamma(a) is the quotient by its reciprocal, whose zeros are its poles.
 NodeId reciprocal_gamma(ExprBuilder& builder, NodeId a) {
     return field_at(builder, SpecialFunction::ReciprocalGamma, a);
@@ -60,7 +56,7 @@ NodeId log_gamma(ExprBuilder& builder, NodeId a) {
 
 /// digamma(a), left of 0 digamma(1 - a) - pi cot(pi a).
 NodeId digamma(ExprBuilder& builder, NodeId a) {
-    const NodeId turn = number(builder, pi);
+    const NodeId turn = make_constant(builder, pi);
     const NodeId mirrored = make_subtract(builder, builder.constant(1.0), a);
     const NodeId cotangent = make_call(builder, Op::Cot, make_multiply(builder, turn, a));
     return by_sign(builder, a, field_at(builder, SpecialFunction::Digamma, a),
@@ -74,7 +70,7 @@ NodeId zeta(ExprBuilder& builder, NodeId a) {
 }
 
 NodeId lambert(ExprBuilder& builder, NodeId a) {
-    const NodeId scaled = make_multiply(builder, number(builder, euler), a);
+    const NodeId scaled = make_multiply(builder, make_constant(builder, euler), a);
     const NodeId root =
         make_call(builder, Op::Sqrt, make_add(builder, scaled, builder.constant(1.0)));
     return field_at(builder, SpecialFunction::LambertOfRoot, root);

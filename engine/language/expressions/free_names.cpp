@@ -28,7 +28,7 @@ NodeId FreeNames::built_in(std::string_view name) {
     if (name == "phi")
         return make_call(builder, Op::Acos, make_divide(builder, builder.variable(2), radius(3)));
     for (const NamedConstant& known : named_constants) {
-        if (name == known.name) return builder.constant(known.value.lo, known.value.hi);
+        if (name == known.name) return make_constant(builder, known);
     }
     assert(name == "golden");
     const NodeId root5 = make_call(builder, Op::Sqrt, builder.constant(5.0));

@@ -206,7 +206,7 @@ ComplexNodes ComplexFunctions::arc_sine(const ComplexNodes& a) {
 }
 
 ComplexNodes ComplexFunctions::arc_cosine(const ComplexNodes& a) {
-    const NodeId half_turn = builder_.constant(pi.value.lo, pi.value.hi);
+    const NodeId half_turn = make_constant(builder_, pi);
     const ComplexNodes quarter{.re = make_divide(builder_, half_turn, number(2.0)),
                                .im = number(0.0)};
     return difference(quarter, arc_sine(a));

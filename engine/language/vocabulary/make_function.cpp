@@ -100,8 +100,6 @@ NodeId make_select(ExprBuilder& builder, std::span<const NodeId> a) {
     return make_call(builder, Op::If, make_call(builder, Op::Less, a[0], zero), a[1], otherwise);
 }
 
-NodeId pi_of(ExprBuilder& builder) { return builder.constant(pi.value.lo, pi.value.hi); }
-
 /// The angle a in other units: a*p/q.
 NodeId make_angle(ExprBuilder& builder, NodeId a, NodeId p, NodeId q) {
     return make_multiply(builder, make_divide(builder, p, q), a);
@@ -191,9 +189,9 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Mix: return make_mix(builder, a[0], a[1], a[2]);
         case Composed::Select: return make_select(builder, a);
         case Composed::Degrees:
-            return make_angle(builder, a[0], builder.constant(180.0), pi_of(builder));
+            return make_angle(builder, a[0], builder.constant(180.0), make_constant(builder, pi));
         case Composed::Radians:
-            return make_angle(builder, a[0], pi_of(builder), builder.constant(180.0));
+            return make_angle(builder, a[0], make_constant(builder, pi), builder.constant(180.0));
         case Composed::InverseSqrt: return reciprocal(make_call(builder, Op::Sqrt, a[0]));
         case Composed::Hypot:
         case Composed::Length: return length_of(builder, a);
