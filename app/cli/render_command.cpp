@@ -216,16 +216,16 @@ int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPic
 
 int run_render(const RenderCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    auto plan = plan_of(command);
+    const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = first_unwritable(
             {command.output, command.depth, command.certificate, command.cost, command.stats}))
         return report_run_time(*message);
     const auto files = std::make_shared<RenderFiles>(command);
-    plan->take_band = [files](const RenderedPicture& picture, const PictureBand& band) {
+    const auto take_rows = [files](const RenderedPicture& picture, const PictureBand& band) {
         return files->add(picture, band);
     };
-    const RenderOutcome outcome = render_picture(*plan, start);
+    const RenderOutcome outcome = render_picture(*plan, start, take_rows);
     const int exit_code = finish(command, outcome.picture, *files);
     if (outcome.stuck) end_process(exit_code);
     return exit_code;

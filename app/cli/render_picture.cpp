@@ -35,6 +35,7 @@ constexpr int fitting_share = 4;
 /// else.
 struct Drawing {
     RenderedPicture picture;
+    TakeRows take_rows;
     Progress progress;
     Clock::time_point start, until;
     std::atomic<bool> cancel = false;
@@ -154,7 +155,7 @@ void draw_bands(Drawing& drawing) {
     drawing.progress.enter(Progress::Stage::Drawing, pixels);
     const auto take = [&](const PictureBand& band) {
         drawing.progress.show(band.painted, band.row, plan.size.height);
-        return plan.take_band(picture, band);
+        return drawing.take_rows(picture, band);
     };
     const auto add = [&](std::uint64_t count) { drawing.progress.add(count); };
     const auto drawn = draw_poster(poster, take, {.cancel = &drawing.cancel, .on_pixels = add});
@@ -213,9 +214,10 @@ std::shared_ptr<const RenderedPicture> stuck_picture(const Drawing& drawing,
 
 }  // namespace
 
-RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
+RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start, TakeRows take_rows) {
     const auto drawing = std::make_shared<Drawing>();
     drawing->picture.plan = plan;
+    drawing->take_rows = std::move(take_rows);
     if (!plan.in_bands) drawing->picture.frame = undecided_frame(plan.size);
     if (needs_light(plan.picture) && !plan.in_bands)
         drawing->picture.frame.keep_planes(needs_normals(plan.picture));

@@ -24,8 +24,6 @@
 
 namespace zeroset {
 
-struct RenderedPicture;
-
 /// The meaning of the options, checked before any work.
 struct RenderPlan {
     Document document;  ///< the document with the options applied
@@ -40,10 +38,7 @@ struct RenderPlan {
     double budget_s = default_budget_s;  ///< of a picture in bands, for each of them
     PictureOptions picture;              ///< how -o is written
     bool legend = true;
-    /// The picture is too large to be in memory: take_band takes its parts on the drawing thread.
-    bool in_bands = false;
-    std::function<std::expected<void, FileError>(const RenderedPicture&, const PictureBand&)>
-        take_band;
+    bool in_bands = false;  ///< the picture is too large to be in memory
 };
 
 /// A picture and what it was made of; incomplete if the budget ran out.
@@ -61,14 +56,19 @@ struct RenderedPicture {
         Progress::Stage::Drawing;  ///< unless in_time: the stage that took the time
 };
 
-/// A drawn picture. render_picture draws the plan within its budget, which begins at `start`. If
-/// the work runs much too long, it goes on in a thread and `stuck` is true: then the process must
-/// end by end_process.
+/// Takes the next rows of a picture that is drawn in bands, on the thread that draws it.
+using TakeRows =
+    std::function<std::expected<void, FileError>(const RenderedPicture&, const PictureBand&)>;
+
+/// A drawn picture. render_picture draws the plan within its budget, which begins at `start`; it
+/// asks `take_rows` if it draws in bands. If the work runs much too long, it goes on in a thread
+/// and `stuck` is true: then the process must end by end_process.
 struct RenderOutcome {
     std::shared_ptr<const RenderedPicture> picture;
     bool stuck = false;
 };
-RenderOutcome render_picture(const RenderPlan& plan, std::chrono::steady_clock::time_point start);
+RenderOutcome render_picture(const RenderPlan& plan, std::chrono::steady_clock::time_point start,
+                             TakeRows take_rows = {});
 
 /// One line on what the budget left undone; empty if it left nothing.
 std::string budget_note(const RenderedPicture& picture);
