@@ -6,7 +6,7 @@
 #include "engine/render/tile_painter.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/trace/tile_grid.hpp"
-#include "engine/trace/turns.hpp"
+#include "engine/trace/tile_turns.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -142,7 +142,7 @@ Counters render_band(const Scene& scene, const Camera& camera, const TraceSettin
     frame.blank_rows.resize(grid.size());
     frame.cost.resize(settings.costs ? frame.color.size() : 0);
     const int threads = settings.threads > 0 ? settings.threads : core_count();
-    Turns turns(grid.size(), threads, watch.limit, watch.first_turn);
+    TileTurns turns(grid.size(), threads, watch.limit, watch.first_turn);
     std::vector<TileState> states(grid.size(), TileState::Waiting);
     std::vector<std::size_t> open(grid.size());
     std::iota(open.begin(), open.end(), std::size_t{0});

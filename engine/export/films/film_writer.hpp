@@ -32,7 +32,7 @@ private:
     FilmSettings settings_;
     NewFile file_;
     std::unique_ptr<FilmEncoder> encoder_;
-    std::vector<std::uint32_t> drawn_;  ///< room, kept from frame to frame
+    std::vector<std::uint32_t> drawn_;  ///< memory, kept from frame to frame
 };
 
 }  // namespace zeroset

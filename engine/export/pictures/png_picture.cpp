@@ -46,7 +46,7 @@ private:
     PictureOptions options_;
     NewFile file_;
     PngWriter png_;
-    std::vector<std::uint8_t> rows_;  ///< room, kept from band to band
+    std::vector<std::uint8_t> rows_;  ///< memory, kept from band to band
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include "engine/render/render.hpp"
-#include "engine/trace/turns.hpp"
+#include "engine/trace/tile_turns.hpp"
 #include "tests/engine/render/hooked_kernel.hpp"
 #include "tests/support/long_run.hpp"
 #include "tests/support/rays.hpp"
@@ -128,10 +128,10 @@ INSTANTIATE_TEST_SUITE_P(AllTracers, TimeLimitTest,
                          ::testing::ValuesIn(names_of(proving_tracers_to_try())),
                          [](const auto& tracer) { return test_name(tracer.param); });
 
-TEST(Turns, ShareWhatIsLeft) {
+TEST(TileTurns, ShareWhatIsLeft) {
     const auto start = Clock::now();
     const auto hour = std::chrono::minutes(60);
-    Turns turns(4, 2, {.until = start + hour});
+    TileTurns turns(4, 2, {.until = start + hour});
     turns.begin(4);
     const auto first = turns.take(0);
     ASSERT_TRUE(first);
@@ -148,23 +148,23 @@ TEST(Turns, ShareWhatIsLeft) {
     EXPECT_FALSE(turns.take(0));
 }
 
-TEST(Turns, EndWithTheirTime) {
+TEST(TileTurns, EndWithTheirTime) {
     const auto over = Clock::now() - milliseconds(20);
-    Turns turns(2, 1, {.until = over});
+    TileTurns turns(2, 1, {.until = over});
     turns.begin(2);
     EXPECT_TRUE(turns.take(0)->over());
     turns.begin(1);
     EXPECT_FALSE(turns.take(0));
 }
 
-TEST(Turns, HaveAllTheTimeWithoutALimit) {
-    Turns turns(1, 1, {});
+TEST(TileTurns, HaveAllTheTimeWithoutALimit) {
+    TileTurns turns(1, 1, {});
     turns.begin(1);
     EXPECT_EQ(turns.take(0)->until, TimeLimit::never);
 }
 
-TEST(Turns, GrowFromAFirstOne) {
-    Turns turns(1, 1, {}, std::chrono::hours(1));
+TEST(TileTurns, GrowFromAFirstOne) {
+    TileTurns turns(1, 1, {}, std::chrono::hours(1));
     for (const int hours : {1, 4, 16}) {
         turns.begin(1);
         const auto until = turns.take(0)->until;

@@ -14,12 +14,12 @@ namespace zeroset {
 /// a fair share of what is left, and those that would need more get more than they had, for as long
 /// as there is time. Without a limit each has all the time, or if there is a first turn that long,
 /// then four times as long, and so on.
-class Turns {
+class TileTurns {
 public:
     using Duration = TimeLimit::Clock::duration;
 
-    Turns(std::size_t tiles, int threads, const TimeLimit& limit,
-          Duration first_turn = Duration::zero())
+    TileTurns(std::size_t tiles, int threads, const TimeLimit& limit,
+              Duration first_turn = Duration::zero())
         : limit_(limit),
           threads_(threads),
           first_turn_(first_turn),
