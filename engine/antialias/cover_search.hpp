@@ -33,7 +33,7 @@ struct SquareRest {
     SquarePart part;        ///< of share 0: not known
     SquareRayFlags misses;  ///< the square's rays that go beside the edge
 
-    /// A place that stands for it.
+    /// A place in the rest that stands for it.
     [[nodiscard]] SquareRay middle() const;
 };
 /// All of a square but a part with an edge that these rays go beside.

@@ -13,7 +13,7 @@ constexpr double even_sheet = 0.9995;
 constexpr double least_root_cosine = 0.5;
 
 bool are_within(double cosine, const RayRoot& a, const RayRoot& b) {
-    // NaN: they are not.
+    // False where a gradient is NaN.
     return glm::dot(a.gradient, b.gradient) >=
            cosine * glm::length(a.gradient) * glm::length(b.gradient);
 }
@@ -54,7 +54,7 @@ std::optional<Creased> fit_crease(SquareRoots roots, double half_side) {
                              plane_at(roots[other], square_rays[other], half_side);
     if (farther.at(square_rays[0]) > 0.0) farther = -farther;
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        // NaN: they do not fit.
+        // A depth that is NaN fits no sheet.
         if (!((farther.at(square_rays[i]) > 0.0) == is_other[i]) ||
             !std::isfinite(farther.at(square_rays[i])))
             return std::nullopt;

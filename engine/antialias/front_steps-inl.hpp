@@ -344,7 +344,7 @@ HWY_INLINE M<Real> step(FrontBlock<Real>& fronts, std::size_t i, const CellVerdi
     marks.set(MarkWords<Real>::monotone, steps.rooted, cell.monotone);
     marks.set(MarkWords<Real>::kinked, steps.rooted, cell.kinked);
 
-    // Where the search goes on.
+    // Find where the search goes on.
     const V<Real> quarter = hn::Add(hn::Mul(number<Real>(0.25), width), cell.margin);
     const V<Real> before = before_roots_of(fronts, i, cell);
     const V<Real> near =
@@ -353,7 +353,7 @@ HWY_INLINE M<Real> step(FrontBlock<Real>& fronts, std::size_t i, const CellVerdi
     const M<Real> shorter_or_longer = hn::Or(steps.shortened, steps.lengthened);
     const M<Real> tried_again = hn::Or(hn::Or(steps.halved, steps.narrowed), shorter_or_longer);
     at = where(hn::AndNot(is_open, tried_again), near, where(steps.rooted, cell.root_from, at));
-    // How far.
+    // Choose how long the next cell is.
     const V<Real> longer =
         hn::Min(hn::Max(cell.growth, number<Real>(1.0)), number<Real>(most_growth));
     const V<Real> precise = hn::Mul(number<Real>(0.95), cell.growth);

@@ -62,7 +62,7 @@ private:
                                         std::abs(view_.up[axis]) * radius_ + 0x1p-48);
         const V<double> d0 = hn::Sub(middle, across);
         const V<double> d1 = hn::Add(middle, across);
-        // All run to the same side.
+        // All rays run to the same side of the axis.
         const M<double> forward = hn::Gt(d0, zero);
         const V<double> near = hn::IfThenElse(forward, number(to_lo), number(to_hi));
         const V<double> far = hn::IfThenElse(forward, number(to_hi), number(to_lo));

@@ -172,7 +172,7 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
         for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
             const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
             const RowPlaces at_rays = row_places(tile, row, col);
-            // Where the hits are.
+            // Put the hits into the light's view.
             const V<float> distance = hn::LoadU(d<float>, &hits.depth[at]);
             const auto is_hit = hn::Lt(distance, hn::Inf(d<float>));
             farthest = hn::Max(farthest, hn::IfThenElseZero(is_hit, hn::Abs(distance)));
@@ -181,7 +181,7 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
                 store_where(is_hit,
                             hn::MulAdd(length, of.along[i].at(at_rays), of.start[i].at(at_rays)),
                             out[i] + at);
-            // How they are turned.
+            // Find how the surface is turned at them.
             const Slopes slopes = slopes_at(hits, at, axes, of, at_rays);
             const V<float> per_slope = hn::Div(hn::Set(d<float>, -1.0F), slopes.light[2]);
             for (int i = 0; i < 2; ++i)

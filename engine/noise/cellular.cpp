@@ -58,7 +58,7 @@ public:
         }
     }
 
-    /// The one of the rank.
+    /// The nearest point, or of rank 2 the second nearest.
     [[nodiscard]] const Found& found() const { return rank_ == 1 ? nearest_ : second_; }
 
 private:

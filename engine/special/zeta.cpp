@@ -18,7 +18,7 @@ constexpr double zeta_of_two = 1.645;
 constexpr double zeta_left_end = 160;  // zeta is a number of double there
 constexpr double zeta_right_end = 0x1p40;
 
-/// From Re s = -1 on.
+/// Bounds |(s - 1) zeta(s)| where Re s >= -1.
 double zeta_right_bound(const ComplexBox& box) {
     const double size = box.radius();
     if (box.from >= 2) return (size + 1) * zeta_of_two;
@@ -26,7 +26,7 @@ double zeta_right_bound(const ComplexBox& box) {
     const double nearest = std::max(box.from, -1.0) + 3;
     return 1 + (size + 1) * (0.5 + size / 12 + product / (720 * nearest));
 }
-/// ln of the bound where Re s <= -1.
+/// ln of such a bound where Re s <= -1.
 double log_zeta_left_bound(const ComplexBox& box) {
     const double farthest = 1 - box.from;
     const double nearest = std::max(1 - box.to, 2.0);

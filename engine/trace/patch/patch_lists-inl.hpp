@@ -307,7 +307,7 @@ private:
         if (left_bits == 0) return 0;
         const M<float> left = mask_of(d<float>, left_bits);
         const V<float> zero = hn::Zero(d<float>);
-        // More than places lose as floats.
+        // Widen the radius by more than places lose as floats.
         const V<float> sizes =
             hn::Add(number<float>(1.0), hn::Add(hn::Abs(zeros.p), hn::Abs(zeros.q)));
         const V<float> spread = hn::MulAdd(sizes, number<float>(0x1p-20), zeros.radius);
