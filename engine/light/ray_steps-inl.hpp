@@ -35,7 +35,7 @@ struct RayMarks {
 
 /// Rays on their ways. Plain data, nothing of it set at first.
 template <class Real>
-struct RayBlock {
+struct LightRayBlock {
     static constexpr std::size_t capacity = 256;
     static_assert(capacity % batch_multiple == 0);
 
@@ -85,7 +85,7 @@ HWY_INLINE M<Real> has(hn::Vec<hn::RebindToUnsigned<Tag<Real>>> marks, unsigned 
 
 /// Where the next cells end.
 template <class Real>
-HWY_INLINE V<Real> next_of(const RayBlock<Real>& rays, std::size_t i, M<Real> left) {
+HWY_INLINE V<Real> next_of(const LightRayBlock<Real>& rays, std::size_t i, M<Real> left) {
     const V<Real> to = hn::Load(d<Real>, rays.to + i);
     const V<Real> end = hn::IfThenElse(left, to, hn::Min(to, hn::Load(d<Real>, rays.s + i)));
     return hn::Max(hn::Load(d<Real>, rays.from + i),
@@ -94,8 +94,8 @@ HWY_INLINE V<Real> next_of(const RayBlock<Real>& rays, std::size_t i, M<Real> le
 
 /// Sets the next cells of a vector of rays. In upward rounding.
 template <class Real, std::size_t capacity>
-HWY_INLINE void place_cells(const RayBlock<Real>& rays, const RayRules<Real>& rules, std::size_t i,
-                            FormCells<Real, capacity>& cells) {
+HWY_INLINE void place_cells(const LightRayBlock<Real>& rays, const RayRules<Real>& rules,
+                            std::size_t i, FormCells<Real, capacity>& cells) {
     const auto marks = hn::Load(du<Real>, rays.marks + i);
     const V<Real> to = hn::Load(d<Real>, rays.to + i);
     const V<Real> next = next_of(rays, i, has<Real>(marks, RayMarks::left));
@@ -129,7 +129,7 @@ struct RayEnds {
 
 /// Takes a vector of rays on by what their cells tell. In upward rounding.
 template <class Real, std::size_t capacity>
-HWY_INLINE RayEnds take_cells(RayBlock<Real>& rays, const RayRules<Real>& rules, std::size_t i,
+HWY_INLINE RayEnds take_cells(LightRayBlock<Real>& rays, const RayRules<Real>& rules, std::size_t i,
                               const FormCells<Real, capacity>& cells) {
     // Halves of shorter cells might not be shorter in these numbers.
     constexpr Real least = 64 * std::numeric_limits<Real>::epsilon();

@@ -52,14 +52,14 @@ private:
     Counters& counters_;
     FrustumOf<Real> frustum_;
     RayRules<Real> rules_;
-    RayBlock<Real> block_;
-    FormCells<Real, RayBlock<Real>::capacity> cells_;
+    LightRayBlock<Real> block_;
+    FormCells<Real, LightRayBlock<Real>::capacity> cells_;
 };
 
 template <class Real>
 void RaySearch<Real>::load(std::size_t i, const LightRay& ray) {
     constexpr double first_step = 0.125;  // of all of the ray
-    RayBlock<Real>& to = block_;
+    LightRayBlock<Real>& to = block_;
     to.u[i] = static_cast<Real>(ray.u);
     to.v[i] = static_cast<Real>(ray.v);
     to.s[i] = static_cast<Real>(ray.s);
@@ -116,7 +116,7 @@ template <class Real>
 void RaySearch<Real>::search(std::span<const LightRay> rays) {
     std::size_t count = 0;
     while ((count > 0 || !rays.empty()) && !search_.light.stopped()) {
-        const std::size_t more = std::min(RayBlock<Real>::capacity - count, rays.size());
+        const std::size_t more = std::min(LightRayBlock<Real>::capacity - count, rays.size());
         for (std::size_t i = 0; i < more; ++i)
             load(count + i, rays[i]);
         rays = rays.subspan(more);

@@ -23,7 +23,7 @@
 namespace zeroset {
 
 /// The lanes of a question that are answered.
-class LaneBits {
+class AnsweredLanes {
 public:
     static constexpr int most = 256;
 
@@ -50,14 +50,14 @@ public:
 
     // Each answers the function itself in some lanes, as Field says, and tells which.
     template <class Real>
-    LaneBits values(const Real* in, Real* out, int lanes) const {
+    AnsweredLanes values(const Real* in, Real* out, int lanes) const {
         return in_chunks(lanes, [&](int first, int count) {
             return values_at(Columns<const Real>{in + first, lanes, count},
                              Columns<Real>{out + first, lanes, count});
         });
     }
     template <class Real>
-    LaneBits ranges(const Real* in, Real* out, int lanes) const {
+    AnsweredLanes ranges(const Real* in, Real* out, int lanes) const {
         return in_chunks(lanes, [&](int first, int count) {
             return ranges_at(Columns<const Real>{in + first, lanes, count},
                              Columns<Real>{out + first, lanes, count});
@@ -65,7 +65,7 @@ public:
     }
     /// `unit`: of the values at the middles.
     template <class Real>
-    LaneBits forms(const Real* in, Real* out, int lanes, double unit) const {
+    AnsweredLanes forms(const Real* in, Real* out, int lanes, double unit) const {
         return in_chunks(lanes, [&](int first, int count) {
             return forms_at(Columns<const Real>{in + first, lanes, count},
                             Columns<Real>{out + first, lanes, count}, unit);
@@ -100,9 +100,9 @@ private:
     };
 
     template <class Ask>
-    static LaneBits in_chunks(int lanes, const Ask& ask) {
-        LaneBits answered;
-        if (lanes > LaneBits::most) return answered;
+    static AnsweredLanes in_chunks(int lanes, const Ask& ask) {
+        AnsweredLanes answered;
+        if (lanes > AnsweredLanes::most) return answered;
         for (int first = 0; first < lanes; first += static_cast<int>(most_lanes)) {
             const int count = std::min(lanes - first, static_cast<int>(most_lanes));
             answered.add(first, ask(first, count));
@@ -348,9 +348,9 @@ std::uint32_t VolumeLanes<Sample>::forms_at(const Columns<const Real>& in, const
 class NoLanes {
 public:
     NoLanes(const auto& /*between*/, const IndexMap& /*map*/) {}
-    LaneBits values(const auto* /*in*/, auto* /*out*/, int /*lanes*/) const { return {}; }
-    LaneBits ranges(const auto* /*in*/, auto* /*out*/, int /*lanes*/) const { return {}; }
-    LaneBits forms(const auto* /*in*/, auto* /*out*/, int /*lanes*/, double /*unit*/) const {
+    AnsweredLanes values(const auto* /*in*/, auto* /*out*/, int /*lanes*/) const { return {}; }
+    AnsweredLanes ranges(const auto* /*in*/, auto* /*out*/, int /*lanes*/) const { return {}; }
+    AnsweredLanes forms(const auto* /*in*/, auto* /*out*/, int /*lanes*/, double /*unit*/) const {
         return {};
     }
 };

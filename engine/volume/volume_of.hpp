@@ -178,13 +178,13 @@ void VolumeOf<Between>::values_of(int derivative, const Real* in, Real* out, int
     const int order = order_of(derivative);
     const auto axes = axes_of(derivative);
     const LanesOf<Between> vectors(between_, map_);
-    const LaneBits answered = order == 0 ? vectors.values(in, out, lanes) : LaneBits();
+    const AnsweredLanes answered = order == 0 ? vectors.values(in, out, lanes) : AnsweredLanes();
     if (answered.all(lanes)) return;
     // A first derivative is to the last bit the slope that the function itself is told with.
     std::vector<Real> function(order == 1 ? FieldValue::answers * static_cast<std::size_t>(lanes)
                                           : 0);
-    const LaneBits has_slopes =
-        order == 1 ? vectors.values(in, function.data(), lanes) : LaneBits();
+    const AnsweredLanes has_slopes =
+        order == 1 ? vectors.values(in, function.data(), lanes) : AnsweredLanes();
     const NearestLongDouble guard;
     for (int lane = 0; lane < lanes; ++lane) {
         if (answered.has(lane)) continue;
@@ -291,7 +291,8 @@ template <class Between>
 template <class Real>
 void VolumeOf<Between>::ranges_of(int derivative, const Real* in, Real* out, int lanes) const {
     const LanesOf<Between> vectors(between_, map_);
-    const LaneBits answered = derivative == 0 ? vectors.ranges(in, out, lanes) : LaneBits();
+    const AnsweredLanes answered =
+        derivative == 0 ? vectors.ranges(in, out, lanes) : AnsweredLanes();
     for (int lane = 0; lane < lanes; ++lane) {
         if (answered.has(lane)) continue;
         const IndexBox box = between_.box(question_lane(in, FieldRange::neg_lo, lanes, lane, -1),
@@ -328,7 +329,7 @@ template <class Between>
 template <class Real>
 void VolumeOf<Between>::forms_of(const Real* in, Real* out, int lanes) const {
     const LanesOf<Between> vectors(between_, map_);
-    const LaneBits answered =
+    const AnsweredLanes answered =
         vectors.forms(in, out, lanes, static_cast<double>(unit_of<WideOf<Real>>));
     if (answered.all(lanes)) return;
     const NearestLongDouble guard;

@@ -38,7 +38,7 @@ HWY_INLINE void store_box(const Packet<Real>& packet, V<Real> from, V<Real> to, 
     hn::Store(neg_from, d<Real>, at + axes.from_offset[0]);
     hn::Store(to, d<Real>, at + axes.to_offset[0]);
     for (int i = 1; i < 3; ++i) {
-        const Line<Real>& line = packet.line[i - 1];
+        const AxisLines<Real>& line = packet.line[i - 1];
         const V<Real> slope_lo = hn::Load(d<Real>, line.slope_lo);
         const V<Real> neg_at = hn::Load(d<Real>, line.neg_lo);
         const V<Real> neg_lo = hn::MulAdd(slope_lo, neg_from, neg_at);

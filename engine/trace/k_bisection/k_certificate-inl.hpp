@@ -143,7 +143,7 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
     const Axes<Real>& axes = *packet.axes;
     hn::Store(axes.mirrored[0] ? hn::Neg(k) : k, d<Real>, position[axes.world[0]]);
     for (int i = 0; i < 2; ++i) {
-        const Line<Real>& line = packet.line[i];
+        const AxisLines<Real>& line = packet.line[i];
         const V<Real> middle = hn::Sub(hn::Load(d<Real>, line.hi), hn::Load(d<Real>, line.neg_lo));
         const V<Real> slopes =
             hn::Add(hn::Load(d<Real>, line.slope_lo), hn::Load(d<Real>, line.slope_hi));

@@ -70,7 +70,7 @@ struct Axes {
 
 /// A coordinate as a function of K on each ray: between -(neg_lo - slope_lo k) and hi + slope_hi k.
 template <class Real>
-struct Line {
+struct AxisLines {
     /// Not negative on the packet's rays, but by an error in double; equal in float.
     alignas(vector_bytes<Real>) Real slope_lo[lanes<Real>];
     alignas(vector_bytes<Real>) Real slope_hi[lanes<Real>];
@@ -93,7 +93,7 @@ struct Packet {
     alignas(bytes) Numbers hit_to;
     alignas(bytes) Numbers k_start;  ///< where the ray starts: at axes->start_depth
     alignas(bytes) Numbers stretch;  ///< distance along the ray for 1 along K
-    Line<Real> line[2];              ///< of U and V
+    AxisLines<Real> line[2];         ///< of U and V
     const Axes<Real>* axes;
     unsigned hit;        ///< bits of the rays that stopped at a root
     unsigned unsettled;  ///< bits of the rays that have a gap_from

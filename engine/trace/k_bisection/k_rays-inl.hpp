@@ -160,7 +160,7 @@ HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& start,
     return rays;
 }
 
-/// A coordinate of a part as lines over K, as in Line.
+/// A coordinate of a part as lines over K, as in AxisLines.
 template <class Real>
 struct PartLine {
     PartOf<Real> slope_lo, slope_hi, neg_lo, hi;
@@ -221,7 +221,7 @@ HWY_INLINE void store_part(const PartRays& rays, std::size_t first, Packet<Real>
     V<double> length2 = hn::Mul(rays.direction[0], rays.direction[0]);
     for (int i = 1; i < 3; ++i) {
         const PartLine<Real> part = line_of(axes, i, rays);
-        Line<Real>& line = packet.line[i - 1];
+        AxisLines<Real>& line = packet.line[i - 1];
         hn::Store(part.slope_lo, tag, line.slope_lo + first);
         hn::Store(part.slope_hi, tag, line.slope_hi + first);
         hn::Store(part.neg_lo, tag, line.neg_lo + first);
