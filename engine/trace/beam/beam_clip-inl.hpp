@@ -26,7 +26,7 @@ class ClipDepths {
 public:
     ClipDepths(const TileRays& rays, const float* cols, const float* rows)
         : spans_(rays.first_depth(), rays.depth_error()) {
-        const RayLines<ClipTag> lines =
+        const RayVectors<ClipTag> lines =
             lines_of(rays.double_rays(), load_doubles(dd, cols), load_doubles(dd, rows));
         for (int k = 0; k < 3; ++k) {
             const V inverse = InsideSpans<ClipTag>::inverse_of(lines.direction[k]);
@@ -62,12 +62,12 @@ private:
     static constexpr ClipTag dd{};
     using V = hn::Vec<ClipTag>;
 
-    static RayLines<ClipTag> lines_of(const RaysOf<double>& rays, V col, V row) {
+    static RayVectors<ClipTag> lines_of(const RaysOf<double>& rays, V col, V row) {
         const auto line = [&](double base, double by_col, double by_row) {
             return hn::MulAdd(row, hn::Set(dd, by_row),
                               hn::MulAdd(col, hn::Set(dd, by_col), hn::Set(dd, base)));
         };
-        RayLines<ClipTag> lines;
+        RayVectors<ClipTag> lines;
         for (int k = 0; k < 3; ++k) {
             lines.origin[k] = line(rays.origin[k], rays.origin_by_col[k], rays.origin_by_row[k]);
             lines.direction[k] =

@@ -117,7 +117,7 @@ HWY_INLINE V<double> clip(PartSpan& span, const Slab& slab, V<double> direction)
 /// Ends the spans where the rays leave the region.
 template <class Real>
 HWY_NOINLINE void clip_region(const Axes<Real>& axes, PartRays& rays) {
-    RayLines<Tag<double>> lines;
+    RayVectors<Tag<double>> lines;
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         lines.origin[world] = axes.mirrored[i] ? hn::Neg(rays.start[i]) : rays.start[i];

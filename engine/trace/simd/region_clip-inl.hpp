@@ -16,9 +16,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Some rays: the points origin + t direction. D: doubles.
+/// Rays in vectors: the points origin + t direction. D: doubles.
 template <class D>
-struct RayLines {
+struct RayVectors {
     hn::Vec<D> origin[3], direction[3];
 };
 
@@ -46,9 +46,9 @@ public:
         exit_hi = hn::Min(exit_hi, hn::Add(at, error));
     }
     /// Keeps what the section keeps; `error`: of distances from it.
-    void keep(const Section& section, double error, const RayLines<D>& rays);
+    void keep(const Section& section, double error, const RayVectors<D>& rays);
     /// `error`: of distances from the ball's surface.
-    void keep(const Ball& ball, double error, const RayLines<D>& rays);
+    void keep(const Ball& ball, double error, const RayVectors<D>& rays);
 
     /// Finite: a ray that moves by less stays where it is.
     static HWY_INLINE V inverse_of(V step) {
@@ -69,7 +69,7 @@ private:
 };
 
 template <class D>
-void InsideSpans<D>::keep(const Section& section, double error, const RayLines<D>& rays) {
+void InsideSpans<D>::keep(const Section& section, double error, const RayVectors<D>& rays) {
     const V height = hn::Sub(dot(section.normal, rays.origin), hn::Set(d, section.offset));
     const V inverse = inverse_of(dot(section.normal, rays.direction));
     const V at = hn::Neg(hn::Mul(height, inverse));
@@ -84,7 +84,7 @@ void InsideSpans<D>::keep(const Section& section, double error, const RayLines<D
 /// ray is inside the ball for sqrt(radius^2 - gap^2) on either side. Errors of places are those of
 /// the radius.
 template <class D>
-void InsideSpans<D>::keep(const Ball& ball, double error, const RayLines<D>& rays) {
+void InsideSpans<D>::keep(const Ball& ball, double error, const RayVectors<D>& rays) {
     const V margin = hn::Set(d, error);
     V from[3], middle[3];
     for (int k = 0; k < 3; ++k)
