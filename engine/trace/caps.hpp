@@ -11,7 +11,7 @@ namespace zeroset {
 
 /// -1 or 1: the sign of f inside the surface's solid. That is f < 0, unless f < 0 on most of each
 /// face of the clip box: then the solid is what the rest of the box holds, f > 0. So
-/// 1 = x^2 + y^2 + z^2 is filled like x^2 + y^2 + z^2 = 1. 0: it has no solid (SheetMark).
+/// 1 = x^2 + y^2 + z^2 is filled like x^2 + y^2 + z^2 = 1. 0: it has none (SurfaceFacts::is_sheet).
 int solid_sign(const Scene& scene, std::size_t surface);
 
 /// Whether the scene has a section on which something may be seen.
