@@ -2,7 +2,9 @@
 
 import unittest
 
-from check_comments import objections
+from pathlib import Path
+
+from check_comments import objections, remarks, unresolved
 
 
 class CommentsTest(unittest.TestCase):
@@ -24,6 +26,15 @@ class CommentsTest(unittest.TestCase):
     def test_a_line_that_stands_there_twice_is_found(self):
         line = "// empty   lo > hi, as of a box"
         self.assertEqual(self.reasons(line, line), ["a line of a comment stands there twice"])
+
+    def test_files_and_sources_that_are_not_there_are_found(self):
+        def lost(name, *lines):
+            return [reason for _, reason in unresolved(remarks(Path(name), lines),
+                                                       {"engine/a/b.hpp"}.__contains__, "**[Knoll07]**")]
+        self.assertEqual(lost("a.cpp", "// As engine/a/b.hpp says [Knoll07, sec. 4]."), [])
+        self.assertEqual(lost("a.cpp", '#include "engine/c.hpp"', "// [Knoll07; Moore66, eq. 2]"),
+                         ["Moore66 is not there"])
+        self.assertEqual(lost("a.md", "`engine/b.hpp` tells it."), ["engine/b.hpp is not there"])
 
 
 if __name__ == "__main__":
