@@ -3,7 +3,7 @@
 folders in .clang-format and .clang-tidy.
 
 Usage: room_tables.py [--check]. With --check nothing is written: prints the files that do not match
-rooms.txt and exits 1 if there are any.
+rooms.txt, and the rooms whose page does not name their tests, and exits 1 if there are any.
 """
 
 import re
@@ -61,6 +61,19 @@ def written(lines):
     }
 
 
+def faults_of_pages(lines):
+    """Returns what is wrong with the line "Tests:" of the rooms' pages."""
+    for name, _ in rooms(lines):
+        page = ROOT / name / "README.md"
+        tests = re.findall(r"^Tests: .*", page.read_text(encoding="utf-8") if page.exists() else "",
+                           flags=re.MULTILINE)
+        if not tests:
+            yield f"{name}/README.md has no line that begins with Tests:"
+        for path in re.findall(r"`(tests/[^`]+)`", " ".join(tests)):
+            if not (ROOT / path).exists():
+                yield f"{name}/README.md: {path} is not there"
+
+
 def main():
     lines = (ROOT / "rooms.txt").read_text(encoding="utf-8").splitlines()
     stale = [
@@ -68,9 +81,10 @@ def main():
         if (ROOT / name).read_text(encoding="utf-8") != text
     ]
     if sys.argv[1:] == ["--check"]:
-        print("\n".join(f"{name} does not follow rooms.txt: run scripts/room_tables.py"
-                        for name in stale) or "all tables follow rooms.txt")
-        sys.exit(1 if stale else 0)
+        faults = [f"{name} does not follow rooms.txt: run scripts/room_tables.py" for name in stale]
+        faults += faults_of_pages(lines)
+        print("\n".join(faults) or "all tables follow rooms.txt")
+        sys.exit(1 if faults else 0)
     for name in stale:
         (ROOT / name).write_text(written(lines)[name], encoding="utf-8")
 
