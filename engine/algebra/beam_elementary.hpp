@@ -170,11 +170,11 @@ private:
         return smooth(a, range, zeroset::logarithm(function, middle(a)).range, 4.0, slope, bend);
     }
     static Value cardinal_form(In a, Cardinal function) {
-        const auto slope = [&](const Box& x, const Box& /*g*/) {
-            return cardinal_bends(function, x).by_x * x;
+        const auto slope = [&](const Box& x, const Box& g) {
+            return cardinal_slope(function, x, g);
         };
-        const auto bend = [&](const Box& x, const Box& /*g*/, const Box& /*slope*/) {
-            return cardinal_bends(function, x).second;
+        const auto bend = [&](const Box& x, const Box& g, const Box& slope_of_x) {
+            return cardinal_bend(function, x, g, slope_of_x);
         };
         const Box g = cardinal(function, a.value.f.range());
         return smooth(a, {g}, cardinal(function, middle(a)), cardinal_error_ulp, slope, bend);

@@ -55,6 +55,7 @@ constexpr Line name_lines[] = {
     {"x y z w", marked("the variables; t is another name of w")},
     {"r, rho", "sqrt(x^2 + y^2 + z^2), sqrt(x^2 + y^2)"},
     {"theta \u03b8, phi \u03c6", marked("the angles atan2(y, x) and acos(z/r)")},
+    {"swap theta, phi", marked("a row by which these two change places, as physics has them")},
     {"pi \u03c0, tau \u03c4, e, golden", "3.14159..., 2 pi, 2.71828..., (1 + sqrt 5)/2"},
     {"a, k, c_1, \u03b1",
      marked("any other letter is a parameter with a slider; its value is 1 at first")},

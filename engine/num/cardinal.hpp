@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/num/elementary.hpp"
+#include "engine/num/periodic.hpp"
 #include "engine/real/sleef.hpp"
 
 #include <array>
@@ -100,48 +100,69 @@ Real cardinal_slope_at(Cardinal function, const Real& x, const Real& value, cons
     return select(small, x * by_x, (df - value) / x);
 }
 
-/// Range of the function over x. It is monotone in |x|, except that sin(x)/x for |x| > 3 is only
-/// known to be small.
+/// The numbers in both intervals, of which one at least has no NaN.
+template <class Real>
+Interval<Real> common(const Interval<Real>& a, const Interval<Real>& b) {
+    return {minimum(a.neg_lo, b.neg_lo), minimum(a.hi, b.hi)};
+}
+
+/// Values of the function near 0 and far from it, at the ends of its |x|.
+template <class Real>
+struct CardinalEnds {
+    Real near, far;
+    Real error_near, error_far;
+
+    /// From those of the dividend.
+    CardinalEnds(Cardinal function, const Interval<Real>& size, const Real& f_near,
+                 const Real& f_far)
+        : near(cardinal_at(function, -size.neg_lo, f_near)),
+          far(cardinal_at(function, size.hi, f_far)),
+          error_near(error_of(near)),
+          error_far(error_of(far)) {}
+
+private:
+    static Real error_of(const Real& value) {
+        const Format& format = format_of(value);
+        return magnitude(value) * like(value, 0.5 * cardinal_error_ulp * format.relative_gap) +
+               like(value, format.smallest_normal);
+    }
+};
+
+/// Range of sin(x)/x over x. It falls with |x| up to 4.4934, where it is -0.21723; beyond it is
+/// below 0.12838.
+template <class Real>
+Interval<Real> sine_over(const Interval<Real>& size) {
+    const auto number = [&](double value) { return like(size.hi, value); };
+    const Real f_near = elementary(Elementary::Sin, -size.neg_lo);
+    const Real f_far = elementary(Elementary::Sin, size.hi);
+    const CardinalEnds<Real> ends(Cardinal::Sin, size, f_near, f_far);
+    const auto falls = size.hi <= number(4.4375);  // false where NaN
+    const Real highest = minimum(ends.near + ends.error_near, number(1));
+    const Interval<Real> coarse{select(falls, ends.error_far - ends.far, number(0.21875)),
+                                select(falls, highest, maximum(highest, number(0.12890625)))};
+    return common(divide_by_nonnegative(sine_between(size, f_near, f_far), size), coarse);
+}
+
+/// Range of the function over x. sinh(x)/x rises with |x|, atan(x)/x falls.
 template <class Real>
 Interval<Real> cardinal(Cardinal function, const Interval<Real>& x) {
-    const Elementary top = dividend(function);
     const Interval<Real> size = absolute(x);
-    const Real near = -size.neg_lo;
-    const Real far = size.hi;
-    const Format& format = format_of(far);
-    const auto number = [&](double value) { return like(far, value); };
-    const auto value_at = [&](const Real& at, double most) {
-        // The library's sinh of a large operand may be infinite.
-        const Real f = minimum(elementary(top, at), number(most));
-        return cardinal_at(function, at, f);
-    };
-    const auto widened_by = [&](const Real& value) {
-        return value * number(0.5 * cardinal_error_ulp * format.relative_gap) +
-               number(format.smallest_normal);
-    };
-    // sinh(x)/x rises with |x|; the others fall, sin(x)/x up to |x| = 3.
-    if (function == Cardinal::Sinh) {
-        const Real lowest = value_at(near, format.bound(top).overflow);
-        const Real highest = value_at(far, infinity);
-        const Real neg_lo = minimum(widened_by(lowest) - lowest, number(-1));
-        const Interval<Real> range{neg_lo, highest + widened_by(highest)};
-        return select(unordered(range.neg_lo, range.hi),
-                      Interval<Real>{number(-1), number(infinity)}, range);
-    }
-    const Real highest = value_at(near, infinity);
-    const Real lowest = value_at(far, infinity);
-    const Real hi = minimum(highest + widened_by(magnitude(highest)), number(1));
-    const Real neg_lo = widened_by(magnitude(lowest)) - lowest;
-    if (function == Cardinal::Atan) {
-        const Interval<Real> range{minimum(neg_lo, number(0)), hi};
-        return select(unordered(range.neg_lo, range.hi), Interval<Real>{number(0), number(1)},
-                      range);
-    }
-    const auto monotone = far <= number(3);  // false where NaN
-    const auto small = near > number(3);
-    const Real quarter = number(0.25);
-    return {select(monotone, neg_lo, quarter),
-            select(monotone, hi, select(small, quarter, number(1)))};
+    if (function == Cardinal::Sin) return sine_over(size);
+    const auto number = [&](double value) { return like(x.hi, value); };
+    const Elementary top = dividend(function);
+    // The library's sinh of a large operand may be infinite.
+    const Real f_near =
+        minimum(elementary(top, -size.neg_lo), number(format_of(x.hi).bound(top).overflow));
+    const CardinalEnds<Real> ends(function, size, f_near, elementary(top, size.hi));
+    const bool rises = function == Cardinal::Sinh;
+    const Interval<Real> range =
+        rises ? Interval<Real>{minimum(ends.error_near - ends.near, number(-1)),
+                               ends.far + ends.error_far}
+              : Interval<Real>{minimum(ends.error_far - ends.far, number(0)),
+                               minimum(ends.near + ends.error_near, number(1))};
+    const Interval<Real> all =
+        rises ? Interval<Real>{number(-1), number(infinity)} : Interval<Real>{number(0), number(1)};
+    return select(unordered(range.neg_lo, range.hi), all, range);
 }
 
 /// Bounds of the first two derivatives for |x| <= far; the first derivative lies in x * by_x.
@@ -150,8 +171,9 @@ struct CardinalBends {
     Interval<Real> by_x, second;
 };
 
+/// The bounds that are tight near 0.
 template <class Real>
-CardinalBends<Real> cardinal_bends(Cardinal function, const Interval<Real>& x) {
+CardinalBends<Real> bends_near_zero(Cardinal function, const Interval<Real>& x) {
     const auto number = [&](double value) { return like(x.hi, value); };
     const Real far = absolute(x).hi;
     const Real square = far * far;
@@ -166,8 +188,37 @@ CardinalBends<Real> cardinal_bends(Cardinal function, const Interval<Real>& x) {
     const Interval<Real> first = sine ? -third : -(third + third);
     const Real by_x = first.hi + square * number(sine ? 0.0625 : 0.8125);
     const Real second = first.hi + square * number(sine ? 0.125 : 2.5);
-    return {{first.neg_lo, minimum(by_x, number(sine ? 0.5 : 0.0))},
-            {first.neg_lo, minimum(second, number(0.5))}};
+    return {{first.neg_lo, minimum(by_x, number(sine ? 0.03125 : 0.0))},
+            {first.neg_lo, minimum(second, number(sine ? 0.25 : 0.125))}};
+}
+
+/// Range of the first derivative over x, from the function's own range g: (f' - g)/x for the
+/// dividend f.
+template <class Real>
+Interval<Real> cardinal_slope(Cardinal function, const Interval<Real>& x, const Interval<Real>& g) {
+    const auto slope_of_dividend = [&] {
+        const Interval<Real> one = point(like(x.hi, 1));
+        if (function == Cardinal::Sin) return cos(x);
+        if (function == Cardinal::Sinh) return cosh(x);
+        return one / (one + power_nonnegative(absolute(x), 2));
+    };
+    return common((slope_of_dividend() - g) / x, bends_near_zero(function, x).by_x * x);
+}
+
+/// Range of the second derivative over x, from those of the function and of the first one:
+/// (f'' - 2 slope)/x for the dividend f.
+template <class Real>
+Interval<Real> cardinal_bend(Cardinal function, const Interval<Real>& x, const Interval<Real>& g,
+                             const Interval<Real>& slope) {
+    const auto bend_of_dividend_by_x = [&] {
+        if (function == Cardinal::Sin) return -g;
+        if (function == Cardinal::Sinh) return g;
+        const Interval<Real> one = point(like(x.hi, 1));
+        const Interval<Real> below = one + power_nonnegative(absolute(x), 2);
+        return scale(one / power_nonnegative(below, 2), -2.0);
+    };
+    return common(bend_of_dividend_by_x() - scale(slope, 2.0) / x,
+                  bends_near_zero(function, x).second);
 }
 
 }  // namespace zeroset

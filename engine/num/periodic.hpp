@@ -14,7 +14,6 @@ namespace zeroset {
 // the upper end is not below the lower end. All sums and products are rounded upward, which makes
 // them too high, the safe side. Only the frequency may be too low beside a positive factor, or too
 // high beside a negative one, by less than the slack.
-// negative, by less than the slack.
 template <class Real>
 auto meets_phase(const Interval<Real>& a, int periods_a_turn, double phase_lo, double phase_hi) {
     const Format& format = format_of(a.hi);
@@ -34,13 +33,11 @@ auto near_zero(const Interval<Real>& a) {
     return both(a.neg_lo <= far, a.hi <= far);
 }
 
-/// Range of sin or cos. The maxima are at max + 2 pi k, the minima at min + 2 pi k; both phases are
-/// given as enclosures by numbers of the format.
+/// Range of sin or cos, from the library's values at the ends of `a`. The maxima are at max + 2 pi
+/// k, the minima at min + 2 pi k; both phases are given as enclosures by numbers of the format.
 template <class Real>
-Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo, double max_hi,
-                    double min_lo, double min_hi) {
-    const Real first = elementary(function, -a.neg_lo);
-    const Real last = elementary(function, a.hi);
+Interval<Real> wave(Elementary function, const Interval<Real>& a, const Real& first,
+                    const Real& last, double max_lo, double max_hi, double min_lo, double min_hi) {
     const Interval<Real> ends = widened(function, minimum(first, last), maximum(first, last));
     const Real one = like(a.hi, 1.0);
     const auto near = near_zero(a);
@@ -49,16 +46,25 @@ Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo,
             select(both(near, no(meets_phase(a, 1, max_lo, max_hi))), bounded.hi, one)};
 }
 
+/// Range of sin, from the library's values at the ends of `a`.
 template <class Real>
-Interval<Real> sin(const Interval<Real>& a) {
+Interval<Real> sine_between(const Interval<Real>& a, const Real& first, const Real& last) {
     const double lo = 0.5 * format_of(a.hi).pi_lo;
     const double hi = 0.5 * format_of(a.hi).pi_hi;
-    return wave(Elementary::Sin, a, lo, hi, -hi, -lo);
+    return wave(Elementary::Sin, a, first, last, lo, hi, -hi, -lo);
+}
+
+template <class Real>
+Interval<Real> sin(const Interval<Real>& a) {
+    return sine_between(a, elementary(Elementary::Sin, -a.neg_lo),
+                        elementary(Elementary::Sin, a.hi));
 }
 
 template <class Real>
 Interval<Real> cos(const Interval<Real>& a) {
-    return wave(Elementary::Cos, a, 0.0, 0.0, format_of(a.hi).pi_lo, format_of(a.hi).pi_hi);
+    return wave(Elementary::Cos, a, elementary(Elementary::Cos, -a.neg_lo),
+                elementary(Elementary::Cos, a.hi), 0.0, 0.0, format_of(a.hi).pi_lo,
+                format_of(a.hi).pi_hi);
 }
 
 /// Where `a` surely meets no pole of tan or cot; the poles are at phase + pi k.

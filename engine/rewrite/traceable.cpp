@@ -29,26 +29,15 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
     return saves ? expr : tight;
 }
 
-/// The function as it is traced, its removable poles left as they are.
-Expr with_poles_as_they_are(const Expr& expr, const SampleRegion& region) {
-    const Expr folded = with_folds(with_plain_conditions(expr));
+}  // namespace
+
+Expr traceable(const Expr& expr, const SampleRegion& region) {
+    const Expr folded =
+        with_folds(with_plain_conditions(without_removable_poles(expr).value_or(expr)));
     const Expr smooth = with_smooth_minima(with_log_sums(plain_angles(folded)));
     const Expr short_form = with_collected_terms(smooth, region);
     const Expr plain = without_poles(without_small_differences(short_form), region);
     return polar_form(quicker(plain, tightened(plain, region), region));
-}
-
-}  // namespace
-
-Expr traceable(const Expr& expr, const SampleRegion& region) {
-    Expr plain = with_poles_as_they_are(expr, region);
-    if (plain.nodes().size() > most_nodes_compared) return plain;
-    const auto without = without_removable_poles(expr);
-    if (!without) return plain;
-    // Beyond 3, sin(x)/x is only known to be small: then poles cost less than they would without.
-    const Expr continuous = with_poles_as_they_are(*without, region);
-    const FormSample sample(plain, region);
-    return sample.open(continuous) <= sample.open() ? continuous : plain;
 }
 
 }  // namespace zeroset

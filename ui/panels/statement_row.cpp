@@ -32,6 +32,8 @@ constexpr float button_em = 1.5F;
 /// Largest numbers of readings and notes that are shown for one row.
 constexpr std::size_t most_readings = 4;
 constexpr std::size_t most_notes = 4;
+/// The statement that a note proposes by which theta and phi change places.
+constexpr std::string_view angles_swapped = "swap theta, phi";
 /// Opacity of a reading of an older text, while the new one is not read yet.
 constexpr double old_reading_faded = 0.5;
 
@@ -203,6 +205,13 @@ void draw_readings(const Row& row, float width) {
     ImGui::PopFont();
 }
 
+/// Draws a button that lets theta and phi change places.
+void draw_swap(const Row& row) {
+    if (!ImGui::SmallButton(std::string(angles_swapped).c_str())) return;
+    row.statement.text += "; " + std::string(angles_swapped);
+    row.state.wishes.reload = row.statement.id;
+}
+
 /// Draws the notes on unusual readings, each on its own lines.
 void draw_notes(const Row& row, float width) {
     ImGui::PushStyleColor(ImGuiCol_Text, row.colors.accent);
@@ -215,6 +224,7 @@ void draw_notes(const Row& row, float width) {
             if (++count > most_notes) break;
             ImGui::SetCursorPosX(left);
             ImGui::TextUnformatted(note.c_str());
+            if (note.contains(angles_swapped)) draw_swap(row);
         }
     }
     ImGui::PopTextWrapPos();

@@ -155,6 +155,11 @@ private:
     bool equations() {
         if (behind_.ranges.size() == 3) rename();
         if (!take_box()) return false;
+        if (const auto table = table_in(all_[0])) {
+            for (const Table::Term& term : table->terms)
+                rows_.with_term(term, [&] { equation(table->body); });
+            return true;
+        }
         const auto list = in_brackets(all_[0]);
         const bool is_list = list && !all_[0].starts_with('(');
         for (const Words value : is_list ? split_outside(*list, ',') : std::vector{all_[0]})

@@ -77,7 +77,7 @@ private:
             draws_ = draws_ || call || has_grid;
             if (call) program_ = program_of_command(call->name);
             assigns_ = assigns_ || has_grid || loads_library(row) || (call && assigns(*call));
-            is_foreign = is_foreign || draws_ || assigns_ || level_in(row) ||
+            is_foreign = is_foreign || draws_ || assigns_ || level_in(row) || swaps_angles(row) ||
                          row.starts_with("splot ") || function(at, scratch_writer);
             if (call) return true;
             at = std::max(end, at + 1);
@@ -168,6 +168,11 @@ private:
             at = end;
             return true;
         }
+        if (swaps_angles(row)) {
+            writer.put("theta := acos(z/sqrt(x^2 + y^2 + z^2)); phi := atan2(y, x)", row);
+            at = end;
+            return true;
+        }
         if (const auto call = call_in(row)) {
             at = end;
             return command(*call, row, writer);
@@ -188,6 +193,14 @@ private:
         if (!is_idle(row) && !shows_plot) other_statement(typed_.substr(at, end - at), writer);
         at = end;
         return true;
+    }
+
+    /// Whether the row is angles_swapped, in words or letters.
+    static bool swaps_angles(Words row) {
+        if (!row.starts_with("swap ")) return false;
+        const auto names = split_outside(row.substr(5), ',');
+        return names.size() == 2 && (names[0] == "theta" || names[0] == "\u03B8") &&
+               (names[1] == "phi" || names[1] == "\u03C6");
     }
 
     /// The parts of F(x, y, z) = x^2 + y^2 + z^2 - 1 = 0, as papers have it.

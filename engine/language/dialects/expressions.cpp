@@ -197,7 +197,8 @@ std::size_t ExpressionWriter::write_other(std::string_view expression, std::size
 }
 
 bool has_foreign_expression(std::string_view text) {
-    constexpr std::array<Words, 5> others{"Piecewise", "piecewise", "Rational", "Eq", "Evaluate"};
+    constexpr std::array<Words, 7> others{"Piecewise", "piecewise", "Rational", "Eq",
+                                          "Evaluate",  "Table",     "Total"};
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = word_length(text.substr(at));
         if (length == 0) {
@@ -247,7 +248,7 @@ std::size_t ExpressionWriter::write_list(std::string_view text, std::string_view
 bool ExpressionWriter::write_call(std::string_view word, std::string_view inside) {
     ++depth_;
     const auto parts = split_outside(inside, ',');
-    bool is_written = write_sum(word, inside);
+    bool is_written = write_sum(word, inside) || write_list_by_index(word, inside);
     if (!is_written && (word == "Piecewise" || word == "piecewise"))
         is_written = write_cases(word, inside);
     if (!is_written && word == "Rational" && parts.size() == 2) {
@@ -317,6 +318,32 @@ bool ExpressionWriter::write_sum(std::string_view word, std::string_view inside)
         write(range.hi);
         put(range.is_open ? " - 1)" : ")", range.hi);
     }
+    return true;
+}
+
+void ExpressionWriter::with_term(const Table::Term& term, const std::function<void()>& write) {
+    const Names before = renamed_;
+    renamed_.insert(renamed_.begin(), term.begin(), term.end());
+    write();
+    renamed_ = before;
+}
+
+/// Writes Table[f, {k, 1, 3}] as the list of its terms, and Total[list] as sum(list).
+bool ExpressionWriter::write_list_by_index(std::string_view word, std::string_view inside) {
+    if (word == "Total") {
+        const auto list = inside.starts_with('{') ? in_brackets(inside) : std::nullopt;
+        put(list ? "sum([" : "sum(", inside);
+        write(list.value_or(inside));
+        put(list ? "])" : ")", inside.substr(inside.size()));
+        return true;
+    }
+    const auto table = word == "Table" ? table_of(inside) : std::nullopt;
+    if (!table) return false;
+    for (std::size_t i = 0; i < table->terms.size(); ++i) {
+        put(i == 0 ? "[" : ", ", table->body);
+        with_term(table->terms[i], [&] { write(table->body); });
+    }
+    put("]", inside.substr(inside.size()));
     return true;
 }
 

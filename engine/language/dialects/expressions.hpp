@@ -3,6 +3,7 @@
 #include "engine/language/dialects/asked_box.hpp"
 #include "engine/language/dialects/parts.hpp"
 #include "engine/language/dialects/source_text.hpp"
+#include "engine/language/dialects/tables.hpp"
 
 #include <functional>
 #include <string>
@@ -33,6 +34,8 @@ public:
     using Names = std::vector<std::pair<std::string_view, std::string_view>>;
     /// Puts other names in place of these, until it is told otherwise.
     void rename(Names names) { renamed_ = std::move(names); }
+    /// Does something with more words in place of names.
+    void with_term(const Table::Term& term, const std::function<void()>& write);
     /// Puts other names in place of these, where `rename` says nothing of them.
     void rename_always(Names names) { always_renamed_ = std::move(names); }
     /// The name that stands in place of a word; empty: itself.
@@ -48,6 +51,7 @@ private:
                            const std::function<void()>& flush);
     bool write_call(std::string_view word, std::string_view inside);
     bool write_sum(std::string_view word, std::string_view inside);
+    bool write_list_by_index(std::string_view word, std::string_view inside);
     bool write_cases(std::string_view word, std::string_view inside);
     void write_joined(std::string_view open, std::string_view a, std::string_view sign,
                       std::string_view b, std::string_view close);

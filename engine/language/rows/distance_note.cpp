@@ -1,6 +1,7 @@
 #include "engine/language/rows/distance_note.hpp"
 
 #include "engine/base/translation.hpp"
+#include "engine/language/vocabulary/angles.hpp"
 
 #include <algorithm>
 #include <map>
@@ -52,8 +53,8 @@ void note_distance(const SyntaxTree& tree, DefinitionTable& table, std::size_t s
         notes.add(
             tree[(theta != said.end() ? theta : phi)->second].offset,
             filled(tr("{0} is the angle about the z-axis and {1} the one from it; where a text "
-                      "means them the other way, as in physics, exchange them"),
-                   {"theta", "phi"}));
+                      "means them the other way, as in physics, add the row {2}"),
+                   {"theta", "phi", std::string(angles_swapped)}));
     }
     if (said.contains("x") || said.contains("y")) return;
     const auto rho = said.find("rho");

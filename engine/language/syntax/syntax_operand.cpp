@@ -91,9 +91,9 @@ SyntaxParser::Parsed SyntaxParser::refuse_call(const Token& token, const std::st
 /// Remarks where a letter that often names a function is a factor: f, g, h, and with a number P_0.
 void SyntaxParser::note_product(const Token& token, const std::string& name) {
     const bool numbered = !token.subscript.empty() && is_digit(subscript_text(token)[0]) &&
-                          std::string_view("fghFGHHLPTU").contains(token.text);
+                          std::string_view("fghFGHHLPTUψ").contains(token.text);
     const bool means_call =
-        (numbered || std::string_view("fghFGHK").contains(name)) && next_is("(");
+        (numbered || std::string_view("fghFGHKE").contains(name)) && next_is("(");
     if (!means_call || defined_.defines_value(name) || !adjacent(token, next())) return;
     tree_.notes.add(token.offset,
                     filled(tr("{0} is read as {1}; to make it a function define it, as in {2}"),

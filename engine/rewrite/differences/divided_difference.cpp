@@ -5,6 +5,7 @@
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/differences.hpp"
+#include "engine/rewrite/differences/inverse_slope.hpp"
 #include "engine/rewrite/differences/kept_domain.hpp"
 #include "engine/rewrite/differences/known_value.hpp"
 
@@ -55,6 +56,7 @@ public:
     }
 
 private:
+    struct Rule;
     using Pair = std::pair<NodeId, NodeId>;
     /// The two values.
     struct Terms {
@@ -100,9 +102,12 @@ private:
         if (a.op == Op::Multiply && leaf_ && is_known_zero(builder_, b.a)) return alike(a.a, b.a);
         if (a.op == Op::Multiply && leaf_ && is_known_zero(builder_, b.b)) return alike(a.b, b.b);
         if (is_step(a.op)) return true;
+        if (leaf_ && is_inverse(a.op)) return alike(a.a, b.a);
         const Rule* rule = rule_of(a.op);
-        if (rule == nullptr || a.number > largest_power) return false;
-        return std::ranges::all_of(rule->operands, [&](char operand) {
+        return rule != nullptr && a.number <= largest_power && are_alike(*rule, a, b);
+    }
+    bool are_alike(const Rule& rule, const Node& a, const Node& b) {
+        return std::ranges::all_of(rule.operands, [&](char operand) {
             if (operand == 'a') return alike(a.a, b.a);
             if (operand == 'b') return alike(a.b, b.b);
             if (operand == 'c') return alike(a.c, b.c);
@@ -124,6 +129,8 @@ private:
             return ratio(builder_, constant(*step), delta_);
         }
         const Terms f{.to = builder_.node(f1), .from = builder_.node(f0), .f1 = f1, .f0 = f0};
+        // Its slope holds the difference again, so that small ones stay.
+        if (leaf_ && is_inverse(f.to.op)) return of_inverse(f);
         const Rule* rule = rule_of(f.to.op);
         return rule == nullptr ? plain(f) : (this->*rule->make)(f);
     }
@@ -257,13 +264,8 @@ private:
         const NodeId product = times(times(slope, m), cardinal_of(turns, h));
         return f.to.op == Op::Cos ? make_negate(builder_, product) : product;
     }
-    /// sin(h)/h or sinh(h)/h, for any h as cos(h/2) sinc(h/2): slopes of the cardinal functions are
-    /// enclosed tightly near 0 alone.
     NodeId cardinal_of(bool turns, NodeId h) {
-        const Op cardinal = turns ? Op::Sinc : Op::Sinhc;
-        if (!leaf_) return builder_.apply(cardinal, h);
-        const NodeId half = half_of(h);
-        return times(call(turns ? Op::Cos : Op::Cosh, half), builder_.apply(cardinal, half));
+        return builder_.apply(turns ? Op::Sinc : Op::Sinhc, h);
     }
     /// The derivative of sin, cos, sinh or cosh, but for its sign.
     static Op derivative(Op op) {
@@ -271,6 +273,21 @@ private:
                                    std::pair(Op::Sinh, Op::Cosh), std::pair(Op::Cosh, Op::Sinh)};
         const auto* pair = std::ranges::find(pairs, op, &std::pair<Op, Op>::first);
         return pair == pairs.end() ? op : pair->second;
+    }
+    NodeId of_inverse(const Terms& f) {
+        const NodeId slope = of(f.to.a, f.from.a);
+        if (slope == zero()) return zero();
+        const NodeId q = settled(f.f0);
+        const NodeId by = inverse_slope(
+            builder_, {.op = f.to.op, .u = f.to.a, .v = settled(f.from.a), .p = f.f1, .q = q});
+        const NodeId quotient = make_divide(builder_, slope, by);
+        if (!is_any_of(f.to.op, {Op::Log, Op::Log10, Op::Log2})) return quotient;
+        // Beside the end of the domain, where logarithms have no bound, the difference alone is
+        // enclosed.
+        const NodeId apart = make_subtract(builder_, f.f1, q);
+        const NodeId near =
+            builder_.apply(Op::Less, make_int_power(builder_, apart, 2), builder_.constant(1.0));
+        return choice(near, quotient, plain(f));
     }
     /// tan(u) - tan(v) = sin(u - v) / (cos(u) cos(v)), and cot and tanh alike.
     NodeId of_tangent(const Terms& f) {

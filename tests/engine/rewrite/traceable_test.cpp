@@ -226,16 +226,6 @@ TEST(Traceable, KeepsRandomQuotientsZerosDomainsAndSigns) {
     EXPECT_GT(rewritten, 150);
 }
 
-TEST(Traceable, LeavesRemovablePolesWhereTheFunctionWithoutThemIsEnclosedWorse) {
-    const auto has_sinc = [](const char* text) {
-        const Expr drawn =
-            traceable(*parse(text), {.lo = {-2, -2, -2}, .hi = {2, 2, 2}, .uniforms = {}});
-        return std::ranges::any_of(drawn.nodes(), [](const Node& n) { return n.op == Op::Sinc; });
-    };
-    EXPECT_TRUE(has_sinc("z = sin(x y)/(x y)"));
-    EXPECT_FALSE(has_sinc("z = 3 sin(3 sqrt(x^2 + y^2))/(3 sqrt(x^2 + y^2))"));
-}
-
 TEST(Traceable, KeepsRandomGraphsZerosDomainsAndSigns) {
     test::RandomNumbers random(12);
     for (int formula = 0; formula < 400; ++formula) {

@@ -176,7 +176,9 @@ MpfiEnclosure cardinal_sine(In a) {
     const Mpfi size = computed(mpfi_abs, a.range);
     if (size.is_below(3)) return cardinal(mpfi_sin, a);
     const Mpfi beyond(-0.22, 0.22);
-    return total(size.is_above(3) ? beyond : hull(Mpfi(1.0), beyond), a);
+    if (!size.is_above(3)) return total(hull(Mpfi(1.0), beyond), a);
+    const bool is_known = size.is_bounded() && !out_of_reach(size);
+    return total(is_known ? computed(mpfi_sin, size) / size : beyond, a);
 }
 
 /// The distance from the nearest even integer: either the one below the lower end or the next one.
