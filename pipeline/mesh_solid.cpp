@@ -16,11 +16,15 @@ namespace {
 
 // LLVM takes about 1 ms for a node; larger graphs are interpreted.
 constexpr std::size_t most_nodes_of_mesh_code = 3'000;
+// LLVM takes some 25 ms to be loaded and 10 for a function; so many nodes of boxes and points take
+// the interpreter about as long.
+constexpr std::size_t patient_nodes = 4'000'000;
 
 /// Functions in double, machine code from when it pays.
 Kernel quick_kernel(const Expr& expr) {
     const bool small = expr.nodes().size() <= most_nodes_of_mesh_code;
-    return small ? jit::compile_when_called(expr) : interpret(expr);
+    return small ? jit::compile_when_called(expr, {.patient_nodes = patient_nodes})
+                 : interpret(expr);
 }
 
 SolidNode::Kind kind_of(ChoiceTree::Kind kind, double sign) {

@@ -15,8 +15,8 @@ constexpr std::size_t cells_of_task = 256;
 
 /// About how far a surface is from the lattice's triangles within a cell of this edge in which its
 /// normal turns by `turn`: the curvature is turn / (half the diagonal), the triangles' circles have
-/// a radius of some 0.4 edges. What is farther all the same is measured and divided later.
-double sagitta(double turn, double edge) { return 0.1 * turn * edge; }
+/// a radius of some 0.45 edges. What is farther all the same is measured and divided later.
+double sagitta(double turn, double edge) { return 0.12 * turn * edge; }
 
 /// By how much normals of a part turn among values at a cell's corners and, the last, its middle.
 double turn_of(std::span<const SolidValue> values, std::uint32_t part) {
@@ -65,8 +65,10 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         MeshCell& cell = tree_[cells[i]];
         const auto own = std::span(values).subspan(places * i, places);
-        cell.coarse =
-            !(sagitta(turn_of(own, cell.facts.part), tree_.edge(cell)) <= limits_.tolerance);
+        const double turn = turn_of(own, cell.facts.part);
+        constexpr double half_diagonal = 0.866;
+        cell.bend = static_cast<float>(turn / (half_diagonal * tree_.edge(cell)));
+        cell.coarse = !(sagitta(turn, tree_.edge(cell)) <= limits_.tolerance);
     }
 }
 

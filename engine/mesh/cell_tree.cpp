@@ -57,6 +57,15 @@ void CellTree::add_touching(std::uint32_t under, const Place& lo, const Place& h
         add_touching(cell.first_child + child, lo, hi, leaves);
 }
 
+std::vector<std::uint32_t> CellTree::touching(std::span<const std::uint32_t> cells) const {
+    std::vector<std::uint32_t> leaves;
+    for (const std::uint32_t cell : cells)
+        add_touching(cells_[cell], leaves);
+    std::ranges::sort(leaves);
+    leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
+    return leaves;
+}
+
 std::uint32_t CellTree::split(std::uint32_t leaf) {
     assert(cells_[leaf].is_leaf() && cells_[leaf].level < deepest_);
     const auto first = static_cast<std::uint32_t>(cells_.size());

@@ -25,6 +25,7 @@ struct MeshCell {
     bool uncertain = false;  ///< its topology could not be proved
     std::uint8_t tries = 0;  ///< how often an ancestor was divided for its edges' sake
     bool coarse = false;     ///< the surface in it is farther from a plane than the tolerance
+    float bend = 0.0F;       ///< about the greatest curvature of the surface in it, if smooth
     BoxFacts facts;
 
     [[nodiscard]] bool is_leaf() const { return first_child == 0; }
@@ -71,6 +72,9 @@ public:
 
     /// Adds the leaves that touch a cell, itself among them.
     void add_touching(const MeshCell& cell, std::vector<std::uint32_t>& leaves) const;
+
+    /// The leaves that touch these cells, each once.
+    [[nodiscard]] std::vector<std::uint32_t> touching(std::span<const std::uint32_t> cells) const;
 
     /// Divides a leaf; returns its first child.
     std::uint32_t split(std::uint32_t leaf);

@@ -11,30 +11,25 @@ using Four = std::array<std::uint32_t, 4>;
 /// Makes the triangles of tetrahedra; vertices are numbered by the edges they lie on.
 class Marcher {
 public:
-    explicit Marcher(const Lattice& lattice)
-        : lattice_(lattice), edges_(lattice.tetrahedra.size() / 4) {}
+    explicit Marcher(const Lattice& lattice) : lattice_(lattice), edges_(lattice.vertices.size()) {}
 
-    void march();
-    /// The triangles between vertices without places.
-    TriangleMesh finish_without_roots();
-    Contour finish(const MeshSolid& solid, const MeshWork& work);
+    MarchedLattice march();
 
 private:
     void add_one(const Four& v, std::uint32_t tetrahedron, bool inside);
     void add_two(const Four& v, std::uint32_t tetrahedron);
-    void mark_crease(std::uint64_t key, MeshVertex& vertex);
     void add(const Triangle& triangle, std::uint32_t tetrahedron) {
-        contour_.mesh.triangles.push_back(triangle);
-        contour_.tetrahedra.push_back(tetrahedron);
+        result_.triangles.push_back(triangle);
+        result_.tetrahedra.push_back(tetrahedron);
     }
     /// The vertex on an edge, given by its ends inside and outside.
     std::uint32_t crossing(std::uint32_t inside, std::uint32_t outside) {
-        return edges_.add(pair_key(inside, outside));
+        return edges_.add(inside, outside);
     }
 
     const Lattice& lattice_;
-    KeyIndex edges_;
-    Contour contour_;
+    PairIndex edges_;
+    MarchedLattice result_;
 };
 
 /// The vertices of a tetrahedron with vertex `i` first, in an order that keeps its volume positive.
@@ -64,7 +59,7 @@ void Marcher::add_two(const Four& v, std::uint32_t tetrahedron) {
     add({ring[0], ring[2], ring[3]}, tetrahedron);
 }
 
-void Marcher::march() {
+MarchedLattice Marcher::march() {
     for (std::uint32_t i = 0; i < lattice_.tetrahedra.size(); ++i) {
         const Four& vertices = lattice_.tetrahedra[i].vertices;
         const int count = lattice_.count_inside(lattice_.tetrahedra[i]);
@@ -84,43 +79,51 @@ void Marcher::march() {
             v = {v[0], v[2], v[3], v[1]};
         add_two(v, i);
     }
+    result_.edges = edges_.keys();
+    return std::move(result_);
 }
 
-/// A root on an edge along which two parts change lies on an edge of the solid.
-void Marcher::mark_crease(std::uint64_t key, MeshVertex& vertex) {
-    const LatticeVertex& a = lattice_.vertices[key >> 32U];
-    const LatticeVertex& b = lattice_.vertices[key & 0xFFFFFFFFU];
-    if (!a.is_kink() || !b.is_kink()) return;
-    vertex.kind = VertexKind::Crease;
-    contour_.creases.push_back({.vertex = edges_.find(key), .parts = a.kink});
-}
-
-TriangleMesh Marcher::finish_without_roots() {
-    contour_.mesh.vertices.resize(edges_.keys().size());
-    return std::move(contour_.mesh);
-}
-
-Contour Marcher::finish(const MeshSolid& solid, const MeshWork& work) {
-    std::vector<CrossedEdge> brackets;
-    brackets.reserve(edges_.keys().size());
-    for (const std::uint64_t key : edges_.keys()) {
-        const auto inside = static_cast<std::uint32_t>(key >> 32U);
-        const auto outside = static_cast<std::uint32_t>(key);
-        brackets.push_back({.inside = lattice_.vertices[inside].point,
-                            .outside = lattice_.vertices[outside].point});
-    }
-    contour_.mesh.vertices = find_roots(solid, brackets, work);
-    for (std::size_t i = 0; i < brackets.size(); ++i)
-        mark_crease(edges_.keys()[i], contour_.mesh.vertices[i]);
-    return std::move(contour_);
+/// Whether two parts change along an edge, so that a root on it lies on an edge of the solid.
+bool is_crease(const Lattice& lattice, std::uint64_t edge) {
+    return lattice.vertices[edge >> 32U].is_kink() &&
+           lattice.vertices[edge & 0xFFFFFFFFU].is_kink();
 }
 
 }  // namespace
 
+MarchedLattice march(const Lattice& lattice) { return Marcher(lattice).march(); }
+
+std::vector<MeshVertex> vertices_on(const Lattice& lattice, std::span<const std::uint64_t> edges,
+                                    const MeshSolid& solid, const MeshWork& work) {
+    std::vector<CrossedEdge> brackets;
+    brackets.reserve(edges.size());
+    for (const std::uint64_t key : edges) {
+        brackets.push_back({.inside = lattice.vertices[key >> 32U].point,
+                            .outside = lattice.vertices[key & 0xFFFFFFFFU].point});
+    }
+    std::vector<MeshVertex> vertices = find_roots(solid, brackets, work);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (is_crease(lattice, edges[i])) vertices[i].kind = VertexKind::Crease;
+    }
+    return vertices;
+}
+
+std::vector<Contour::Crease> creases_on(const Lattice& lattice,
+                                        std::span<const std::uint64_t> edges) {
+    std::vector<Contour::Crease> creases;
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+        if (is_crease(lattice, edges[i]))
+            creases.push_back({.vertex = i, .parts = lattice.vertices[edges[i] >> 32U].kink});
+    }
+    return creases;
+}
+
 MeshFacts contour_facts(const Lattice& lattice) {
-    Marcher marcher(lattice);
-    marcher.march();
-    return facts_of(marcher.finish_without_roots());
+    MarchedLattice marched = march(lattice);
+    TriangleMesh mesh;
+    mesh.vertices.resize(marched.edges.size());
+    mesh.triangles = std::move(marched.triangles);
+    return facts_of(mesh);
 }
 
 std::size_t contour_complexity(const Lattice& lattice) {
@@ -129,9 +132,11 @@ std::size_t contour_complexity(const Lattice& lattice) {
 }
 
 Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work) {
-    Marcher marcher(lattice);
-    marcher.march();
-    return marcher.finish(solid, work);
+    MarchedLattice marched = march(lattice);
+    return {.mesh = {.vertices = vertices_on(lattice, marched.edges, solid, work),
+                     .triangles = std::move(marched.triangles)},
+            .tetrahedra = std::move(marched.tetrahedra),
+            .creases = creases_on(lattice, marched.edges)};
 }
 
 }  // namespace zeroset

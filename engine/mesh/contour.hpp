@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/mesh/cell_tree.hpp"
 #include "engine/mesh/lattice.hpp"
 #include "engine/mesh/mesh_facts.hpp"
 #include "engine/mesh/mesh_work.hpp"
@@ -7,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -26,8 +28,22 @@ struct Contour {
     std::vector<Crease> creases;
 };
 
+/// The triangles before vertices have places: vertices have the numbers of the edges they lie on.
+struct MarchedLattice {
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> tetrahedra;  ///< of each triangle
+    std::vector<std::uint64_t> edges;       ///< pair_key of the ends inside and outside
+};
+MarchedLattice march(const Lattice& lattice);
+
 /// In upward rounding.
 Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work);
+/// The contour with vertices joined where it is smooth and that takes it no farther than the
+/// tolerance from the surface, as far as is measured. `cells`, and those with kinks, keep all their
+/// triangles. In upward rounding.
+Contour make_coarse_contour(const CellTree& tree, const Lattice& lattice,
+                            std::span<const std::uint32_t> cells, const MeshSolid& solid,
+                            double tolerance, const MeshWork& work);
 
 /// How many components and handles the contour has, all together.
 std::size_t contour_complexity(const Lattice& lattice);
@@ -42,5 +58,12 @@ struct CrossedEdge {
 };
 std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<CrossedEdge>& brackets,
                                    const MeshWork& work);
+/// The vertices on these edges of the lattice. One along which two parts change lies on an edge of
+/// the solid.
+std::vector<MeshVertex> vertices_on(const Lattice& lattice, std::span<const std::uint64_t> edges,
+                                    const MeshSolid& solid, const MeshWork& work);
+/// The creases among vertices that lie on these edges of the lattice.
+std::vector<Contour::Crease> creases_on(const Lattice& lattice,
+                                        std::span<const std::uint64_t> edges);
 
 }  // namespace zeroset

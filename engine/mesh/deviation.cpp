@@ -17,7 +17,7 @@ std::vector<float> deviations(const MeshSolid& solid, const TriangleMesh& mesh,
         points.insert(points.end(),
                       {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)});
     }
-    const std::vector<SolidValue> values = field_at(solid, points, work);
+    const std::vector<SolidValue> values = field_at(solid, points, work, Normals::Without);
     std::vector<float> farthest(mesh.triangles.size());
     for (std::size_t i = 0; i < farthest.size(); ++i) {
         double far = 0.0;

@@ -40,7 +40,7 @@ SolidValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
 class PartValues {
 public:
     void evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                  std::span<SolidValue> values);
+                  std::span<SolidValue> values, Normals normals);
 
 private:
     /// Levels of a part or a node at all points, and whose they are.
@@ -126,7 +126,7 @@ glm::dvec3 PartValues::normal(const MeshSolid& solid, std::size_t i,
 }
 
 void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                          std::span<SolidValue> values) {
+                          std::span<SolidValue> values, Normals normals) {
     count_ = points.size();
     batch_.resize(count_);
     for (std::size_t i = 0; i < count_; ++i)
@@ -141,30 +141,30 @@ void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> po
         join(solid, n);
     for (std::size_t c = 0; c < solid.cuts.size(); ++c)
         take_cut(solid, c, points);
-    for (std::size_t i = 0; i < count_; ++i) {
-        values[i] = {.level = nodes_.back().level[i],
-                     .normal = normal(solid, i, points[i]),
-                     .part = nodes_.back().part[i]};
-    }
+    for (std::size_t i = 0; i < count_; ++i)
+        values[i] = {.level = nodes_.back().level[i], .part = nodes_.back().part[i]};
+    if (normals == Normals::Without) return;
+    for (std::size_t i = 0; i < count_; ++i)
+        values[i].normal = normal(solid, i, points[i]);
 }
 
 }  // namespace
 
 void field_here(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                std::span<SolidValue> values) {
+                std::span<SolidValue> values, Normals normals) {
     static thread_local PartValues parts;
     for (std::size_t first = 0; first < points.size(); first += points_at_once) {
         const std::size_t count = std::min(points_at_once, points.size() - first);
-        parts.evaluate(solid, points.subspan(first, count), values.subspan(first, count));
+        parts.evaluate(solid, points.subspan(first, count), values.subspan(first, count), normals);
     }
 }
 
 std::vector<SolidValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                                 const MeshWork& work) {
+                                 const MeshWork& work, Normals normals) {
     std::vector<SolidValue> values(points.size());
     parallel_upward(points.size(), points_at_once, work, [&](std::size_t first, std::size_t last) {
         field_here(solid, points.subspan(first, last - first),
-                   std::span(values).subspan(first, last - first));
+                   std::span(values).subspan(first, last - first), normals);
     });
     return values;
 }

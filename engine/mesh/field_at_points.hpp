@@ -25,14 +25,17 @@ struct SolidValue {
     [[nodiscard]] double distance() const { return std::abs(level); }
 };
 
+/// Whether values have normals, or levels and parts alone, which is quicker.
+enum class Normals : std::uint8_t { Without, With };
+
 /// Values at points, any number of them, on all cores.
 std::vector<SolidValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                                 const MeshWork& work);
+                                 const MeshWork& work, Normals normals = Normals::With);
 
 /// The values at points, on this thread, in upward rounding; `values` has as many items as
 /// `points`.
 void field_here(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                std::span<SolidValue> values);
+                std::span<SolidValue> values, Normals normals = Normals::With);
 
 /// The part's or the cut's own value at a point, with the sign of its first leaf.
 struct PartPlace {

@@ -22,6 +22,7 @@ struct Tetrahedron {
     std::array<std::uint32_t, 4> vertices;  ///< the middles of `cells`, then the edge's ends; or a
                                             ///< piece of such a one
     std::array<std::uint32_t, 2> cells;
+    std::uint32_t newest = 0;  ///< of all cells at its edge, by their numbers
 };
 
 struct LatticeVertex {
@@ -52,7 +53,7 @@ double lattice_level(const SolidValue& value, double step);
 
 /// In upward rounding.
 Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, const MeshWork& work);
-/// The part of it between these leaves.
+/// Only tetrahedra at these leaves.
 Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves,
                      const MeshSolid& solid, const MeshWork& work);
 

@@ -208,8 +208,9 @@ void KinkSplitter::split_tetrahedron(const Tetrahedron& tetrahedron) {
                               Side3{v[0], v[1], v[3]}, Side3{v[0], v[2], v[1]}})
         split_face(face, pieces);
     for (const Side3& piece : pieces)
-        result_.push_back(
-            {.vertices = {apex, piece[0], piece[1], piece[2]}, .cells = tetrahedron.cells});
+        result_.push_back({.vertices = {apex, piece[0], piece[1], piece[2]},
+                           .cells = tetrahedron.cells,
+                           .newest = KeyIndex::none});
 }
 
 void KinkSplitter::find_levels(std::size_t first) {

@@ -53,7 +53,8 @@ private:
         return !growth_.is_cut() && !growth_.is_dense() && !proving_.limit.over();
     }
     void prove();
-    void prove_locally(std::vector<std::uint32_t> cells);
+    void prove_changed();
+    [[nodiscard]] std::vector<std::uint32_t> failed_cells() const;
     void divide_at_kinks();
     void contour();
     bool divide_coarse();
@@ -70,6 +71,9 @@ private:
     MeshWork proving_, contouring_, work_;  ///< until the end of each
     Lattice lattice_;
     StarProof proof_;
+    StarProof proof_without_kinks_;   ///< before the lattice was divided at kinks or turned
+    std::uint32_t proved_size_ = 0;   ///< the tree's size when stars were proved last
+    std::uint32_t lattice_size_ = 0;  ///< and when the lattice was made, if it is as it was
     Contour contour_;
     MeshReport report_;
 };
@@ -92,44 +96,52 @@ std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells
     return cells;
 }
 
-/// Divides cells and proves their stars anew, until these are proved or nothing more can be done.
-void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
-    while (!cells.empty() && may_prove()) {
-        enter(MeshStage::Dividing);
-        std::vector<std::uint32_t> core = proof_.rough;
-        core.insert(core.end(), proof_.unknown.begin(), proof_.unknown.end());
-        const auto first_new = static_cast<std::uint32_t>(tree_.size());
-        growth_.divide_uncertain(std::move(cells));
-        if (!may_prove()) return;
-        enter(MeshStage::Proving);
-        for (std::uint32_t cell = first_new; cell < tree_.size(); ++cell)
-            core.push_back(cell);
-        std::erase_if(core, [&](std::uint32_t cell) {
-            return !tree_[cell].is_leaf() || !tree_[cell].is_active();
-        });
-        std::vector<std::uint32_t> leaves;
-        for (const std::uint32_t cell : core)
-            tree_.add_touching(tree_[cell], leaves);
-        std::ranges::sort(leaves);
-        leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
-        const Lattice lattice = make_lattice(tree_, leaves, solid_, proving_);
-        proof_ = prove_stars(tree_, lattice, core, proving_);
-        cells = wanted_finer();
+/// The cells about stars that the proof fails for.
+std::vector<std::uint32_t> MeshMaker::failed_cells() const {
+    std::vector<std::uint32_t> cells = proof_.rough;
+    cells.insert(cells.end(), proof_.unknown.begin(), proof_.unknown.end());
+    return cells;
+}
+
+/// Proves the stars anew that failed or have changed since.
+void MeshMaker::prove_changed() {
+    enter(MeshStage::Proving);
+    std::vector<std::uint32_t> core = failed_cells();
+    std::erase_if(core, [&](std::uint32_t cell) { return !tree_[cell].is_leaf(); });
+    for (std::uint32_t cell = proved_size_; cell < tree_.size(); ++cell) {
+        if (tree_[cell].is_leaf()) core.push_back(cell);
     }
+    const Lattice lattice = make_lattice(tree_, tree_.touching(core), solid_, proving_);
+    proof_ = prove_stars(tree_, lattice, core, proved_size_, proving_);
+    proved_size_ = static_cast<std::uint32_t>(tree_.size());
 }
 
 /// Divides cells until the topology is proved or nothing more can be done; then edges that are too
 /// sharp get tetrahedra along them.
 void MeshMaker::prove() {
-    for (;;) {
-        enter(MeshStage::Proving);
+    enter(MeshStage::Proving);
+    if (proved_size_ == 0) {
         lattice_ = make_lattice(tree_, solid_, proving_);
         proof_ = prove_stars(tree_, lattice_, proving_);
-        std::vector<std::uint32_t> cells = wanted_finer();
-        if (cells.empty() || !may_prove()) break;
-        prove_locally(std::move(cells));
+        lattice_size_ = proved_size_ = static_cast<std::uint32_t>(tree_.size());
+    } else {
+        proof_ = std::move(proof_without_kinks_);
+        prove_changed();
     }
+    for (auto cells = wanted_finer(); !cells.empty() && may_prove(); cells = wanted_finer()) {
+        enter(MeshStage::Dividing);
+        growth_.divide_uncertain(std::move(cells));
+        if (proved_size_ < tree_.size()) prove_changed();
+    }
+    if (lattice_size_ < tree_.size()) {
+        lattice_ = make_lattice(tree_, solid_, proving_);
+        lattice_size_ = proved_size_;
+        if (!proof_.failed.empty())
+            proof_ = prove_stars(tree_, lattice_, failed_cells(), proved_size_, proving_);
+    }
+    proof_without_kinks_ = proof_;
     if (proof_.failed.empty() || proving_.limit.over()) return;
+    lattice_size_ = 0;
     divide_at_kinks();
     if (proof_.unknown.empty()) return;
     if (simplify_unproved(tree_, proof_.unknown, proof_.failed, lattice_, proving_))
@@ -140,6 +152,7 @@ void MeshMaker::divide_at_kinks() {
     // The solid has neither pieces nor handles at its edges: what one lattice has more is false.
     std::optional<std::size_t> least;
     const std::vector<std::uint32_t> failed = proof_.failed;
+    const std::vector<std::uint32_t> cells = failed_cells();
     const Lattice whole = lattice_;
     for (const int rings : {0, 3}) {
         Lattice divided = whole;
@@ -147,7 +160,7 @@ void MeshMaker::divide_at_kinks() {
         if (!least) least = contour_complexity(whole);
         const std::size_t complexity = contour_complexity(divided);
         if (complexity > least) continue;
-        StarProof proof = prove_stars(tree_, divided, proving_);
+        StarProof proof = prove_stars(tree_, divided, cells, KeyIndex::none, proving_);
         if (complexity == least && proof.failed.size() >= proof_.failed.size()) continue;
         least = complexity;
         lattice_ = std::move(divided);
@@ -157,13 +170,16 @@ void MeshMaker::divide_at_kinks() {
 
 void MeshMaker::contour() {
     enter(MeshStage::Contouring);
-    contour_ = make_contour(lattice_, solid_, contouring_);
+    contour_ = options_.thin ? make_coarse_contour(tree_, lattice_, proof_.unknown, solid_,
+                                                   options_.tolerance, contouring_)
+                             : make_contour(lattice_, solid_, contouring_);
     if (contouring_.limit.over()) return;
     const std::size_t vertices = contour_.mesh.vertices.size();
     sharpen_creases(solid_, lattice_.step, contour_, contouring_);
     add_features(tree_, lattice_, solid_, contour_, contouring_);
     split_creased_sides(solid_, lattice_.step, contour_, contouring_);
-    report_.unchanged = contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
+    report_.unchanged =
+        !options_.thin && contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
 }
 
 /// Divides the cells of triangles that are too far from the surface; false: there are none.

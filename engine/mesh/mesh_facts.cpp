@@ -38,12 +38,12 @@ private:
 };
 
 void count_edges(const TriangleMesh& mesh, MeshFacts& facts) {
-    KeyIndex edges(2 * mesh.triangles.size());
+    PairIndex edges(mesh.vertices.size());
     std::vector<std::uint32_t> uses;
     for (const Triangle& t : mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-            const std::uint32_t edge = edges.add(pair_key(a, b));
+            const std::uint32_t edge = edges.add(a, b);
             if (edge == uses.size()) uses.push_back(0);
             ++uses[edge];
         }

@@ -57,4 +57,27 @@ constexpr std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t{a} << 32U | b;
 }
 
+/// Numbers 0, 1, 2, ... for pairs in the order of their coming, quick where few have the same
+/// first.
+class PairIndex {
+public:
+    /// `firsts`: all first numbers are below.
+    explicit PairIndex(std::size_t firsts) : last_(firsts, KeyIndex::none) {}
+
+    std::uint32_t add(std::uint32_t a, std::uint32_t b) {
+        for (std::uint32_t i = last_[a]; i != KeyIndex::none; i = before_[i]) {
+            if (static_cast<std::uint32_t>(keys_[i]) == b) return i;
+        }
+        before_.push_back(last_[a]);
+        keys_.push_back(pair_key(a, b));
+        return last_[a] = static_cast<std::uint32_t>(keys_.size() - 1);
+    }
+    [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
+
+private:
+    std::vector<std::uint32_t> last_;    ///< of each first number
+    std::vector<std::uint32_t> before_;  ///< the pair before with the same first
+    std::vector<std::uint64_t> keys_;
+};
+
 }  // namespace zeroset

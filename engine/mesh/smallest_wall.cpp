@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <vector>
 
@@ -33,8 +34,9 @@ double shape(const TriangleMesh& mesh, const Triangle& t) {
                     mesh.vertices[t[2]].point);
 }
 
-/// The thinnest wall behind one triangle.
-SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uint32_t triangle) {
+/// The thinnest wall behind one triangle, if it is no thicker than the thinnest one so far.
+SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uint32_t triangle,
+                    std::atomic<double>& thinnest) {
     SmallestWall least{.thickness = unbounded};
     const Triangle& t = mesh.triangles[triangle];
     if (shape(mesh, t) < least_shape) return least;
@@ -44,7 +46,10 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
                                 share.y * mesh.vertices[t[1]].point +
                                 share.z * mesh.vertices[t[2]].point;
         ++least.places;
-        const auto hit = tree.way_out(from, inward, triangle);
+        // A thread that is ahead must not hide a wall that is as thin.
+        constexpr double rounding = 1e-9;
+        const double most = std::min(least.thickness, thinnest.load(std::memory_order_relaxed));
+        const auto hit = tree.way_out(from, inward, triangle, most * (1.0 + rounding));
         if (!hit || hit->distance >= least.thickness) continue;
         const Triangle& met = mesh.triangles[hit->triangle];
         if (shape(mesh, met) < least_shape) continue;
@@ -52,6 +57,11 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
         if (!(glm::dot(normal, inward) > least_facing)) continue;
         least.thickness = hit->distance;
         least.at = from + 0.5 * hit->distance * inward;
+        double before = thinnest.load(std::memory_order_relaxed);
+        while (
+            least.thickness < before &&
+            !thinnest.compare_exchange_weak(before, least.thickness, std::memory_order_relaxed)) {
+        }
     }
     return least;
 }
@@ -67,9 +77,10 @@ std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWo
     const std::size_t every = (count + most_triangles - 1) / most_triangles;
     const std::size_t asked = count == 0 ? 0 : (count + every - 1) / every;
     std::vector<SmallestWall> found(asked);
+    std::atomic<double> thinnest = unbounded;
     parallel_upward(asked, 64, work, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !work.limit.over(); ++i)
-            found[i] = behind(mesh, tree, static_cast<std::uint32_t>(i * every));
+            found[i] = behind(mesh, tree, static_cast<std::uint32_t>(i * every), thinnest);
     });
     // Another place might have a thinner one.
     if (work.limit.over()) return std::nullopt;

@@ -2,16 +2,6 @@
 
 namespace zeroset {
 
-double SolidCut::value(const glm::dvec3& point) const {
-    if (!is_ball) return glm::dot(place, point) - reach;
-    const glm::dvec3 away = point - place;
-    return (glm::dot(away, away) - reach * reach) / (2.0 * reach);
-}
-
-glm::dvec3 SolidCut::gradient(const glm::dvec3& point) const {
-    return is_ball ? (point - place) / reach : place;
-}
-
 std::vector<SolidCut> cuts_of(const Box& box, const Region& region) {
     std::vector<SolidCut> cuts;
     for (int axis = 0; axis < 3; ++axis) {

@@ -39,8 +39,14 @@ struct SolidCut {
     glm::dvec3 place{0.0};  ///< the half space's normal, of length 1; the ball's centre
     double reach = 0.0;     ///< the half space's offset; the ball's radius
 
-    [[nodiscard]] double value(const glm::dvec3& point) const;
-    [[nodiscard]] glm::dvec3 gradient(const glm::dvec3& point) const;
+    [[nodiscard]] double value(const glm::dvec3& point) const {
+        if (!is_ball) return glm::dot(place, point) - reach;
+        const glm::dvec3 away = point - place;
+        return (glm::dot(away, away) - reach * reach) / (2.0 * reach);
+    }
+    [[nodiscard]] glm::dvec3 gradient(const glm::dvec3& point) const {
+        return is_ball ? (point - place) / reach : place;
+    }
 };
 
 /// The solid: where the function that `nodes` make of the parts, and all cuts, are <= 0. Points

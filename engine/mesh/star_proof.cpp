@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -70,33 +71,65 @@ enum class Rise : std::uint8_t { None, Function, Both };
 
 class Prover {
 public:
-    Prover(const CellTree& tree, const Lattice& lattice)
-        : tree_(tree), lattice_(lattice), stars_(lattice) {}
+    Prover(const CellTree& tree, const Lattice& lattice, const MeshWork& work);
     [[nodiscard]] Rise rise(std::size_t vertex) const;
     /// Lowers what is proved of the cells about a vertex to what is proved of its star.
     void mark_cells(std::size_t vertex, Rise rise, std::vector<Rise>& of_cells) const;
 
 private:
+    /// Cells about a vertex, each once.
+    void cells_about(std::size_t vertex, std::vector<std::uint32_t>& cells) const;
+    [[nodiscard]] bool levels_rise(std::size_t vertex, const glm::dvec3& direction) const;
+    [[nodiscard]] bool has_kink(std::size_t vertex) const;
+
     const CellTree& tree_;
     const Lattice& lattice_;
     Stars stars_;
+    std::vector<std::optional<GradientBox>> levels_;  ///< of tetrahedra
 };
+
+Prover::Prover(const CellTree& tree, const Lattice& lattice, const MeshWork& work)
+    : tree_(tree), lattice_(lattice), stars_(lattice), levels_(lattice.tetrahedra.size()) {
+    parallel_upward(levels_.size(), 4096, work, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            levels_[i] = linear_gradient(lattice, lattice.tetrahedra[i]);
+    });
+}
+
+void Prover::cells_about(std::size_t vertex, std::vector<std::uint32_t>& cells) const {
+    // The last vertex that asked for each cell, so that none is taken twice.
+    static thread_local std::vector<std::uint64_t> asked;
+    static thread_local std::uint64_t number = 0;
+    if (asked.size() < tree_.size()) asked.resize(tree_.size());
+    ++number;
+    cells.clear();
+    for (const std::uint32_t id : stars_.of(vertex)) {
+        for (const std::uint32_t cell : lattice_.tetrahedra[id].cells) {
+            if (std::exchange(asked[cell], number) != number) cells.push_back(cell);
+        }
+    }
+}
+
+bool Prover::levels_rise(std::size_t vertex, const glm::dvec3& direction) const {
+    return std::ranges::all_of(stars_.of(vertex), [&](std::uint32_t id) {
+        return levels_[id] && least_slope(*levels_[id], direction) > 0;
+    });
+}
+
+/// Whether split_at_kinks made a vertex of its star: its tetrahedra may be too flat.
+bool Prover::has_kink(std::size_t vertex) const {
+    return std::ranges::any_of(stars_.of(vertex), [&](std::uint32_t id) {
+        return std::ranges::any_of(lattice_.tetrahedra[id].vertices,
+                                   [&](std::uint32_t v) { return lattice_.vertices[v].is_kink(); });
+    });
+}
 
 Rise Prover::rise(std::size_t vertex) const {
     static thread_local std::vector<std::uint32_t> cells;
     static thread_local std::vector<GradientBox> gradients;
-    cells.clear();
+    cells_about(vertex, cells);
     gradients.clear();
     bool kinked = false;
-    for (const std::uint32_t id : stars_.of(vertex)) {
-        const Tetrahedron& tetrahedron = lattice_.tetrahedra[id];
-        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
-        // Tetrahedra of split_at_kinks may be too flat.
-        kinked = kinked || std::ranges::any_of(tetrahedron.vertices, [&](std::uint32_t v) {
-                     return lattice_.vertices[v].is_kink();
-                 });
-    }
-    keep_each_once(cells);
     for (const std::uint32_t cell : cells) {
         const BoxFacts& facts = tree_[cell].facts;
         if (facts.side != BoxSide::Unknown) continue;
@@ -105,12 +138,13 @@ Rise Prover::rise(std::size_t vertex) const {
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
     }
     // A function that does not rise alone does not rise with the levels, of which there are many.
-    if (!common_rise(gradients)) return Rise::None;
-    const Rise function = kinked ? Rise::Function : Rise::None;
+    const auto direction = common_rise(gradients);
+    if (!direction) return Rise::None;
+    if (levels_rise(vertex, *direction)) return Rise::Both;
+    const Rise function = kinked || has_kink(vertex) ? Rise::Function : Rise::None;
     for (const std::uint32_t id : stars_.of(vertex)) {
-        const auto linear = linear_gradient(lattice_, lattice_.tetrahedra[id]);
-        if (!linear) return function;
-        gradients.push_back(*linear);
+        if (!levels_[id]) return function;
+        gradients.push_back(*levels_[id]);
     }
     return common_rise(gradients) ? Rise::Both : function;
 }
@@ -122,23 +156,9 @@ void Prover::mark_cells(std::size_t vertex, Rise rise, std::vector<Rise>& of_cel
     }
 }
 
-/// The vertices of a lattice that are middles or corners of these leaves.
-std::vector<std::uint32_t> vertices_of(const Lattice& lattice, std::vector<bool> wanted) {
-    std::vector<std::uint32_t> vertices;
-    for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            if (!wanted[tetrahedron.cells[k]]) continue;
-            for (const std::size_t vertex : {k, std::size_t{2}, std::size_t{3}})
-                vertices.push_back(tetrahedron.vertices[vertex]);
-        }
-    }
-    keep_each_once(vertices);
-    return vertices;
-}
-
 StarProof prove_some(const CellTree& tree, const Lattice& lattice,
                      std::span<const std::uint32_t> vertices, const MeshWork& work) {
-    const Prover prover(tree, lattice);
+    const Prover prover(tree, lattice, work);
     std::vector<Rise> rises(vertices.size());
     parallel_upward(rises.size(), 256, work, [&](std::size_t first, std::size_t last) {
         if (work.limit.over()) return;  // what is left counts as not proved
@@ -168,11 +188,19 @@ StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWo
 }
 
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
-                      std::span<const std::uint32_t> leaves, const MeshWork& work) {
+                      std::span<const std::uint32_t> leaves, std::uint32_t first_new,
+                      const MeshWork& work) {
     std::vector<bool> wanted(tree.size());
     for (const std::uint32_t leaf : leaves)
         wanted[leaf] = true;
-    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), work);
+    std::vector<std::uint32_t> vertices;
+    for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
+        const auto& [a, b] = tetrahedron.cells;
+        if (tetrahedron.newest < first_new && !wanted[a] && !wanted[b]) continue;
+        vertices.insert(vertices.end(), tetrahedron.vertices.begin(), tetrahedron.vertices.end());
+    }
+    keep_each_once(vertices);
+    return prove_some(tree, lattice, vertices, work);
 }
 
 }  // namespace zeroset

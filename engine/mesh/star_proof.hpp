@@ -41,9 +41,10 @@ struct StarProof {
 
 /// In upward rounding. Stars that are left when the time is over count as not proved.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work);
-/// Only of stars about the middles and corners of these leaves; the lattice has all leaves that
-/// touch them.
+/// Only of stars with a tetrahedron at one of these leaves or at a cell from `first_new` on; the
+/// lattice has all leaves that touch those beside them.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
-                      std::span<const std::uint32_t> leaves, const MeshWork& work);
+                      std::span<const std::uint32_t> leaves, std::uint32_t first_new,
+                      const MeshWork& work);
 
 }  // namespace zeroset

@@ -171,7 +171,7 @@ void TileThinner::measure(bool samples) {
         candidate.points_end = points_.size();
     }
     values_.resize(points_.size());
-    field_here(solid_, points_, values_);
+    field_here(solid_, points_, values_, Normals::Without);
     std::size_t i = 0;
     for (std::size_t k = 0; k < count_; ++k) {
         for (; i < batch_[k].points_end; ++i)

@@ -85,7 +85,9 @@ double Thinning::cost_of(std::uint32_t from, std::uint32_t into) const {
     // Where all is flat, short edges go first.
     constexpr double share_of_length = 1e-6;
     const double length = glm::dot(way, way);
-    return quadrics_[from].at(mesh_.point(into) - origin_) + share_of_length * length * length;
+    const glm::dvec3 p = mesh_.point(into) - origin_;
+    const double off = quadrics_[from].at(p) + quadrics_[into].at(p);
+    return off + share_of_length * length * length;
 }
 
 float Thinning::least_cost(std::uint32_t from) const {
@@ -125,9 +127,11 @@ bool Thinning::is_same_place(std::uint32_t a, std::uint32_t b) const {
 
 /// Whether all that has gone into `from` lies in planes through `into`, as far as it matters.
 bool Thinning::is_flat(std::uint32_t from, std::uint32_t into) const {
-    const glm::dvec3 way = mesh_.point(into) - mesh_.point(from);
-    const double off = 1e-6 * tolerance_;
-    return quadrics_[from].at(mesh_.point(into) - origin_) < off * off * glm::dot(way, way);
+    const Quadric& quadric = quadrics_[from];
+    const glm::dvec3 p = mesh_.point(into) - origin_;
+    // The quadric's value has a rounding of some 1e-15 of its terms.
+    const double off = std::max(1e-6 * tolerance_, 1e-7 * glm::length(p));
+    return quadric.at(p) < off * off * (quadric.a[0] + quadric.a[3] + quadric.a[5]);
 }
 
 /// Whether the two triangles at an edge meet at an angle.

@@ -1,7 +1,5 @@
 #include "engine/mesh/triangle_tree.hpp"
 
-#include "engine/real/unbounded.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -105,7 +103,7 @@ void TriangleTree::meet(std::uint32_t triangle, const glm::dvec3& from, const gl
 
 std::optional<TriangleTree::Hit> TriangleTree::way_out(const glm::dvec3& from,
                                                        const glm::dvec3& direction,
-                                                       std::uint32_t own) const {
+                                                       std::uint32_t own, double most) const {
     constexpr std::size_t deepest = 64;
     std::optional<Hit> nearest;
     if (nodes_.empty()) return nearest;
@@ -115,7 +113,7 @@ std::optional<TriangleTree::Hit> TriangleTree::way_out(const glm::dvec3& from,
     while (count > 0) {
         const std::uint32_t number = open[--count];
         const Node& node = nodes_[number];
-        const double most = nearest ? nearest->distance : unbounded;
+        if (nearest) most = std::min(most, nearest->distance);
         if (entry(node.box, from, inverse, most) == unbounded) continue;
         for (std::uint32_t i = 0; i < node.count; ++i) {
             const std::uint32_t triangle = order_[node.first + i];

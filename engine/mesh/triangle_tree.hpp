@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/triangle_mesh.hpp"
+#include "engine/real/unbounded.hpp"
 #include "engine/view/box.hpp"
 
 #include <glm/glm.hpp>
@@ -23,9 +24,10 @@ public:
 
     explicit TriangleTree(const TriangleMesh& mesh);
     /// The nearest triangle that a ray leaves by, from behind, except `own`. `direction`: of length
-    /// 1. A ray along an edge meets one of the edge's triangles, if it leaves by one.
+    /// 1. A ray along an edge meets one of the edge's triangles, if it leaves by one. Triangles
+    /// farther than `most` may be missed.
     [[nodiscard]] std::optional<Hit> way_out(const glm::dvec3& from, const glm::dvec3& direction,
-                                             std::uint32_t own) const;
+                                             std::uint32_t own, double most = unbounded) const;
 
 private:
     struct Node {
