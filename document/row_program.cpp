@@ -1,6 +1,7 @@
 #include "document/row_program.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -18,12 +19,36 @@ std::string_view stripped(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
 }
 
+/// Where a statement begins whose first sign that counts is at `at`: LaTeX has words such as \left
+/// and \displaystyle before it, and signs of formulas.
+std::size_t with_latex_before(std::string_view text, std::size_t at) {
+    for (;;) {
+        const std::string_view before = text.substr(0, at);
+        const std::size_t end = before.find_last_not_of(" \t") + 1;
+        std::size_t begin = end;
+        while (begin > 0 && std::isalpha(static_cast<unsigned char>(text[begin - 1])) != 0)
+            --begin;
+        const std::string_view last = text.substr(begin, end - begin);
+        const bool is_word = !last.empty() && begin > 0 && text[begin - 1] == '\\';
+        const bool opens = last.empty() && (before.substr(0, end).ends_with("\\(") ||
+                                            before.substr(0, end).ends_with("\\["));
+        if (is_word)
+            at = begin - 1;
+        else if (opens)
+            at = end - 2;
+        else if (end > 0 && text[end - 1] == '$')
+            at = end - 1;
+        else
+            return at;
+    }
+}
+
 /// Offsets at which the statements of a program begin, in ascending order.
-std::vector<std::size_t> statement_begins(const Program& program) {
+std::vector<std::size_t> statement_begins(const Program& program, std::string_view text) {
     std::vector<std::size_t> begins;
     begins.reserve(program.readings.size());
     for (const Reading& reading : program.readings)
-        begins.push_back(reading.offset);
+        begins.push_back(with_latex_before(text, reading.offset));
     std::ranges::sort(begins);
     return begins;
 }
@@ -45,7 +70,8 @@ struct TextRow {
 
 /// The text cut before each statement; before each line where there is no program.
 std::vector<TextRow> cut_rows(std::string_view text, const Program* program) {
-    std::vector<std::size_t> begins = program ? statement_begins(*program) : line_begins(text);
+    std::vector<std::size_t> begins =
+        program ? statement_begins(*program, text) : line_begins(text);
     // Text before the first statement, such as a remark, is a row of its own.
     if (begins.empty() || !stripped(text.substr(0, begins.front())).empty())
         begins.insert(begins.begin(), 0);

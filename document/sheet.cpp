@@ -110,8 +110,19 @@ Sheet sheet_of(const Document& document) {
     return sheet;
 }
 
-SheetReading SheetReader::read(const Sheet& sheet,
-                               const std::shared_ptr<const FieldSource>& files) {
+/// Keeps the texts that are the rows' own.
+void SheetReader::keep_good(const Sheet& sheet, const std::vector<std::string>& texts,
+                            const std::vector<int>& surface_rows) {
+    for (std::size_t i = 0; i < sheet.size(); ++i) {
+        const int id = sheet[i].id;
+        if (texts[i] != sheet[i].text) continue;
+        good_[id] = {.text = texts[i],
+                     .draws = std::ranges::find(surface_rows, id) != surface_rows.end()};
+    }
+}
+
+SheetReading SheetReader::read(const Sheet& sheet, const std::shared_ptr<const FieldSource>& files,
+                               bool draws_old) {
     SheetReading result;
     result.files = files;
     for (const SheetRow& row : sheet)
@@ -121,10 +132,8 @@ SheetReading SheetReader::read(const Sheet& sheet,
     for (std::size_t trial = 0; trial < most_trials; ++trial) {
         auto rows = try_rows(texts, boxes, files.get());
         if (rows) {
-            for (std::size_t i = 0; i < sheet.size(); ++i) {
-                if (texts[i] == sheet[i].text) good_[sheet[i].id] = texts[i];
-            }
             report_readings(sheet, std::move(*rows), result);
+            keep_good(sheet, texts, result.surface_rows);
             return result;
         }
         if (sheet.empty()) break;
@@ -135,9 +144,13 @@ SheetReading SheetReader::read(const Sheet& sheet,
         if (first)
             report.error = row_error(rows.error(), joined.begins[at], texts[at], files.get());
         // Try the row's last good text next, or nothing where that fails or is the same.
+        if (!draws_old)
+            std::erase_if(good_, [id = sheet[at].id](const auto& entry) {
+                return entry.first == id && entry.second.draws;
+            });
         const auto good = good_.find(sheet[at].id);
-        const bool stands_in = first && good != good_.end() && good->second != texts[at];
-        texts[at] = stands_in ? good->second : std::string();
+        const bool stands_in = first && good != good_.end() && good->second.text != texts[at];
+        texts[at] = stands_in ? good->second.text : std::string();
     }
     report_readings(sheet, *try_rows({}, {}, nullptr), result);
     return result;

@@ -51,11 +51,20 @@ struct SheetReading : RowProgram {
 class SheetReader {
 public:
     /// `files`: where the files that rows name come from; nullptr: they must not name any.
-    SheetReading read(const Sheet& sheet,
-                      const std::shared_ptr<const FieldSource>& files = nullptr);
+    /// `draws_old`: whether the last good text of a wrong row is drawn. Without it those that draw
+    /// something are forgotten; definitions still stand in, as others may need them.
+    SheetReading read(const Sheet& sheet, const std::shared_ptr<const FieldSource>& files = nullptr,
+                      bool draws_old = true);
 
 private:
-    std::map<int, std::string> good_;  ///< the last good text of each row ever read, by id
+    struct GoodText {
+        std::string text;
+        bool draws = false;  ///< it has a surface
+    };
+    void keep_good(const Sheet& sheet, const std::vector<std::string>& texts,
+                   const std::vector<int>& surface_rows);
+
+    std::map<int, GoodText> good_;  ///< the last good text of each row ever read, by id
 };
 
 }  // namespace zeroset

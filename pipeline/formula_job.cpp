@@ -12,11 +12,11 @@ namespace {
 class Preparer {
 public:
     FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice,
-                          const std::shared_ptr<const FieldSource>& files) {
+                          const std::shared_ptr<const FieldSource>& files, bool draws_old) {
         // Expressions of colours, too, may name files.
         const std::uint64_t version = files ? files->version() : 0;
         files_changed_ |= std::exchange(files_, version) != version;
-        SheetReading reading = reader_.read(sheet, files);
+        SheetReading reading = reader_.read(sheet, files, draws_old);
         FormulaResult result{.sheet = std::move(sheet),
                              .reading = std::move(reading),
                              .formula = last_,
@@ -108,14 +108,15 @@ FormulaJob::~FormulaJob() {
 }
 
 void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice,
-                        std::shared_ptr<const FieldSource> files) {
+                        std::shared_ptr<const FieldSource> files, bool draws_old) {
     {
         const std::scoped_lock lock(mutex_);
         pending_ = Request{.number = ++newest_,
                            .sheet = std::move(sheet),
                            .region = region,
                            .choice = choice,
-                           .files = std::move(files)};
+                           .files = std::move(files),
+                           .draws_old = draws_old};
         style_ = text_style();
         interpreted_.reset();
     }
@@ -168,7 +169,7 @@ void FormulaJob::prepare_sheets() {
             set_language(style_);
         }
         FormulaResult result = preparer.prepare(std::move(request.sheet), request.region,
-                                                request.choice, request.files);
+                                                request.choice, request.files, request.draws_old);
         result.number = request.number;
         publish(std::move(result));
     }

@@ -43,9 +43,9 @@ public:
     FormulaJob& operator=(const FormulaJob&) = delete;
 
     /// Replaces the sheet to prepare. `region`: where the formula will be looked at. Map and range
-    /// of `choice` do not matter. `files`: of the document.
+    /// of `choice` do not matter. `files`: of the document. `draws_old`: see SheetReader::read.
     void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {},
-                std::shared_ptr<const FieldSource> files = nullptr);
+                std::shared_ptr<const FieldSource> files = nullptr, bool draws_old = true);
     /// Returns the newest result not yet taken, if any.
     std::optional<FormulaResult> take();
     /// Says that the result taken last is on the screen, so that compiling its machine code may
@@ -65,6 +65,7 @@ private:
         Box region;
         ColorChoice choice = {};
         std::shared_ptr<const FieldSource> files = nullptr;
+        bool draws_old = true;
     };
 
     void prepare_sheets();

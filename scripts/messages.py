@@ -26,6 +26,7 @@ TABLES = {
     "papers/tracers/paper_tracers.cpp": ["about"],
     "ui/actions/document_actions.cpp": ["name", "about"],
     "ui/actions/other_words.cpp": ["words"],
+    "ui/actions/panel_controls.cpp": ["words"],
     "ui/actions/picture_actions.cpp": ["name", "about"],
     "ui/actions/view_actions.cpp": ["name", "about"],
     "ui/actions/window_actions.cpp": ["name", "about"],

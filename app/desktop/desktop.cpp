@@ -223,6 +223,7 @@ std::optional<double> Desktop::due_s() const {
     if (!histograms_.settled()) due_in(Histograms::poll_s);
     if (exports_.moves()) due_in(export_shown_s);
     due_in(wait_notice_.due_s(now_s()));
+    due_in(old_rows_.due_s(now_s()));
     due_in(inspector_.due_s(now_s()));
     if (!state_.edited.playing.empty() && !waits_for_picture())
         due_in(std::max(played_s_ + slider_frame_s - now_s(), 0.0));
@@ -308,7 +309,7 @@ void Desktop::follow_edits() {
     inspector_.follow(state_, feed_.on_screen(), now_s());
     snap_marker();
     session_.follow(now_s());
-    feed_.read(state_.edited.document);
+    read_rows();
     find_view();
     find_surfaces();
     submit_picture();
@@ -317,11 +318,22 @@ void Desktop::follow_edits() {
     window_.set_title(session_.title() + " - Zeroset");
 }
 
+void Desktop::read_rows() {
+    const Document& document = state_.edited.document;
+    const auto is_wrong = [](const auto& entry) { return entry.second.error.has_value(); };
+    const bool wrong = std::ranges::any_of(state_.shown.reading.reports, is_wrong);
+    old_rows_.follow(sheet_of(document), wrong, now_s());
+    feed_.read(document, old_rows_.stay(now_s()));
+}
+
 void Desktop::show_gallery_item() {
     const auto picked = std::exchange(state_.wishes.gallery_item, std::nullopt);
     if (!picked) return;
     if (*picked < gallery().size()) {
+        const std::string before = state_.shown.document.name;
         session_.show(taken_over(gallery()[*picked], state_.edited.document, gallery_files_));
+        state_.shown.status.done = filled(tr("Ctrl+Z brings back: {0}"), {before});
+        done_gesture_ = state_.input.gesture;
     } else {
         state_.wishes.open_path = state_.shown.gallery[*picked].path;
     }

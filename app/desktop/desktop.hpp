@@ -6,6 +6,7 @@
 #include "app/desktop/histograms.hpp"
 #include "app/desktop/latency_log.hpp"
 #include "app/desktop/marker_snap.hpp"
+#include "app/desktop/old_rows.hpp"
 #include "app/desktop/picture_feed.hpp"
 #include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
@@ -112,6 +113,7 @@ private:
     void show_contour_labels(const RenderResult& result);
     void follow_edits();
     void show_gallery_item();
+    void read_rows();
     void find_view();
     void find_surfaces();
     void snap_marker();
@@ -140,6 +142,7 @@ private:
 
     PointInspector inspector_;
     WaitNotice wait_notice_;
+    OldRows old_rows_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;         ///< when sliders were moved on last
     std::optional<Box> asked_box_;  ///< by a plotting command of the text that is shown

@@ -27,22 +27,23 @@ ColorChoice choice_of(const Document& document) {
 PictureFeed::PictureFeed(std::function<void()> on_formula, std::function<void()> on_picture)
     : formulas_(std::move(on_formula)), pictures_(std::move(on_picture)) {}
 
-void PictureFeed::read(const Document& document) {
+void PictureFeed::read(const Document& document, bool draws_old) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
     // Rows are read again in another language: their errors and notes are written in it; and when
     // files may be read otherwise.
     const std::uint64_t files = document.files ? document.files->version() : 0;
-    const bool told_otherwise =
-        given_.language != language() || given_.files != files || given_.source != document.files;
+    const bool told_otherwise = given_.language != language() || given_.files != files ||
+                                given_.source != document.files || (given_.draws_old && !draws_old);
     if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
     if (told_otherwise) answered_ = {};
     given_ = {.rows = sheet,
               .choice = choice,
               .language = language(),
               .files = files,
-              .source = document.files};
-    formulas_.submit(std::move(sheet), document.clip, choice, document.files);
+              .source = document.files,
+              .draws_old = draws_old};
+    formulas_.submit(std::move(sheet), document.clip, choice, document.files, draws_old);
 }
 
 std::optional<FormulaResult> PictureFeed::take_reading() {

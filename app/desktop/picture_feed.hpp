@@ -32,8 +32,9 @@ public:
     /// when take_picture() has.
     PictureFeed(std::function<void()> on_formula, std::function<void()> on_picture);
 
-    /// Has the document's rows and its colours read, unless that is done already.
-    void read(const Document& document);
+    /// Has the document's rows and its colours read, unless that is done already. `draws_old`:
+    /// whether what wrong rows drew before stays, see SheetReader::read.
+    void read(const Document& document, bool draws_old = true);
     /// The newest reading not yet taken. Its formula, if there is one, is drawn from now on.
     std::optional<FormulaResult> take_reading();
     /// Takes code in double for formula(), once it is there; nothing else changes.
@@ -80,6 +81,7 @@ private:
         Language language = Language::English;                ///< of what is told of them
         std::uint64_t files = 0;                              ///< FieldSource::version() then
         std::shared_ptr<const FieldSource> source = nullptr;  ///< the document's
+        bool draws_old = true;
     };
     /// The picture on the screen.
     struct OnScreen {

@@ -13,11 +13,11 @@ namespace {
 class Sheets : public testing::Test {
 protected:
     /// Reads these texts as rows with the ids 1, 2, ...
-    const SheetReading& read(const std::vector<std::string>& texts) {
+    const SheetReading& read(const std::vector<std::string>& texts, bool draws_old = true) {
         Sheet sheet;
         for (const std::string& text : texts)
             sheet.push_back({static_cast<int>(sheet.size()) + 1, text});
-        reading_ = reader_.read(sheet);
+        reading_ = reader_.read(sheet, nullptr, draws_old);
         return reading_;
     }
     std::string reading(int row) {
@@ -80,6 +80,21 @@ TEST_F(Sheets, LetTheLastGoodTextStandIn) {
     read({"a = 2 + b", "x^2 + y^2 = a"});
     EXPECT_FALSE(reading_.reports.at(1).error);
     EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"b"}));
+}
+
+TEST_F(Sheets, ForgetWhatTheyDrewOnRequest) {
+    read({"b = 2", "z = s i b", "x = 1"});
+    read({"b = 2 +", "z = sin(", "x = 1"});
+    EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"s", "i"}));
+    EXPECT_EQ(reading_.surface_rows, (std::vector{2, 3}));
+    read({"b = 2 +", "z = sin(", "x = b"}, false);
+    EXPECT_TRUE(reading_.program->parameters.empty()) << "b = 2 stands in";
+    EXPECT_EQ(reading_.surface_rows, std::vector{3});
+    EXPECT_TRUE(error(1).unfinished && error(2).unfinished);
+    read({"b = 2 +", "z = sin(x", "x = b"});
+    EXPECT_EQ(reading_.surface_rows, std::vector{3}) << "it is gone until the row is right";
+    read({"b = 2 +", "z = sin(x)", "x = b"});
+    EXPECT_EQ(reading_.surface_rows, (std::vector{2, 3}));
 }
 
 TEST_F(Sheets, LeaveOutALastGoodTextThatFitsNoMore) {

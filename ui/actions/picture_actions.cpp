@@ -1,4 +1,5 @@
 #include "ui/actions/action_parts.hpp"
+#include "ui/model/section_axis.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,6 +88,50 @@ void switch_handles(UiState& state) {
     Layout& layout = state.edited.layout;
     layout.handles = !has_clip_handles(layout);
     layout.clip_open = layout.clip_open || layout.handles;
+}
+
+void cut_by_section(UiState& state) {
+    add_section(state.edited.document);
+    state.wishes.section = &Layout::clip_open;
+}
+
+bool has_ball(const UiState& state) { return state.edited.document.region.ball.has_value(); }
+
+/// Clips to the ball in the box, or no more to any.
+void switch_ball(UiState& state) {
+    const Box& box = state.edited.document.clip;
+    std::optional<Ball>& ball = state.edited.document.region.ball;
+    ball = ball ? std::nullopt
+                : std::optional(Ball{.centre = box.centre(), .radius = 0.5 * box.size()});
+    if (ball) state.wishes.section = &Layout::clip_open;
+}
+
+bool has_room_for_light(const UiState& state) {
+    return state.edited.document.light.lights.size() < max_lights;
+}
+
+void add_light(UiState& state) {
+    std::vector<Light>& lights = state.edited.document.light.lights;
+    lights.push_back({});
+    if (lights.size() > 1) lights.back().towards = {0.8, -0.1, 0.45};
+    state.wishes.section = &Layout::light_open;
+}
+
+bool has_soft_shadows(const UiState& state) {
+    const Document& document = state.edited.document;
+    const auto broad = [](const Light& light) { return light.radius_deg > 0.0; };
+    return document.shadows && std::ranges::any_of(document.light.lights, broad);
+}
+
+/// Makes the shadows soft by lights with a size, or hard again.
+void switch_soft_shadows(UiState& state) {
+    constexpr double usual_radius_deg = 5.0;
+    Document& document = state.edited.document;
+    const bool soft = !has_soft_shadows(state);
+    if (soft && document.light.lights.empty()) add_light(state);
+    for (Light& light : document.light.lights)
+        light.radius_deg = soft ? usual_radius_deg : 0.0;
+    document.shadows = true;
 }
 
 /// Shows another tracer beside the picture's.
@@ -243,6 +288,29 @@ constexpr auto picture_table = std::to_array<Action>({
      .run = toggle_document<&Document::shadows>,
      .is_on = is_document<&Document::shadows>,
      .for_readers = true},
+    {.section = section::picture,
+     .name = "Soft shadows",
+     .about = "of lights of one's own that have a size, see the section Light",
+     .run = switch_soft_shadows,
+     .is_on = has_soft_shadows},
+    {.section = section::picture,
+     .name = "Add a light",
+     .about = "up to four, in place of the look's own",
+     .run = add_light,
+     .enabled = has_room_for_light},
+    {.section = section::picture,
+     .name = "Add a section",
+     .about = "cut the surfaces by a plane, to look inside",
+     .run = cut_by_section,
+     .enabled =
+         [](const UiState& state) {
+             return state.edited.document.region.sections.size() < max_sections;
+         }},
+    {.section = section::picture,
+     .name = "Clip to a sphere",
+     .about = "show only what is in a sphere",
+     .run = switch_ball,
+     .is_on = has_ball},
     {.section = section::picture,
      .name = "Smooth edges",
      .run = toggle_smooth_edges,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,6 +99,21 @@ bool begins_with(std::string_view text, std::string_view typed) {
     return true;
 }
 
+/// How close one word comes to a text, both folded; nothing where its letters are scattered.
+std::optional<Closeness> closeness_of(std::string_view text, std::string_view word) {
+    std::optional<Closeness> best;
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool begins = at == 0 || !is_part_of_word(text[at - 1]);
+        const bool ends = end == text.size() || !is_part_of_word(text[end]);
+        const Closeness here = !begins ? Closeness::Inside
+                               : ends  ? Closeness::WholeWords
+                                       : Closeness::Beginnings;
+        best = std::max(best.value_or(here), here);
+    }
+    return best;
+}
+
 }  // namespace
 
 bool contains(std::string_view text, std::string_view part) {
@@ -142,6 +158,20 @@ std::optional<int> abbreviation_score(std::string_view text, std::string_view ty
     if (best < 0) return std::nullopt;
     constexpr int for_length = 16;
     return for_length * best - length;
+}
+
+std::optional<Match> match_of(std::string_view text, std::string_view typed) {
+    const auto score = abbreviation_score(text, typed);
+    const std::string in = folded(text);
+    const std::string wanted = folded(typed);
+    auto worst = Closeness::WholeWords;
+    for (const auto& part : std::views::split(wanted, ' ')) {
+        const std::string_view word(part.begin(), part.end());
+        const auto found = word.empty() ? Closeness::WholeWords : closeness_of(in, word);
+        if (!found && !score) return std::nullopt;
+        worst = std::min(worst, found.value_or(Closeness::Scattered));
+    }
+    return Match{.closeness = worst, .score = score.value_or(-static_cast<int>(in.size()))};
 }
 
 }  // namespace zeroset::ui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,5 +22,20 @@ std::string_view phrase_found(std::string_view phrases, std::string_view typed);
 /// better: beginnings of words and runs of neighbours count most, then shortness. Nothing when it
 /// does not.
 std::optional<int> abbreviation_score(std::string_view text, std::string_view typed);
+
+/// Where the words that are typed stand in a text that they find, the worst first.
+enum class Closeness : std::uint8_t { Scattered, Inside, Beginnings, WholeWords };
+
+/// How well a text is found: a greater one is better.
+struct Match {
+    Closeness closeness = Closeness::Scattered;  ///< of the word that stands worst
+    int score = 0;                               ///< as abbreviation_score
+
+    auto operator<=>(const Match&) const = default;
+};
+
+/// How well `typed` finds `text`: its words in any order, or its letters in theirs. Nothing when it
+/// does not.
+std::optional<Match> match_of(std::string_view text, std::string_view typed);
 
 }  // namespace zeroset::ui

@@ -13,6 +13,8 @@
 
 namespace zeroset::ui {
 
+struct Layout;
+
 /// The keyboard goes to a row.
 struct RowFocus {
     enum class Caret : std::uint8_t { All, Start, End, At };
@@ -75,6 +77,7 @@ struct Wishes {
     bool stop_export = false;                ///< gives up what is being saved
     std::optional<PictureClick> click;
     bool snap_marker = false;  ///< the selected marker goes to a singular point or an extremum
+    bool Layout::* section = nullptr;  ///< of the side panel, to be opened and seen; nullptr: none
     bool point_field = false;  ///< the keyboard goes to the field into which a point is typed
     ThumbnailWish thumbnails;  ///< lasts while the page is open
     /// The size of pictures of each look, while those are to be chosen from.

@@ -4,12 +4,14 @@
 #include "ui/actions/action_functions.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/actions/other_words.hpp"
+#include "ui/actions/panel_controls.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/text_match.hpp"
 #include "ui/model/typed_point.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/scroll_fade.hpp"
 #include "ui/widgets/typing_popup.hpp"
 
 #include <imgui/imgui.h>
@@ -29,15 +31,18 @@ namespace {
 constexpr const char* palette_popup = "##command palette";
 constexpr float line_em = 1.8F;
 
-/// The other words of an action, by which it is found, too; in another language also its English
-/// name.
-std::string all_other_words(const Action& action) {
-    std::string all = tr(std::string(other_words_of(action.name)).c_str());
-    if (language() == Language::English) return all;
-    return all + (all.empty() ? "" : ", ") + action.name;
+/// The words by which a line is found, too, and in another language also its English name.
+std::string in_english_too(std::string words, const char* name) {
+    if (language() == Language::English) return words;
+    return words + (words.empty() ? "" : ", ") + name;
 }
 
-std::vector<PaletteLine> all_lines(const UiState& state) {
+std::string all_other_words(const Action& action) {
+    const std::string words(other_words_of(action.name));
+    return in_english_too(words.empty() ? words : tr(words.c_str()), action.name);
+}
+
+std::vector<PaletteLine> action_lines(const UiState& state) {
     std::vector<PaletteLine> lines;
     const Action& finder = action_named("Find a command...");
     for (const Action& action : actions()) {
@@ -50,6 +55,28 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
                          .other_words = all_other_words(action),
                          .run = action.run});
     }
+    return lines;
+}
+
+/// The lines of the panel's controls, each of which opens its section.
+void add_controls(const UiState& state, std::vector<PaletteLine>& lines) {
+    const bool enabled = !state.edited.read_only && !state.edited.layout.presents;
+    for (const PanelControl& control : panel_controls()) {
+        const bool plain = *control.context == '\0';
+        lines.push_back({.text = plain ? tr(control.label) : tr_in(control.context, control.label),
+                         .hint = filled(tr("in the section {0}"), {tr(control.section)}),
+                         .enabled = enabled,
+                         .is_control = true,
+                         .other_words = in_english_too(tr(control.words), control.label),
+                         .run = [open = control.open](UiState& changed) {
+                             changed.edited.layout.folded = false;
+                             changed.wishes.section = open;
+                         }});
+    }
+}
+
+/// The lines of saved views, of the gallery and of recent files.
+void add_documents(const UiState& state, std::vector<PaletteLine>& lines) {
     for (const SavedView& view : state.edited.document.views) {
         lines.push_back(
             {.text = filled(tr("Go to view {0}"), {view.name}),
@@ -61,18 +88,15 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
     for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
         lines.push_back({.text = tr(state.shown.gallery[i].title.c_str()),
                          .hint = tr(state.shown.gallery[i].group.c_str()),
-                         .enabled = true,
-                         .is_on = false,
+                         .replaces = true,
                          .run = [i](UiState& changed) { changed.wishes.gallery_item = i; }});
     }
     for (const std::string& path : state.shown.document.recent) {
         lines.push_back({.text = std::filesystem::path(path).filename().string(),
                          .hint = tr("recent file"),
-                         .enabled = true,
-                         .is_on = false,
+                         .replaces = true,
                          .run = [path](UiState& changed) { changed.wishes.open_path = path; }});
     }
-    return lines;
 }
 
 /// The entry that looks at a typed point and keeps a marker there.
@@ -83,17 +107,21 @@ PaletteLine way_to(const glm::dvec3& point, const UiState& state) {
             .run = [point](UiState& changed) { go_to(changed, point); }};
 }
 
-/// How well the entry matches, higher is better, nothing where it does not; says which of its other
-/// words did.
-std::optional<int> score_of(PaletteLine& line, const std::string& typed) {
-    if (typed.empty()) return 0;
-    const auto by_name = abbreviation_score(line.text, typed);
+/// How well the entry is found, nothing where it is not; says which of its other words did.
+std::optional<Match> score_of(PaletteLine& line, const std::string& typed) {
+    if (typed.empty()) return Match();
+    auto by_name = match_of(line.text, typed);
+    // Letters that happen to stand somewhere in a name are no reason to leave a document.
+    if (by_name && line.replaces && by_name->closeness == Closeness::Scattered) by_name.reset();
+    // A word counts less than it does in a name, and the label of a control less than a command's.
+    constexpr int for_the_name = 32;
+    constexpr int for_a_command = 32;
+    if (by_name && line.is_control) by_name->score -= for_a_command;
     const std::string_view word = phrase_found(line.other_words, typed);
     if (word.empty()) return by_name;
-    // A whole word counts more than letters that are scattered over the name, and less than the
-    // same word in a name.
-    constexpr int for_the_name = 32;
-    const auto by_word = abbreviation_score(word, typed).value_or(0) - for_the_name;
+    Match by_word = match_of(word, typed).value_or(Match());
+    by_word.closeness = std::max(by_word.closeness, Closeness::Beginnings);
+    by_word.score -= for_the_name;
     if (by_name && *by_name >= by_word) return by_name;
     line.found_by = word;
     return by_word;
@@ -182,6 +210,7 @@ void draw_palette(UiState& state) {
     } else {
         follow_arrows(shown, lines.size());
         picked = draw_lines(state, lines);
+        draw_scroll_fade(ImGui::GetColorU32(ImGuiCol_PopupBg) | IM_COL32_A_MASK);
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -198,14 +227,21 @@ void draw_palette(UiState& state) {
 std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& typed) {
     std::vector<PaletteLine> lines;
     if (const auto point = point_typed(typed)) lines.push_back(way_to(*point, state));
-    std::vector<std::pair<int, PaletteLine>> scored;
-    for (PaletteLine& line : all_lines(state)) {
+    std::vector<PaletteLine> all = action_lines(state);
+    if (!typed.empty()) add_controls(state, all);
+    add_documents(state, all);
+    std::vector<std::pair<Match, PaletteLine>> scored;
+    for (PaletteLine& line : all) {
         if (const auto score = score_of(line, typed)) scored.emplace_back(*score, std::move(line));
     }
     std::ranges::stable_sort(scored, std::ranges::greater{},
                              [](const auto& entry) { return entry.first; });
-    for (auto& [score, line] : scored)
+    // Scattered letters are for those who type an abbreviation.
+    const bool has_words = !scored.empty() && scored.front().first.closeness > Closeness::Scattered;
+    for (auto& [score, line] : scored) {
+        if (has_words && score.closeness == Closeness::Scattered) break;
         lines.push_back(std::move(line));
+    }
     return lines;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/card_grid.hpp"
+#include "ui/widgets/scroll_fade.hpp"
 #include "ui/widgets/typing_popup.hpp"
 
 #include <imgui/imgui.h>
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace zeroset::ui {
@@ -28,6 +31,8 @@ constexpr float gap_em = 0.7F;
 /// Least height of the window for showing details of the selected surface.
 constexpr float details_from_em = 26.0F;
 constexpr float details_em = 6.0F;
+/// No line of the gallery: the best of those found is selected.
+constexpr auto no_item = std::numeric_limits<std::size_t>::max();
 constexpr glm::vec2 picture_size(320.0F, 240.0F);  ///< at scale 1
 constexpr float picture_aspect = 0.75F;            ///< height over width
 
@@ -59,6 +64,7 @@ void draw_head(GalleryPage& page, const Palette& colors) {
     const float space = ImGui::GetContentRegionAvail().x - size - em(0.4F);
     ImGui::SetNextItemWidth(std::min(space, em(24.0F)));
     if (draw_popup_field(page, tr("find a name, a word, a part of an equation"), page.search)) {
+        page.selected = no_item;
         page.follow = true;
     }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
@@ -206,6 +212,7 @@ void draw_page(UiState& state) {
     } else {
         follow_arrows(page, cards);
         picked = draw_cards(state, cards, grid);
+        draw_scroll_fade(ImGui::GetColorU32(ImGuiCol_PopupBg) | IM_COL32_A_MASK);
     }
     ImGui::EndChild();
     if (details && !cards.empty()) draw_details(state.shown.gallery[page.selected], colors);

@@ -2,6 +2,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
+#include "ui/model/section_axis.hpp"
 #include "ui/panels/sections.hpp"
 #include "ui/panels/setting_rows.hpp"
 #include "ui/style/icons.hpp"
@@ -25,7 +26,6 @@ namespace {
 
 constexpr double min_half = 1e-14;
 constexpr double max_half = 1e6;
-constexpr int free_axis = 3;
 constexpr std::array<const char*, 4> axis_names{"x", "y", "z", marked("free")};
 const char* axis_name(int axis) { return tr(axis_names.at(static_cast<std::size_t>(axis))); }
 
@@ -195,7 +195,7 @@ void draw_sections(Edited& edited) {
     }
     if (sections.size() == max_sections) return;
     if (ImGui::Button(tr("Add a section"), ImVec2(-FLT_MIN, 0.0F))) {
-        sections.push_back(section_across(static_cast<int>(sections.size() % 3), edited.document));
+        add_section(edited.document);
     }
     draw_tooltip(tr("Cuts the surfaces by a plane, to look inside."));
 }
@@ -203,22 +203,6 @@ void draw_sections(Edited& edited) {
 }  // namespace
 
 Box resized(const Box& box, double half) { return scaled(box, 2.0 * half / box.size()); }
-
-int axis_of(const Section& section) {
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(section.normal[i]) == 1.0) return i;
-    }
-    return free_axis;
-}
-
-Section section_across(int axis, const Document& document) {
-    const Camera camera = document.camera.value_or(default_camera(document.clip));
-    const glm::dvec3 to_eye = camera.eye - camera.look_at;
-    if (axis == free_axis) return make_section(to_eye, glm::dot(to_eye, camera.look_at));
-    glm::dvec3 normal(0.0);
-    normal[axis] = to_eye[axis] < 0 ? -1.0 : 1.0;
-    return make_section(normal, glm::dot(normal, document.clip.centre()));
-}
 
 float clip_section_height(const Edited& edited) {
     const Region& region = edited.document.region;

@@ -1,6 +1,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/image/gamma.hpp"
 #include "engine/scene/lighting.hpp"
+#include "ui/actions/actions.hpp"
 #include "ui/panels/sections.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
@@ -156,7 +157,8 @@ bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette
     return !removed;
 }
 
-void draw_lights(Edited& edited) {
+void draw_lights(UiState& state) {
+    Edited& edited = state.edited;
     std::vector<Light>& lights = edited.document.light.lights;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -169,10 +171,8 @@ void draw_lights(Edited& edited) {
     }
     if (lights.size() == max_lights) return;
     if (ImGui::Button(lights.empty() ? tr("Lights of my own") : tr("Add a light"),
-                      ImVec2(-FLT_MIN, 0.0F))) {
-        lights.push_back({});
-        if (lights.size() > 1) lights.back().towards = {0.8, -0.1, 0.45};
-    }
+                      ImVec2(-FLT_MIN, 0.0F)))
+        action_named("Add a light").run(state);
     draw_tooltip(lights.empty() ? tr("Up to four lights, in place of the look's own.")
                                 : tr("Up to four lights."));
 }
@@ -191,7 +191,7 @@ void draw_light_section(UiState& state) {
     draw_mirrors(light);
     draw_tint(light);
     draw_tone(light);
-    draw_lights(state.edited);
+    draw_lights(state);
 }
 
 }  // namespace zeroset::ui

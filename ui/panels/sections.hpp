@@ -31,12 +31,6 @@ float clip_section_height(const Edited& edited);
 /// Returns `box` scaled about its centre so that its longest edge is 2 * half.
 Box resized(const Box& box, double half);
 
-/// Returns the axis that the section is perpendicular to: 0 to 2, or 3 for any other direction.
-int axis_of(const Section& section);
-/// Returns a section perpendicular to `axis` through the box's centre or, for axis 3, perpendicular
-/// to the view through the point looked at. It keeps the side away from the eye.
-Section section_across(int axis, const Document& document);
-
 /// The search depth, and the figures of the last full picture: its time and size, how many pixels
 /// are certified and how many undecided, how wide the view is and in what precision it was traced.
 void draw_details_section(StopCriterion& stop, const Shown& shown);

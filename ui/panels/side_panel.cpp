@@ -8,6 +8,7 @@
 #include "ui/style/label.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/scroll_fade.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
@@ -172,6 +173,11 @@ float sections_height(const UiState& state) {
 void draw_below(UiState& state) {
     for (const FoldedSection& section : sections) {
         ImGui::Separator();
+        if (section.open == state.wishes.section) {
+            state.edited.layout.*section.open = true;
+            state.wishes.section = nullptr;
+            ImGui::SetScrollHereY(0.0F);
+        }
         draw_section_title(section.title, tr(section.title), state.edited.layout.*section.open,
                            palette(state.edited.theme));
         if (!(state.edited.layout.*section.open)) continue;
@@ -206,6 +212,7 @@ void draw_sections(UiState& state) {
     const float top = ImGui::GetCursorPosY();
     ImGui::SetCursorPosY(std::max(top, std::floor(space - sections_height(state))));
     draw_below(state);
+    draw_scroll_fade(palette(state.edited.theme).bar);
     ImGui::EndChild();
 }
 

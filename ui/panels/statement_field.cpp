@@ -281,7 +281,7 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
         const FieldView view = view_of(field, *children.back());
         if (statement.text.empty() && hint != nullptr) {
             draw_hint(view, hint, palette(state.edited.theme).quiet);
-        } else if (error != nullptr && !error->unfinished) {
+        } else if (error != nullptr && !(error->unfinished && is_active(field))) {
             const std::size_t at = shown_place(shown, std::min(error->at, statement.text.size()));
             draw_error_mark(view, shown.text, at, palette(state.edited.theme).error);
         }

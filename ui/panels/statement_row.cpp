@@ -5,6 +5,7 @@
 #include "engine/base/translation.hpp"
 #include "ui/actions/action_functions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/row_answer.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
@@ -21,6 +22,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -29,32 +31,6 @@ namespace {
 constexpr float grip_em = 0.9F;
 constexpr float swatch_em = 1.5F;
 constexpr float button_em = 1.5F;
-/// Largest numbers of readings and notes that are shown for one row.
-constexpr std::size_t most_readings = 4;
-constexpr std::size_t most_notes = 4;
-/// The statement that a note proposes by which theta and phi change places.
-constexpr std::string_view angles_swapped = "swap theta, phi";
-/// Opacity of a reading of an older text, while the new one is not read yet.
-constexpr double old_reading_faded = 0.5;
-
-/// Everything that the parts of a row need for drawing.
-struct Row {
-    UiState& state;
-    Statement& statement;
-    const RowReport* report;  ///< nullptr: not read yet
-    const Palette& colors;
-    ImRect place;  ///< from the previous frame, to find the row under the pointer
-    bool hovered;
-    bool typing;
-
-    [[nodiscard]] bool is_surface() const {
-        return std::ranges::find(state.shown.reading.surface_rows, statement.id) !=
-               state.shown.reading.surface_rows.end();
-    }
-    /// Error of the row's current text; nullptr if there is none or it is not read yet.
-    [[nodiscard]] const RowError* error() const { return error_of(state, statement); }
-};
-
 RowEvent event_of(FieldEvent event) {
     switch (event) {
         case FieldEvent::None: return RowEvent::None;
@@ -96,7 +72,7 @@ RowEvent draw_grip(const Row& row, float height) {
 /// Draws a sign for the kind of statement in place of a surface's swatch.
 void draw_kind(const Row& row, const ImVec2& centre) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    if (row.error() != nullptr && !row.error()->unfinished) {
+    if (row.is_broken()) {
         canvas.AddCircleFilled(centre, em(0.42F), row.colors.error);
         canvas.AddRectFilled(ImVec2(centre.x - em(0.06F), centre.y - em(0.24F)),
                              ImVec2(centre.x + em(0.06F), centre.y + em(0.06F)), row.colors.bar);
@@ -114,7 +90,7 @@ void draw_kind(const Row& row, const ImVec2& centre) {
 
 /// The meaning of the sign in place of a swatch, in words; empty: there is none.
 std::string kind_name(const Row& row) {
-    if (row.error() != nullptr && !row.error()->unfinished) return row.error()->reason;
+    if (row.is_broken()) return row.error()->reason;
     if (row.report == nullptr || row.report->readings.empty()) return "";
     const bool function = row.report->readings.front().kind == StatementKind::Function;
     return function ? tr("A function") : tr("A constant");
@@ -123,8 +99,7 @@ std::string kind_name(const Row& row) {
 void draw_swatch(const Row& row, float height) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const ImVec2 centre(lo.x + 0.5F * em(swatch_em), lo.y + 0.5F * height);
-    const bool broken = row.error() != nullptr && !row.error()->unfinished;
-    if (!row.is_surface() || broken) {
+    if (!row.is_surface() || row.is_broken()) {
         ImGui::Dummy(ImVec2(em(swatch_em), height));
         draw_tooltip(kind_name(row));
         return draw_kind(row, centre);
@@ -184,119 +159,16 @@ RowEvent draw_menu(const Row& row) {
     return event;
 }
 
-void draw_readings(const Row& row, float width) {
-    ImGui::PushFont(font(FontRole::SmallFormula));
-    const bool old =
-        row.state.shown.picture.dimmed > 0.0F && row.report->text != row.statement.text;
-    const double dimmed = old ? static_cast<double>(row.state.shown.picture.dimmed) : 0.0;
-    ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, 1.0 - old_reading_faded * dimmed));
-    const auto& readings = row.report->readings;
-    for (std::size_t i = 0; i < std::min(readings.size(), most_readings); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        const ImVec2 at = ImGui::GetCursorPos();
-        const std::string line = in_one_line(readings[i].text);
-        const bool cut = draw_elided(line, width);
-        draw_tooltip((cut ? readings[i].text + "\n\n" : "") + tr("Click: copy"), 60.0F);
-        if (ImGui::IsItemClicked()) ImGui::SetClipboardText(readings[i].text.c_str());
-        ImGui::SetCursorPos(ImVec2(at.x, at.y + std::ceil(em(1.2F))));
-        ImGui::PopID();
-    }
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-}
-
-/// Draws a button that lets theta and phi change places.
-void draw_swap(const Row& row) {
-    if (!ImGui::SmallButton(std::string(angles_swapped).c_str())) return;
-    row.statement.text += "; " + std::string(angles_swapped);
-    row.state.wishes.reload = row.statement.id;
-}
-
-/// Draws the notes on unusual readings, each on its own lines.
-void draw_notes(const Row& row, float width) {
-    ImGui::PushStyleColor(ImGuiCol_Text, row.colors.accent);
-    ImGui::PushFont(font(FontRole::Small));
-    const float left = ImGui::GetCursorPosX();
-    ImGui::PushTextWrapPos(left + width);
-    std::size_t count = 0;
-    for (const Reading& reading : row.report->readings) {
-        for (const std::string& note : reading.notes) {
-            if (++count > most_notes) break;
-            ImGui::SetCursorPosX(left);
-            ImGui::TextUnformatted(note.c_str());
-            if (note.contains(angles_swapped)) draw_swap(row);
-        }
-    }
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-    ImGui::PopStyleColor();
-}
-
-/// Draws a button that puts a likely word in the place of the one that is not known.
-void draw_mend(const Row& row, const RowError& error) {
-    const std::string label = error.mend->word + " \xE2\x86\x92 " + error.mend->by;
-    ImGui::PushFont(font(FontRole::SmallFormula));
-    const bool wanted = ImGui::Button((label + "###mend").c_str());
-    ImGui::PopFont();
-    draw_tooltip(filled(tr("Put {0} in its place"), {error.mend->by}));
-    if (!wanted) return;
-    row.statement.text.replace(error.at, error.mend->word.size(), error.mend->by);
-    row.state.wishes.reload = row.statement.id;
-    row.state.wishes.focus = RowFocus{.row = row.statement.id, .caret = RowFocus::Caret::End};
-}
-
-void draw_error(const Row& row, const RowError& error, float width) {
-    const bool quiet = error.unfinished;
-    ImGui::PushStyleColor(ImGuiCol_Text, quiet ? row.colors.quiet : row.colors.error);
-    ImGui::PushFont(font(FontRole::Small));
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    const ImVec2 at = ImGui::GetCursorPos();
-    ImGui::TextUnformatted(error.reason.c_str());
-    const float height = ImGui::GetItemRectSize().y;
-    draw_tooltip(tr("Click: go to the place"));
-    if (ImGui::IsItemClicked()) go_to_error(row.state, row.statement.id);
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-    ImGui::PopStyleColor();
-    if (!error.mend) return;
-    ImGui::SetCursorPos(ImVec2(at.x, at.y + height + em(0.3F)));
-    draw_mend(row, error);
-}
-
-std::string without_blanks(std::string text) {
-    std::erase_if(text, [](char letter) { return letter == ' ' || letter == '\n'; });
-    return text;
-}
-
-/// True if a reading says more than the text; a row that was read as written needs no reading
-/// shown.
-bool says_more(const Row& row) {
-    const auto& readings = row.report->readings;
-    return readings.size() > 1 || (readings.size() == 1 && without_blanks(readings.front().text) !=
-                                                               without_blanks(row.statement.text));
-}
-
-/// Draws the readings or the error below the field.
-void draw_answer(const Row& row, float width) {
-    if (const RowError* error = row.error()) {
-        draw_error(row, *error, width);
-    } else if (row.report != nullptr && !row.statement.text.empty()) {
-        const float left = ImGui::GetCursorPosX();
-        if (says_more(row)) draw_readings(row, width);
-        ImGui::SetCursorPosX(left);
-        draw_notes(row, width);
-    }
-}
-
 void draw_back(const Row& row, ImDrawList& canvas, const ImRect& place) {
     const float rounding = em(0.4F);
     if (row.typing || row.hovered) {
         const std::uint32_t color = row.typing ? row.colors.row_active : row.colors.row_hovered;
         canvas.AddRectFilled(place.Min, place.Max, color, rounding);
     }
-    if (!row.typing) return;
-    canvas.AddRectFilled(place.Min, ImVec2(place.Min.x + em(0.2F), place.Max.y), row.colors.accent,
-                         rounding, ImDrawFlags_RoundCornersLeft);
+    if (!row.typing && !row.is_broken()) return;
+    canvas.AddRectFilled(place.Min, ImVec2(place.Min.x + em(0.2F), place.Max.y),
+                         row.is_broken() ? row.colors.error : row.colors.accent, rounding,
+                         ImDrawFlags_RoundCornersLeft);
 }
 
 /// The row's rectangle with the height it had in the previous frame.
@@ -336,7 +208,7 @@ RowEvent draw_parts(Row& row, const char* hint) {
     if (tall > height) ImGui::Dummy(ImVec2(0.0F, 0.0F));
     const float below = top + tall + em(0.15F);
     ImGui::SetCursorPos(ImVec2(field + indent, below));
-    draw_answer(row, right - field - indent - spacing);
+    draw_row_answer(row, right - field - indent - spacing);
     ImGui::PopStyleVar();
     return event;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace zeroset::ui {
@@ -35,30 +37,57 @@ std::vector<Group> groups_of(const std::vector<GalleryEntry>& gallery) {
     return groups;
 }
 
-bool is_found(const GalleryEntry& entry, const std::string& search) {
+/// How well a search finds the entry, a greater number is better: as its title, or as any text.
+/// Nothing: it does not.
+std::optional<int> rank_of(const GalleryEntry& entry, const std::string& search) {
     const auto both = [](const std::string& text) {
         const std::string shown = tr(text.c_str());
         return shown == text ? text : shown + "\n" + text;
     };
-    return contains_words(both(entry.title) + "\n" + both(entry.group) + "\n" + entry.equation +
-                              "\n" + both(entry.about) + "\n" + entry.source,
-                          search);
+    const std::string title = both(entry.title);
+    if (!contains_words(title + "\n" + both(entry.group) + "\n" + entry.equation + "\n" +
+                            both(entry.about) + "\n" + entry.source,
+                        search))
+        return std::nullopt;
+    const auto named = match_of(title, search);
+    return named ? static_cast<int>(named->closeness) : 0;
 }
+
+/// An entry that a search has found.
+struct Ranked {
+    std::size_t item;
+    int rank;
+};
 
 }  // namespace
 
 std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::string& search,
                            int columns) {
+    std::vector<std::vector<Ranked>> groups;
+    for (const Group& group : groups_of(gallery)) {
+        std::vector<Ranked> found;
+        for (std::size_t i = 0; i < gallery.size(); ++i) {
+            if (group_of(gallery[i]) != group) continue;
+            if (const auto rank = rank_of(gallery[i], search))
+                found.push_back({.item = i, .rank = *rank});
+        }
+        std::ranges::stable_sort(found, std::ranges::greater{}, &Ranked::rank);
+        if (!found.empty()) groups.push_back(std::move(found));
+    }
+    std::ranges::stable_sort(groups, std::ranges::greater{},
+                             [](const auto& group) { return group.front().rank; });
     std::vector<Card> cards;
     int row = 0;
-    for (const Group& group : groups_of(gallery)) {
-        int found = 0;
-        for (std::size_t i = 0; i < gallery.size(); ++i) {
-            if (group_of(gallery[i]) != group || !is_found(gallery[i], search)) continue;
-            cards.push_back({.item = i, .row = row + found / columns, .col = found % columns});
-            ++found;
+    for (const auto& group : groups) {
+        int col = 0;
+        for (const Ranked& found : group) {
+            if (col == columns) {
+                ++row;
+                col = 0;
+            }
+            cards.push_back({.item = found.item, .row = row, .col = col++});
         }
-        row += (found + columns - 1) / columns;
+        ++row;
     }
     return cards;
 }

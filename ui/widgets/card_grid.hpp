@@ -19,7 +19,8 @@ struct Card {
 };
 
 /// Returns the cards of the entries that contain all words of `search`, group by group in the
-/// gallery's order, those of other documents first; each group begins a new row.
+/// gallery's order, those of other documents first; each group begins a new row. Where a title has
+/// what is searched, its group and the entry in it come first.
 std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::string& search,
                            int columns);
 

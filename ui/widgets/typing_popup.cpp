@@ -1,6 +1,9 @@
 #include "ui/widgets/typing_popup.hpp"
 
+#include "ui/style/keys.hpp"
+
 #include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 #include <imgui/imgui_stdlib.h>
 
 namespace zeroset::ui {
@@ -36,8 +39,15 @@ void draw_popup(const TypingPopup& popup, const char* name, const std::function<
 }
 
 bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text) {
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool changed = ImGui::InputTextWithHint("##typed", hint, &text);
+    // Enter, or a press beside the field, takes the keyboard from it.
+    const bool lost = popup.frames > patience_frames && !popup.has_keyboard &&
+                      !ImGui::IsAnyItemActive() &&
+                      ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+    if (ImGui::IsWindowAppearing() || lost) ImGui::SetKeyboardFocusHere();
+    // The field would take back what was typed since it has had the keyboard.
+    if (popup.has_keyboard && is_pressed(ImGuiKey_Escape)) ImGui::ClearActiveID();
+    const bool changed =
+        ImGui::InputTextWithHint("##typed", hint, &text, ImGuiInputTextFlags_AutoSelectAll);
     popup.has_keyboard = ImGui::IsItemActive();
     return changed;
 }

@@ -16,7 +16,8 @@ bool follow_popup(TypingPopup& popup, const char* name);
 /// and size.
 void draw_popup(const TypingPopup& popup, const char* name, const std::function<void()>& draw);
 
-/// The popup's text field, at the current line; it takes the keyboard when the popup appears.
+/// The popup's text field, at the current line; it takes the keyboard when the popup appears,
+/// with its text selected, and again where nothing else has it.
 /// Returns true if the text was changed.
 bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text);
 

@@ -78,9 +78,26 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
         return fail(next(), filled(tr("{0} is a function and wants a value"), {quoted(token.text)}),
                     filled(tr("type {0}"), {name + "(...)"}));
     }
-    const Parsed value = bare_argument();
+    const Parsed value = is_root_of_number(token, function) ? operand() : bare_argument();
     if (!value) return std::nullopt;
     return std::vector<SyntaxId>{*value};
+}
+
+/// Whether a root of the number directly behind it is a factor of what follows, as in sqrt2 x;
+/// notes that.
+bool SyntaxParser::is_root_of_number(const Token& token, const Function& function) {
+    const Token& number = next();
+    if (function.op != Op::Sqrt || number.kind != TokenKind::Number || !adjacent(token, number))
+        return false;
+    ++at_;
+    const bool has_factor = starts_factor();
+    --at_;
+    if (!has_factor) return false;
+    const std::string digits(number.text);
+    tree_.notes.add(token.offset, filled(tr("{0} is {1}; for the root of a product type {2}"),
+                                         {"sqrt" + digits + " ...", "sqrt(" + digits + ")*...",
+                                          "sqrt(" + digits + " ...)"}));
+    return true;
 }
 
 /// Whether the next token continues the argument of a function without parentheses: a name that is

@@ -165,6 +165,7 @@ private:
     List arguments_of(const Token& token, const Function& function);
     List arguments();
     Parsed bare_argument();
+    bool is_root_of_number(const Token& token, const Function& function);
     Parsed with_exponent(SyntaxId call, const Token& token, const Function& function,
                          SyntaxId exponent);
     Parsed superscript();

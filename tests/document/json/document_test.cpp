@@ -306,6 +306,14 @@ TEST(Rows, AreAStatementEach) {
     EXPECT_EQ(rows_in("  x = 1\r\n"), (std::vector<std::string>{"x = 1"}));
     EXPECT_EQ(rows_in("# a ball\nx^2 + y^2 + z^2 = 1"),
               (std::vector<std::string>{"# a ball", "x^2 + y^2 + z^2 = 1"}));
+    EXPECT_EQ(rows_in("\\left(x+1\\right)^2 = z"),
+              (std::vector<std::string>{"\\left(x+1\\right)^2 = z"}));
+    EXPECT_EQ(rows_in("a = 2\n\\displaystyle \\left(x+a\\right)^2 = z"),
+              (std::vector<std::string>{"a = 2", "\\displaystyle \\left(x+a\\right)^2 = z"}));
+    EXPECT_EQ(rows_in("$$\\big(x+y\\big) = 1$$"),
+              (std::vector<std::string>{"$$\\big(x+y\\big) = 1$$"}));
+    EXPECT_EQ(rows_in("z = x \\pi\n(y+1)^2 = z"),
+              (std::vector<std::string>{"z = x \\pi", "(y+1)^2 = z"}));
     EXPECT_TRUE(rows_in(" \n;; ").empty());
 }
 

@@ -14,6 +14,9 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -41,6 +44,22 @@ TEST(TextMatch, PrefersBeginningsAndNeighbours) {
     EXPECT_NE(score("Barth Sextic", "barth sextic"), -1000) << "spaces aside";
 }
 
+TEST(TextMatch, PrefersWholeWordsThenBeginnings) {
+    const auto match = [](const char* text, const char* typed) { return match_of(text, typed); };
+    EXPECT_EQ(match("Barth Sextic", "sextic barth")->closeness, Closeness::WholeWords);
+    EXPECT_EQ(match("Barth Sextic", "bar sextic")->closeness, Closeness::Beginnings);
+    EXPECT_EQ(match("Barth Sextic", "ext")->closeness, Closeness::Inside);
+    EXPECT_EQ(match("Barth Sextic", "bsx")->closeness, Closeness::Scattered);
+    EXPECT_EQ(match("\xC3\x9C"
+                    "ber uns",
+                    "uber")
+                  ->closeness,
+              Closeness::WholeWords);
+    EXPECT_FALSE(match("Barth Sextic", "quintic"));
+    EXPECT_GT(match("Light theme", "light"), match("Delight", "light"));
+    EXPECT_GT(match("A cut", "cut"), match("Cutaway", "cut")) << "a whole word, later and longer";
+}
+
 UiState some_state() {
     UiState state;
     state.shown.gallery = {{"Torus", "x = 1", "A ring.", "Algebraic", "Anna"},
@@ -60,11 +79,57 @@ std::vector<std::string> texts(const std::vector<PaletteLine>& lines) {
 TEST(PaletteLines, AreActionsSurfacesAndRecentFiles) {
     const auto lines = palette_lines(some_state(), "");
     EXPECT_EQ(lines.size(), actions().size() - 1 + 2 + 1) << "all but the palette itself";
-    const auto found = texts(palette_lines(some_state(), "undo"));
-    ASSERT_GE(found.size(), 3U);
+    const auto found = texts(palette_lines(some_state(), "und"));
+    ASSERT_GE(found.size(), 4U);
     EXPECT_EQ(found[0], "Undo");
     EXPECT_EQ(found[1], "Undulation") << "the shorter first";
-    EXPECT_EQ(found[2], "unduloid.zeroset.json");
+    EXPECT_EQ(found[2], "Mark undecided pixels");
+    EXPECT_EQ(found[3], "unduloid.zeroset.json");
+}
+
+TEST(PaletteLines, LeaveTheDocumentWhereLettersAreScattered) {
+    const auto found = texts(palette_lines(some_state(), "udi"));
+    EXPECT_EQ(std::ranges::count(found, "Undulation"), 0);
+    EXPECT_EQ(std::ranges::count(found, "unduloid.zeroset.json"), 0);
+    EXPECT_EQ(std::ranges::count(found, "Mark undecided pixels"), 1);
+}
+
+TEST(PaletteLines, FindControlsAndOpenTheirSection) {
+    UiState state = some_state();
+    state.edited.layout.folded = true;
+    const PaletteLine line = palette_lines(state, "tint").front();
+    EXPECT_EQ(line.text, "tint");
+    EXPECT_EQ(line.hint, "in the section Light");
+    line.run(state);
+    EXPECT_FALSE(state.edited.layout.folded);
+    EXPECT_EQ(state.wishes.section, &Layout::light_open);
+    for (const PaletteLine& any : palette_lines(state, ""))
+        EXPECT_NE(any.text, "tint") << "what is seen in the panel";
+    state.edited.read_only = true;
+    EXPECT_FALSE(palette_lines(state, "tint").front().enabled);
+}
+
+TEST(PaletteLines, KnowEveryLabelOfThePanel) {
+    const std::regex label(R"((?:draw_label|draw_amount|draw_vector|draw_part|Checkbox)\()"
+                           R"~((?:labelled\()?\s*(?:tr\(|tr_in\("\w+", )"([^"]+)"\))~");
+    int labels = 0;
+    for (const char* name : {"view", "camera", "look", "light", "clip", "space", "details",
+                             "advanced", "section_values"}) {
+        std::string path = std::string(ZEROSET_SOURCE_DIR "/ui/panels/") + name;
+        path += name == std::string("section_values") ? "_rows.cpp" : "_section.cpp";
+        std::ifstream file(path);
+        const std::string source(std::istreambuf_iterator<char>(file), {});
+        for (std::sregex_iterator at(source.begin(), source.end(), label), end; at != end; ++at) {
+            const std::string text = (*at)[1];
+            ++labels;
+            const auto lines = palette_lines(some_state(), text);
+            const auto named = [&](const PaletteLine& line) {
+                return contains(line.text, text) || contains(line.other_words, text);
+            };
+            EXPECT_TRUE(std::ranges::any_of(lines, named)) << text;
+        }
+    }
+    EXPECT_GT(labels, 20);
 }
 
 TEST(PaletteLines, GoToSavedViews) {
@@ -121,9 +186,17 @@ TEST(PaletteLines, AreFoundByOtherWords) {
     const auto camera = palette_lines(some_state(), "camera");
     EXPECT_GE(camera.size(), 10U);
     EXPECT_TRUE(camera.front().text.ends_with("the camera")) << camera.front().text;
-    EXPECT_EQ(camera.back().found_by, "camera") << "names come first";
+    const auto by_word = std::ranges::find(camera, "Reset the view", &PaletteLine::text);
+    ASSERT_NE(by_word, camera.end());
+    EXPECT_EQ(by_word->found_by, "camera");
+    EXPECT_GE(by_word - camera.begin(), 2) << "names come first";
     EXPECT_TRUE(palette_lines(some_state(), "save").front().found_by.empty()) << "the name says it";
     EXPECT_EQ(first("undo"), "Undo") << "names come first";
+    EXPECT_EQ(first("section plane"), "Add a section");
+    const auto lights = texts(palette_lines(some_state(), "light"));
+    for (const char* wanted : {"Add a light", "Section: Light", "Light theme"})
+        EXPECT_LT(std::ranges::find(lights, wanted) - lights.begin(), 3) << wanted;
+    EXPECT_EQ(first("soft shadow"), "Soft shadows");
 }
 
 TEST(PaletteLines, TakeATypedPoint) {
@@ -190,6 +263,26 @@ TEST_P(CommandPalettes, LeaveWhatCannotBeDoneNow) {
     press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(state_.pages.commands.open);
     EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
+}
+
+TEST_P(CommandPalettes, KeepTheKeyboardWhereNothingIsFound) {
+    run("zzzz");
+    draw();
+    EXPECT_TRUE(state_.pages.commands.open);
+    EXPECT_TRUE(state_.pages.commands.has_keyboard);
+    run("torus");
+    EXPECT_EQ(state_.wishes.gallery_item, 0U) << "what is typed then takes the place of it";
+}
+
+TEST_P(CommandPalettes, ShowTheSectionOfAControl) {
+    run("mirrors");
+    EXPECT_FALSE(state_.pages.commands.open);
+    draw();
+    EXPECT_TRUE(state_.edited.layout.light_open);
+    EXPECT_EQ(state_.wishes.section, nullptr);
+    const ImGuiWindow* const light = section("light");
+    ASSERT_NE(light, nullptr);
+    EXPECT_LT(light->Pos.y + ImGui::GetFrameHeight(), child("##side/##list_")->Rect().Max.y);
 }
 
 TEST_P(CommandPalettes, AreWalkedThroughByArrows) {

@@ -77,6 +77,15 @@ TEST(CardGrid, FindsWordsInAllTexts) {
     EXPECT_EQ(found("torus heart"), Items());
 }
 
+TEST(CardGrid, BeginsWithWhatTitlesSay) {
+    auto entries = three_groups();
+    entries.push_back({"Cube of cubes", "x = 4", "Heart of glass.", "Solids", "Fay, 1906"});
+    entries.push_back({"Heartless", "x = 5", "A ring.", "Periodic", "Gerd, 1907"});
+    const auto cards = cards_of(entries, "heart", 3);
+    EXPECT_EQ(items_of(cards), (std::vector<std::size_t>{3, 6, 5}));
+    EXPECT_EQ(cards[2].row, 2);
+}
+
 TEST(CardGrid, StepsByRowsAndColumns) {
     const auto cards = cards_of(three_groups(), "", 2);
     EXPECT_EQ(stepped(cards, 0, 0, 1), 3U);
@@ -136,6 +145,26 @@ TEST_P(GalleryPages, AreSearchedByTypingAndOpenedByEnter) {
     press(GLFW_KEY_ENTER);
     EXPECT_EQ(state_.wishes.gallery_item, 1U);
     EXPECT_FALSE(state_.pages.gallery.open);
+}
+
+TEST_P(GalleryPages, KeepTheKeyboardAndSelectTheOldWord) {
+    open();
+    OffscreenWindow::type("zzz");
+    draw();
+    press(GLFW_KEY_ENTER);
+    draw();
+    EXPECT_TRUE(state_.pages.gallery.open);
+    OffscreenWindow::type("heart");
+    draw();
+    EXPECT_EQ(state_.pages.gallery.search, "heart");
+    EXPECT_EQ(state_.pages.gallery.selected, 3U) << "the best one";
+    press(GLFW_KEY_ESCAPE);
+    draw();
+    open();
+    EXPECT_EQ(state_.pages.gallery.search, "heart");
+    OffscreenWindow::type("cube");
+    draw();
+    EXPECT_EQ(state_.pages.gallery.search, "cube") << "in the place of the old word";
 }
 
 TEST_P(GalleryPages, AreWalkedThroughByArrows) {

@@ -1,4 +1,5 @@
 #include "tests/ui/panels.hpp"
+#include "ui/model/section_axis.hpp"
 #include "ui/panels/sections.hpp"
 
 #include <GLFW/glfw3.h>

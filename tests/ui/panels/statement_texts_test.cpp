@@ -103,7 +103,7 @@ TEST_P(StatementTexts, GoToTheErrorOfARow) {
 }
 
 TEST_P(StatementTexts, SayWhatIsMissingQuietly) {
-    set_rows(state_, {"x"});
+    begin({"x^2 +"}, 1);
     const auto red = [this](const Framebuffer& frame) {
         return count(frame, colors().error, child("##side/##list_")->Rect());
     };
@@ -111,6 +111,9 @@ TEST_P(StatementTexts, SayWhatIsMissingQuietly) {
     EXPECT_EQ(red(draw()), 0);
     set_error(1, "x^2 +", 5, false);
     EXPECT_GT(red(draw()), 50);
+    set_error(1, "x^2 +", 5, true);
+    press(GLFW_KEY_ESCAPE);
+    EXPECT_GT(red(draw()), 50) << "nobody types there any more";
 }
 
 TEST_P(StatementTexts, TakeAndShowMathematicalLetters) {

@@ -22,6 +22,28 @@ TEST_P(Statements, NotesStandBelowTheirRow) {
     EXPECT_EQ(place_with({"1", "2", "3", "4", "5", "6"}), with_many) << "not more than fit";
 }
 
+TEST_P(Statements, UnfoldTheReadingByAClick) {
+    begin({"x = 0,5", "y = 1"}, 2);
+    std::string text = "x";
+    for (int i = 0; i < 40; ++i)
+        text += " + 1000*x";
+    const Reading reading{StatementKind::Surface, 0, text, {"1", "2", "3", "4", "5", "6"}};
+    state_.shown.reading.reports[1] = {"x = 0,5", {reading}, std::nullopt};
+    draw();
+    const float folded = field(2).Pos.y;
+    const auto click_reading = [&] {
+        const ImRect typed = field(1).Rect();
+        click_at({typed.Min.x + static_cast<float>(px(30)),
+                  typed.Max.y + static_cast<float>(px(8))});
+        draw();
+        draw();
+    };
+    click_reading();
+    EXPECT_GT(field(2).Pos.y, folded + static_cast<float>(px(50))) << "all of it, and all notes";
+    click_reading();
+    EXPECT_EQ(field(2).Pos.y, folded);
+}
+
 TEST_P(Statements, EnterMakesTheNextRow) {
     begin({"a = 2", "x = a"}, 1);
     type("+ 1");
