@@ -112,6 +112,9 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     plan.document = std::move(input->document);
     plan.rows = std::move(*input->rows);
     reader.check(take_look(command.trace, plan.document));
+    // Depths, certificates and counts are those of the pixels' own rays.
+    if (!command.output && !command.trace.aa && !command.trace.antialias)
+        plan.document.antialias = Antialias::None;
     reader.check(check_jumps(plan.document, plan.settings));
     return reader.finish(std::move(plan));
 }

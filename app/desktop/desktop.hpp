@@ -62,6 +62,7 @@ struct DesktopOptions {
     bool takes_keyboard = true;  ///< the first row has the keyboard, with its text selected
     bool keeps_files = true;     ///< see SessionOptions
     bool is_new = false;         ///< the document begins as new ones do, see ui::new_document
+    bool has_new_edges = false;  ///< its edges are smooth if those of new ones are
     bool read_only = false;      ///< a session for a class, see ui::Edited
     std::string latency_log;     ///< file of a LatencyLog; empty: none
     bool fit = false;            ///< looks at all of the surfaces first

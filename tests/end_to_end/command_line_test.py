@@ -149,7 +149,7 @@ class RenderTest(ProgramTest):
 
     def test_looks_change_the_picture_only(self):
         pictures, depths = set(), []
-        for options in ([], ["--shadows"], ["--aa", "16"], ["--aa", "iaa"],
+        for options in (["--aa", "none"], ["--shadows", "--aa", "none"], ["--aa", "16"], [],
                         ["--shadows", "--aa", "iaa"]):
             depths.append(self.depth("@tangle", "--size", "80x60", "-o", "out.png",
                                      *options).values)
