@@ -25,7 +25,7 @@ double aspect_of(const PageSize& page) { return page.width / page.height; }
 /// The document with the camera of a picture of the page's aspect.
 Document with_camera(Document document, const PageSize& page) {
     if (!document.camera)
-        document.camera = default_camera(document.clip, aspect_of(page), document.up);
+        document.camera = default_camera(box_in_view(document), aspect_of(page), document.up);
     return document;
 }
 
@@ -93,6 +93,9 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
     if (choice.fits) {
         result.note = fit_view(document, request_for(document, *prepared, choice.page),
                                aspect_of(choice.page), choice.fits_box, limit);
+    } else if (choice.fits_itself) {
+        result.note = fit_by_itself(document, request_for(document, *prepared, choice.page),
+                                    aspect_of(choice.page), own_fitting_limit(limit.cancel));
     }
     const PictureRequest request = request_for(document, *prepared, choice.page);
     auto refused = patch_refusal(

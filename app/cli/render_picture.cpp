@@ -113,9 +113,11 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         drawing.progress.enter(Progress::Stage::Fitting);
         const TimeLimit limit{.cancel = &drawing.cancel,
                               .until = after_share(drawing, fitting_share)};
-        const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-        drawing.picture.note =
-            fit_view(plan.document, request_for(plan, *prepared), aspect, plan.fits_box, limit);
+        drawing.picture.note = fit_view(plan.document, request_for(plan, *prepared), plan.aspect(),
+                                        plan.fits_box, limit);
+    } else if (plan.fits_itself) {
+        drawing.picture.note = fit_by_itself(plan.document, request_for(plan, *prepared),
+                                             plan.aspect(), own_fitting_limit(&drawing.cancel));
     }
     PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);

@@ -99,7 +99,7 @@ FilmPlan plan_of(const ui::FilmExport& wish, const Document& document) {
 
 ExportWork film_work(ExportSubject subject, const ui::FilmExport& wish,
                      std::filesystem::path path) {
-    return [subject = smoothed(std::move(subject), wish.smooth), wish,
+    return [subject = framed_for(smoothed(std::move(subject), wish.smooth), wish.size_px), wish,
             path = std::move(path)](ExportNews& news) { return save(subject, wish, path, news); };
 }
 

@@ -79,7 +79,7 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
 
 ExportWork picture_work(ExportSubject subject, const ui::PictureExport& wish,
                         std::filesystem::path path) {
-    return [subject = smoothed(std::move(subject), wish.smooth), wish,
+    return [subject = framed_for(smoothed(std::move(subject), wish.smooth), wish.size_px), wish,
             path = std::move(path)](ExportNews& news) { return save(subject, wish, path, news); };
 }
 

@@ -26,8 +26,8 @@ constexpr int low_priority = 10;
 /// The request for the item's picture.
 PictureRequest request_of(const PreparedDocument& prepared, const Document& document,
                           glm::ivec2 size_px) {
-    PictureRequest request = picture_request(prepared.formula, prepared.colors, document,
-                                             thumbnail_settings(), size_px);
+    PictureRequest request =
+        picture_request(prepared.formula, prepared.colors, document, thumbnail_settings(), size_px);
     request.settings.antialias = Antialias::None;  // thumbnail_of makes edges smooth
     return request;
 }

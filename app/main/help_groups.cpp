@@ -13,7 +13,9 @@ constexpr std::array groups{
         .about =
             R"(A picture, a film or a drawing shows what the window would show of the equation in the clip box.
 `--fit` encloses the surface first and looks at all of it; where it is bounded and sticks out of the clip box, or is
-smaller than a quarter of it, the clip box becomes a cube about it (a given `--box` stays). `--section` cuts by a plane
+smaller than a quarter of it, the clip box becomes a cube about it (a given `--box` stays). Without it that happens to
+typed surfaces that are bounded and stick out, and graphs z = f(x, y) get a box as high as they are, unless an option
+chooses box or view; a line on stderr says so. `--section` cuts by a plane
 and keeps one side, up to six times: the solid that it cuts open, f < 0, is filled with a hatched cap in the surface's
 colour. `--shadows` misses nothing that throws one, however thin. Edges are smooth: each pixel is weighed by the part that
 a surface covers, by beams; `--aa none` leaves that out, 4, 9, 16 or 64 rays a pixel are there to compare with.

@@ -96,9 +96,9 @@ class FileTest(DrawingTest):
 
     def test_hidden_lines(self):
         spheres = "(x-1)^2 + (y+1.6)^2 + z^2 = 0.5; x^2 + y^2 + z^2 = 1"
-        dashed = self.svg(spheres, "--hidden", "dash")
-        removed = self.svg(spheres)
-        shown = self.svg(spheres, "--hidden", "show")
+        dashed = self.svg(spheres, "--box", 2, "--hidden", "dash")
+        removed = self.svg(spheres, "--box", 2)
+        shown = self.svg(spheres, "--box", 2, "--hidden", "show")
         self.assertTrue(any(path.hidden for path in dashed[1]))
         self.assertFalse(any(path.hidden for path in removed[1]))
         self.assertTrue(all(("stroke-dasharray" in group.attrib) ==
