@@ -6,6 +6,7 @@
 #include "engine/volume/volume.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/color_formulas.hpp"
+#include "pipeline/drawing_marks.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/patch_surface.hpp"
 #include "pipeline/picture_request.hpp"
@@ -114,6 +115,7 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                       .contour_width_pt = document.coloring.lines.width,
                       .hidden = choice.hidden,
                       .tolerance_pt = choice.tolerance_pt};
+    result.marks = drawing_marks(document, request, choice.page, limit);
     return result;
 }
 
@@ -124,6 +126,7 @@ LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit, cons
                            .page = scene.page,
                            .make_kernel = kernel_of};
     LineDrawing drawing = draw_scene(input, scene.options, limit, on_path);
+    drawing.marks = scene.marks;
     drawing.has_linear_volume = std::ranges::any_of(scene.surfaces, has_linear_volume);
     return drawing;
 }

@@ -30,6 +30,7 @@ struct DrawingScene {
     Camera camera;
     PageSize page;
     DrawOptions options;
+    DrawnMarks marks;  ///< axes, clip box, grid and markers
     std::string note;  ///< one line on what fitting could not do, or did by itself; or empty
 };
 

@@ -73,6 +73,8 @@ OrInputError<std::shared_ptr<DrawJob>> job_of(const DrawCommand& command) {
     job->plan.choice.fits_itself = has_free_view(*input, command.view);
     job->quiet = command.view.quiet;
     job->document = std::move(input->document);
+    reader.check(take_look(command.trace, job->document));
+    if (reader.error()) return std::unexpected(*reader.error());
     const PageSize& page = job->plan.choice.page;
     fit_camera(command.view, input->stored, page.width / page.height, job->document);
     job->rows = std::move(*input->rows);

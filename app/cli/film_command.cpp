@@ -140,6 +140,7 @@ void make_film(Filming& filming) {
                     .last = job.range.last,
                     .frame_range = job.frame_range,
                     .legend = !filming.command.no_legend,
+                    .transparent = job.target.transparent(),
                     .keeps_light = pictures && needs_light(options),
                     .keeps_normals = pictures && needs_normals(options),
                     .frame_budget_s = job.budget_s};

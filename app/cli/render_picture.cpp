@@ -10,6 +10,7 @@
 #include "pipeline/code_choice.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/poster.hpp"
 #include "pipeline/shown_points.hpp"
@@ -148,6 +149,8 @@ void draw_bands(Drawing& drawing) {
                         .points = shown_points(picture.request.formula.get(), plan.document,
                                                picture.request.camera, plan.size.height),
                         .legend = plan.legend,
+                        .of_pi = periodic_axes(*picture.request.formula->program),
+                        .transparent = plan.picture.alpha,
                         .keeps_light = needs_light(plan.picture),
                         .keeps_normals = needs_normals(plan.picture),
                         .band_budget_s = plan.budget_s};

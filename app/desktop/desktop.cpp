@@ -12,6 +12,7 @@
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/volume_document.hpp"
@@ -262,6 +263,7 @@ void Desktop::show(const FormulaResult& result) {
     for (const ThickSurface& thick : feed_.formula()->thick)
         reading.thick_rows.push_back(feed_.formula()->surface_rows[thick.surface]);
     histograms_.follow(*result.reading.program);
+    state_.shown.picture.of_pi = periodic_axes(*result.reading.program);
     state_.shown.status.note = note_on_code(*feed_.formula());
     session_.amend([&](Document& document) {
         choose_colors(document, result.reading.surface_rows);

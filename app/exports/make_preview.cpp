@@ -32,7 +32,7 @@ RgbaImage image_of(const Framebuffer& frame, const Framebuffer& painted, bool al
 
 std::optional<RgbaImage> draw(const ExportSubject& subject, const Document& document,
                               const glm::ivec2& size_px, bool alpha, ExportNews& news) {
-    const auto drawn = draw_frame(subject, document, size_px, news);
+    const auto drawn = draw_frame(subject, document, size_px, alpha, news);
     if (!drawn) return std::nullopt;
     return image_of(*drawn->frame, *drawn->painted, alpha);
 }

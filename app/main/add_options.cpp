@@ -166,6 +166,10 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
         ->excludes(smooth);
     add_light_options(app, trace.light);
     add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
+    add_axes_options(app, trace);
+}
+
+void add_axes_options(CLI::App& app, TraceText& trace) {
     add_switch(app, "textbook", trace.textbook, "draw axes, clip box and grid");
     add_switch(app, "axes", trace.axes, "draw axes with numbers");
     add_value(app, "--axis-names", trace.axis_names, "names of the axes: X,Y,Z (default x,y,z)");
