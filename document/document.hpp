@@ -88,7 +88,7 @@ struct Document {
     StopCriterion stop{.value = 14.0};
     bool mark_undecided = false;
     bool shadows = false;
-    Antialias antialias = Antialias::None;
+    Antialias antialias = Antialias::Beams;
     bool jumps = false;     ///< whether sign changes of f in a jump are drawn, too
     bool axes = false;      ///< with ticks and numbers
     bool clip_box = false;  ///< the edges of the clip box

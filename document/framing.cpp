@@ -45,13 +45,13 @@ bool sticks_out(const Box& box, const Box& clip) {
 std::string box_text(const Box& box) {
     constexpr int digits = 4;
     const double half = 0.5 * box.size();
-    if (box == Box::cube(half)) return "\u00B1" + short_number(half, digits);
+    if (box == Box::cube(half)) return "\u00B1" + localized(short_number(half, digits));
     std::string text;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ", ";
-        text += filled(tr("{0} {1} to {2}"),
-                       {std::string(1, static_cast<char>('x' + axis)),
-                        short_number(box.lo[axis], digits), short_number(box.hi[axis], digits)});
+        text += filled(tr("{0} {1} to {2}"), {std::string(1, static_cast<char>('x' + axis)),
+                                              localized(short_number(box.lo[axis], digits)),
+                                              localized(short_number(box.hi[axis], digits))});
     }
     return text;
 }
@@ -59,23 +59,62 @@ std::string box_text(const Box& box) {
 Framing shown(const Document& document, const Box& seen, double aspect, std::string note) {
     Framing framing{.document = document, .note = std::move(note), .found = true};
     const Camera usual = default_camera(document.clip, aspect, document.up);
-    framing.document.camera = framed(document.camera.value_or(usual), seen, aspect);
+    const Box& looked_at = draws_box(document) ? box_in_view(document) : seen;
+    framing.document.camera = framed(document.camera.value_or(usual), looked_at, aspect);
     return framing;
 }
 
+Framing framed_whole(Document document, const Box& whole, double aspect) {
+    document.clip = cube_about(whole);
+    std::string note =
+        filled(tr("framed the whole surface: clip box {0}"), {box_text(document.clip)});
+    return shown(document, whole, aspect, std::move(note));
+}
+
 }  // namespace
+
+bool draws_box(const Document& document) {
+    return document.axes || document.clip_box || document.grid;
+}
+
+Box box_in_view(const Document& document) {
+    constexpr double with_numbers = 1.14;
+    return document.axes ? scaled(document.clip, with_numbers) : document.clip;
+}
+
+Camera whole_view(const Camera& camera, const Document& document, double aspect) {
+    return framed(camera, box_in_view(document), aspect);
+}
+
+Camera fitting(const Camera& camera, double aspect) {
+    if (!(aspect > 0.0) || aspect >= 1.0) return camera;
+    Camera wider = camera;
+    wider.fov_rad = 2.0 * std::atan(std::tan(0.5 * camera.fov_rad) / aspect);
+    return wider;
+}
+
+std::optional<Framing> frame_by_itself(const Document& document, const Extent& extent,
+                                       double aspect) {
+    if (!extent.whole) return std::nullopt;
+    if (sticks_out(*extent.whole, Box())) {
+        Framing framing = framed_whole(document, *extent.whole, aspect);
+        if (framing.document.clip == document.clip) return std::nullopt;
+        return framing;
+    }
+    if (document.clip == Box()) return std::nullopt;
+    Document usual = document;
+    usual.clip = Box();
+    return shown(usual, usual.clip, aspect,
+                 filled(tr("framed the whole surface: clip box {0}"), {box_text(usual.clip)}));
+}
 
 Framing frame_surfaces(const Document& document, const Extent& extent, double aspect,
                        bool may_clip) {
     Document wished = document;
     if (may_clip && extent.whole) {
         const bool small = extent.whole->size() < small_part * document.clip.size();
-        if (small || sticks_out(*extent.whole, document.clip)) {
-            wished.clip = cube_about(*extent.whole);
-            return shown(
-                wished, *extent.whole, aspect,
-                filled(tr("framed the whole surface: clip box {0}"), {box_text(wished.clip)}));
-        }
+        if (small || sticks_out(*extent.whole, document.clip))
+            return framed_whole(document, *extent.whole, aspect);
     }
     if (extent.inside) {
         const char* const note = extent.whole

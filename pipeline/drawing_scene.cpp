@@ -6,6 +6,7 @@
 #include "engine/volume/volume.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/color_formulas.hpp"
+#include "pipeline/drawing_marks.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/patch_surface.hpp"
 #include "pipeline/picture_request.hpp"
@@ -25,7 +26,7 @@ double aspect_of(const PageSize& page) { return page.width / page.height; }
 /// The document with the camera of a picture of the page's aspect.
 Document with_camera(Document document, const PageSize& page) {
     if (!document.camera)
-        document.camera = default_camera(document.clip, aspect_of(page), document.up);
+        document.camera = default_camera(box_in_view(document), aspect_of(page), document.up);
     return document;
 }
 
@@ -93,6 +94,9 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
     if (choice.fits) {
         result.note = fit_view(document, request_for(document, *prepared, choice.page),
                                aspect_of(choice.page), choice.fits_box, limit);
+    } else if (choice.fits_itself) {
+        result.note = fit_by_itself(document, request_for(document, *prepared, choice.page),
+                                    aspect_of(choice.page), own_fitting_limit(limit.cancel));
     }
     const PictureRequest request = request_for(document, *prepared, choice.page);
     auto refused = patch_refusal(
@@ -111,6 +115,7 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                       .contour_width_pt = document.coloring.lines.width,
                       .hidden = choice.hidden,
                       .tolerance_pt = choice.tolerance_pt};
+    result.marks = drawing_marks(document, request, choice.page, limit);
     return result;
 }
 
@@ -121,6 +126,7 @@ LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit, cons
                            .page = scene.page,
                            .make_kernel = kernel_of};
     LineDrawing drawing = draw_scene(input, scene.options, limit, on_path);
+    drawing.marks = scene.marks;
     drawing.has_linear_volume = std::ranges::any_of(scene.surfaces, has_linear_volume);
     return drawing;
 }

@@ -18,8 +18,9 @@ struct DrawingChoice {
     std::array<bool, 5> kinds{true, true, true, true, true};  ///< by CurveKind
     bool hidden = true;                                       ///< hidden parts are wanted, too
     double tolerance_pt = 0.05;
-    bool fits = false;      ///< fits the view to the surfaces
-    bool fits_box = false;  ///< `fits` also fits the clip box
+    bool fits = false;         ///< fits the view to the surfaces
+    bool fits_box = false;     ///< `fits` also fits the clip box
+    bool fits_itself = false;  ///< fits both where the surfaces need it, see fit_by_itself
 };
 
 /// A document made ready to be drawn in lines.
@@ -29,7 +30,8 @@ struct DrawingScene {
     Camera camera;
     PageSize page;
     DrawOptions options;
-    std::string note;  ///< one line on what fitting could not do, or empty
+    DrawnMarks marks;  ///< axes, clip box, grid and markers
+    std::string note;  ///< one line on what fitting could not do, or did by itself; or empty
 };
 
 /// Makes the code that a drawing of a document needs, and finds the view, which is that of a

@@ -8,6 +8,8 @@
 #include "engine/annotate/legend.hpp"
 #include "engine/annotate/markers.hpp"
 #include "engine/annotate/paint.hpp"
+#include "engine/image/background.hpp"
+#include "engine/image/rgba_image.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -37,10 +39,12 @@ Shapes axes_over(const Framebuffer& shown, const ImageSize& size, const FrameSub
                         .width = size.width,
                         .height = size.height,
                         .em = em,
-                        .names = document.axis_names};
+                        .names = document.axis_names,
+                        .of_pi = subject.of_pi};
+    const Axes axes = make_axes(view, axes_choice(document), shown);
+    if (subject.transparent) return axis_shapes(axes, axis_style_on_anything(em));
     const Background background = document.light.background.value_or(Background());
-    return axis_shapes(make_axes(view, axes_choice(document), shown),
-                       axis_style_on(background, em));
+    return axis_shapes(axes, axis_style_on(background, em));
 }
 
 Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const FrameSubject& subject,
@@ -95,8 +99,11 @@ bool has_marks(const FrameSubject& subject) {
            names_points || needs_legend(subject) || has_contour_labels(subject);
 }
 
-PictureMarks::PictureMarks(LabelFont font, Shapes shapes)
-    : font_(std::move(font)), shapes_(std::move(shapes)) {}
+PictureMarks::PictureMarks(LabelFont font, Shapes shapes, int height, bool transparent)
+    : font_(std::move(font)),
+      shapes_(std::move(shapes)),
+      height_(height),
+      transparent_(transparent) {}
 
 std::expected<PictureMarks, std::string> PictureMarks::make(const Framebuffer& shown,
                                                             const ImageSize& size,
@@ -110,11 +117,24 @@ std::expected<PictureMarks, std::string> PictureMarks::make(const Framebuffer& s
     append(shapes, labels_over(shown, size, subject, style));
     append(shapes, markers_over(shown, size, subject, style));
     append(shapes, legend_over(size, subject, style));
-    return PictureMarks(std::move(*font), std::move(shapes));
+    return PictureMarks(std::move(*font), std::move(shapes), size.height, subject.transparent);
 }
 
 void PictureMarks::paint(Framebuffer& band, int row) const {
-    paint_shapes(band, row == 0 ? shapes_ : moved(shapes_, {0.0, -row}), font_);
+    constexpr std::uint32_t opaque = 0xFF000000U;
+    Framebuffer marks(band.width, band.height);
+    std::ranges::fill(marks.color, 0U);
+    paint_shapes(marks, row == 0 ? shapes_ : moved(shapes_, {0.0, -row}), font_);
+    for (int y = 0; y < band.height; ++y) {
+        const auto background = background_color(band.background, row + y, height_);
+        for (std::size_t at = band.index(0, y); at < band.index(0, y + 1); ++at) {
+            if (marks.color[at] >> 24U == 0) continue;
+            const std::uint32_t under =
+                transparent_ ? drawn_color(band, band, at, background) : band.color[at] | opaque;
+            band.color[at] = blended(under, marks.color[at], 1.0);
+        }
+    }
+    band.blank_rows.clear();
 }
 
 std::expected<std::shared_ptr<const Framebuffer>, std::string> finish_picture(

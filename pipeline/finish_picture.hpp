@@ -8,6 +8,7 @@
 #include "engine/scene/coloring.hpp"
 #include "engine/view/camera.hpp"
 
+#include <array>
 #include <expected>
 #include <memory>
 #include <string>
@@ -27,6 +28,10 @@ struct FrameSubject {
     const std::optional<SectionValues>& section_values = no_section_values;  ///< the frame's
     bool legend = true;  ///< draw a legend, if the colours stand for something
     const std::vector<ShownPoint>& points = no_points;  ///< whose names are drawn beside them
+    std::array<bool, 3> of_pi{};  ///< axes whose numbers are multiples of pi, see periodic_axes
+    /// Marks are painted for what is behind the picture shining through: what is painted has no
+    /// background, and its pixels their alpha.
+    bool transparent = false;
 };
 
 /// Whether there are axes, a clip box, a grid, markers or a legend to be drawn over the frame.
@@ -45,10 +50,12 @@ public:
     void paint(Framebuffer& band, int row) const;
 
 private:
-    PictureMarks(LabelFont font, Shapes shapes);
+    PictureMarks(LabelFont font, Shapes shapes, int height, bool transparent);
 
     LabelFont font_;
     Shapes shapes_;
+    int height_;  ///< of the picture
+    bool transparent_;
 };
 
 /// Draws the document's marks over the frame. Returns the frame itself if there is none of them, or

@@ -1,6 +1,7 @@
 #include "pipeline/picture_request.hpp"
 
 #include "document/colors.hpp"
+#include "document/framing.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/scene/precision.hpp"
@@ -85,7 +86,8 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
 
 Camera camera_of(const Document& document, glm::ivec2 size_px) {
     if (document.camera) return *document.camera;
-    return default_camera(document.clip, static_cast<double>(size_px.x) / size_px.y, document.up);
+    return default_camera(box_in_view(document), static_cast<double>(size_px.x) / size_px.y,
+                          document.up);
 }
 
 bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next) {

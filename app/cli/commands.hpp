@@ -77,6 +77,7 @@ int run_mesh(const MeshCommand& command);
 struct DrawCommand {
     std::string equation;
     ViewText view;
+    TraceText trace;  ///< of axes, clip box and grid alone
     DrawingText drawing;
     std::optional<std::string> output, stats, budget;
 };

@@ -1,5 +1,6 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/options/option_reader.hpp"
+#include "app/cli/options/view_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "app/platform/process.hpp"
@@ -36,6 +37,7 @@ struct DrawJob {
     RowProgram rows;
     DrawingPlan plan;
     double budget_s = default_budget_s;
+    bool quiet = false;  ///< no notes
     Clock::time_point start;
 
     Progress progress;
@@ -68,7 +70,13 @@ OrInputError<std::shared_ptr<DrawJob>> job_of(const DrawCommand& command) {
     job->plan.choice.fits_box = !command.view.box;
     auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
+    job->plan.choice.fits_itself = has_free_view(*input, command.view);
+    job->quiet = command.view.quiet;
     job->document = std::move(input->document);
+    reader.check(take_look(command.trace, job->document));
+    if (reader.error()) return std::unexpected(*reader.error());
+    const PageSize& page = job->plan.choice.page;
+    fit_camera(command.view, input->stored, page.width / page.height, job->document);
     job->rows = std::move(*input->rows);
     return job;
 }
@@ -175,7 +183,9 @@ int run_draw(const DrawCommand& command) {
         end_process(finish(command, *job, stuck_drawing(*job)));
     }
     if (job->error) return report(*job->error);
-    if (!job->note.empty()) std::cerr << "zeroset: --fit: " << job->note << '\n';
+    const bool fits = job->plan.choice.fits;
+    if (!job->note.empty() && fits) std::cerr << "zeroset: --fit: " << job->note << '\n';
+    if (!job->note.empty() && !fits && !job->quiet) std::cerr << fitted_note(job->note);
     return finish(command, *job, job->drawing);
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/film_options.hpp"
 #include "app/cli/options/option_reader.hpp"
+#include "app/cli/options/view_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "engine/base/clock.hpp"
@@ -36,6 +37,10 @@ struct FilmJob {
     double budget_s = default_budget_s;
 };
 
+double aspect_of(const FilmJob& job) {
+    return static_cast<double>(job.size.width) / job.size.height;
+}
+
 OrInputError<FilmJob> job_of(const FilmCommand& command) {
     FilmJob job;
     OptionReader reader;
@@ -48,6 +53,7 @@ OrInputError<FilmJob> job_of(const FilmCommand& command) {
     job.input = std::move(*input);
     reader.check(take_look(command.trace, job.input.document));
     reader.check(check_jumps(job.input.document, job.settings));
+    fit_camera(command.view, job.input.stored, aspect_of(job), job.input.document);
     reader.take(job.plan, read_film_plan(command, job.input));
     reader.take(job.range, read_frame_range(command, job.plan));
     reader.take(job.frame_range, read_frame_range_choice(command));
@@ -89,10 +95,6 @@ Json stats_of(const Filming& filming, const FilmWork& work, const FrameFiles& fi
             {"undecided_by_budget", work.counters.cut_pixels}};
 }
 
-double aspect_of(const FilmJob& job) {
-    return static_cast<double>(job.size.width) / job.size.height;
-}
-
 /// Makes the code and, if that is wanted, fits the view.
 std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
     FilmJob& job = filming.job;
@@ -104,11 +106,17 @@ std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
     const std::string& tracer = job.settings.tracer;
     if (const auto refusal = tracer_refusal(tracer, "--tracer " + tracer, request))
         return std::unexpected(InputError{.reason = *refusal});
-    if (!filming.command.view.fit) return prepared;
+    const ViewText& view = filming.command.view;
+    if (!view.fit && job.plan.sweeps.empty() && has_free_view(job.input, view)) {
+        const std::string note =
+            fit_by_itself(document, request, aspect_of(job), own_fitting_limit(&filming.cancel));
+        if (!note.empty() && !view.quiet) std::cerr << fitted_note(note);
+    }
+    if (!view.fit) return prepared;
     filming.progress.enter(Progress::Stage::Fitting);
     const TimeLimit limit{.cancel = &filming.cancel,
                           .until = until_after(Clock::now(), job.budget_s)};
-    filming.note = fit_view(document, request, aspect_of(job), !filming.command.view.box, limit);
+    filming.note = fit_view(document, request, aspect_of(job), !view.box, limit);
     // A turn finds the distance from which all of it is seen by itself.
     if (job.plan.turn) document.camera.reset();
     return prepared;
@@ -132,6 +140,7 @@ void make_film(Filming& filming) {
                     .last = job.range.last,
                     .frame_range = job.frame_range,
                     .legend = !filming.command.no_legend,
+                    .transparent = job.target.transparent(),
                     .keeps_light = pictures && needs_light(options),
                     .keeps_normals = pictures && needs_normals(options),
                     .frame_budget_s = job.budget_s};

@@ -1,6 +1,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/mesh_report.hpp"
 #include "app/cli/options/option_reader.hpp"
+#include "app/cli/options/view_options.hpp"
 #include "app/cli/render_files.hpp"
 #include "app/cli/render_picture.hpp"
 #include "app/cli/report.hpp"
@@ -106,13 +107,19 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     if (reader.error()) return std::unexpected(*reader.error());
     plan.fits = command.view.fit;
     plan.fits_box = !command.view.box;
+    plan.quiet = command.view.quiet;
     plan.settings.costs = command.cost.has_value();
     auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
+    plan.fits_itself = has_free_view(*input, command.view);
     plan.document = std::move(input->document);
     plan.rows = std::move(*input->rows);
     reader.check(take_look(command.trace, plan.document));
+    // Depths, certificates and counts are those of the pixels' own rays.
+    if (!command.output && !command.trace.aa && !command.trace.antialias)
+        plan.document.antialias = Antialias::None;
     reader.check(check_jumps(plan.document, plan.settings));
+    fit_camera(command.view, input->stored, plan.aspect(), plan.document);
     return reader.finish(std::move(plan));
 }
 
@@ -204,7 +211,9 @@ int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPic
            RenderFiles& files) {
     const RenderedPicture& picture = *made;
     if (picture.error) return report(*picture.error);
-    if (!picture.note.empty()) std::cerr << "zeroset: --fit: " << picture.note << '\n';
+    const RenderPlan& plan = picture.plan;
+    if (!picture.note.empty() && plan.fits) std::cerr << "zeroset: --fit: " << picture.note << '\n';
+    if (!picture.note.empty() && !plan.fits && !plan.quiet) std::cerr << fitted_note(picture.note);
     const std::string left = budget_note(picture);
     if (!left.empty()) std::cerr << "zeroset: " << left << '\n';
     print_probes(picture);

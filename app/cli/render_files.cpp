@@ -5,6 +5,7 @@
 #include "engine/export/pictures/picture_makers.hpp"
 #include "engine/image/frame_pictures.hpp"
 #include "pipeline/finish_picture.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/shown_points.hpp"
 
@@ -164,7 +165,11 @@ std::expected<void, std::string> add_whole(const RenderCommand& command,
                                .uniforms = made->scene.uniforms,
                                .section_values = made->scene.section_values,
                                .legend = made->plan.legend,
-                               .points = points};
+                               .points = points,
+                               .of_pi = made->request.formula
+                                            ? periodic_axes(*made->request.formula->program)
+                                            : std::array<bool, 3>{},
+                               .transparent = command.alpha};
     const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
     std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;
     if (command.output) painted = finish_picture(frame, subject);

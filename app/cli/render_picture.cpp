@@ -10,6 +10,7 @@
 #include "pipeline/code_choice.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/poster.hpp"
 #include "pipeline/shown_points.hpp"
@@ -114,9 +115,11 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         drawing.progress.enter(Progress::Stage::Fitting);
         const TimeLimit limit{.cancel = &drawing.cancel,
                               .until = after_share(drawing, fitting_share)};
-        const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-        drawing.picture.note =
-            fit_view(plan.document, request_for(plan, *prepared), aspect, plan.fits_box, limit);
+        drawing.picture.note = fit_view(plan.document, request_for(plan, *prepared), plan.aspect(),
+                                        plan.fits_box, limit);
+    } else if (plan.fits_itself) {
+        drawing.picture.note = fit_by_itself(plan.document, request_for(plan, *prepared),
+                                             plan.aspect(), own_fitting_limit(&drawing.cancel));
     }
     PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);
@@ -147,6 +150,8 @@ void draw_bands(Drawing& drawing) {
                         .points = shown_points(picture.request.formula.get(), plan.document,
                                                picture.request.camera, plan.size.height),
                         .legend = plan.legend,
+                        .of_pi = periodic_axes(*picture.request.formula->program),
+                        .transparent = plan.picture.alpha,
                         .keeps_light = needs_light(plan.picture),
                         .keeps_normals = needs_normals(plan.picture),
                         .band_budget_s = plan.budget_s};

@@ -34,18 +34,23 @@ struct RenderPlan {
     bool warms_up = false;
     bool fits = false;                   ///< fits the view to the surfaces
     bool fits_box = false;               ///< `fits` also fits the clip box
+    bool fits_itself = false;            ///< fits both where the surfaces need it
+    bool quiet = false;                  ///< no note on that
     std::vector<glm::ivec2> probes;      ///< columns and rows
     double budget_s = default_budget_s;  ///< of a picture in bands, for each of them
     PictureOptions picture;              ///< how -o is written
     bool legend = true;
     bool in_bands = false;  ///< the picture is too large to be in memory
+
+    /// The picture's width / height.
+    [[nodiscard]] double aspect() const { return static_cast<double>(size.width) / size.height; }
 };
 
 /// A picture and what it was made of; incomplete if the budget ran out.
 struct RenderedPicture {
     RenderPlan plan;  ///< the plan after fitting
     std::optional<InputError> error;
-    std::string note;         ///< one line on what --fit could not do, or empty
+    std::string note;         ///< on what --fit could not do, or what was fitted; or empty
     PictureRequest request;   ///< without a formula if there was no time to make one
     Scene scene;              ///< the request's scene, with the range of the colours
     Framebuffer frame;        ///< empty where it is drawn in bands

@@ -1,5 +1,6 @@
 #include "app/cli/window_command.hpp"
 
+#include "app/cli/options/view_options.hpp"
 #include "document/json/collection.hpp"
 #include "engine/volume/files/volume_file.hpp"
 #include "pipeline/gallery.hpp"
@@ -46,6 +47,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     }
     if (!input->rows && input->path.empty() && errors == TextErrors::Refused)
         return std::unexpected(input->rows.error());
+    const bool is_free = has_free_view(*input, view);
     options.document = std::move(input->document);
     // The window has a background of its own theme.
     if (input->shown_on && options.document.light.background == input->shown_on)
@@ -57,8 +59,11 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     if (const auto wrong = take_look(trace, options.document)) return std::unexpected(*wrong);
     options.is_new =
         !input->stored && !trace.axes && !trace.clip_box && !trace.grid && !trace.textbook;
+    options.has_new_edges = !input->stored && !trace.aa && !trace.antialias;
     options.fit = view.fit;
     options.fits_box = !view.fit || !view.box;
+    options.frames_box = !input->stored && !chooses_camera(view);
+    options.fits_itself = is_free;
     options.settings = std::move(*settings);
     return options;
 }

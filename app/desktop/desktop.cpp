@@ -12,6 +12,7 @@
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/volume_document.hpp"
@@ -120,6 +121,8 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       desktop_language_(options.desktop_language),
       settings_(options.settings),
       fits_box_(options.fits_box),
+      frames_box_(options.frames_box),
+      fits_itself_(options.fits_itself),
       latency_(options.latency_log.empty() ? nullptr
                                            : std::make_unique<LatencyLog>(options.latency_log)),
       cards_(options.keeps_files, [this] { window_.wake(); }),
@@ -205,7 +208,8 @@ void Desktop::log_submission(std::uint64_t before) {
 }
 
 bool Desktop::settled() const {
-    const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
+    const bool frames =
+        feed_.formula() != nullptr && (state_.wishes.frame_surfaces || own_fit_due_s_);
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
            !snap_.runs() && comparison_.settled() && cards_.settled() && look_cards_.settled() &&
@@ -219,6 +223,7 @@ std::optional<double> Desktop::due_s() const {
         if (s) due = std::min(due.value_or(*s), *s);
     };
     if (search_.runs()) due_in(ExtentSearch::poll_s);
+    if (own_fit_due_s_ && !feed_.tracing()) due_in(std::max(*own_fit_due_s_ - now_s(), 0.0));
     if (snap_.runs()) due_in(MarkerSnap::poll_s);
     if (!histograms_.settled()) due_in(Histograms::poll_s);
     if (exports_.moves()) due_in(export_shown_s);
@@ -259,6 +264,7 @@ void Desktop::show(const FormulaResult& result) {
     for (const ThickSurface& thick : feed_.formula()->thick)
         reading.thick_rows.push_back(feed_.formula()->surface_rows[thick.surface]);
     histograms_.follow(*result.reading.program);
+    state_.shown.picture.of_pi = periodic_axes(*result.reading.program);
     state_.shown.status.note = note_on_code(*feed_.formula());
     session_.amend([&](Document& document) {
         choose_colors(document, result.reading.surface_rows);
@@ -266,6 +272,7 @@ void Desktop::show(const FormulaResult& result) {
         for (const auto& [name, volume] : histograms_.wanted())
             document.parameters.try_emplace(name, isovalue_slider(*volume));
     });
+    plan_own_fit();
     std::erase_if(state_.edited.playing, [&reading](const auto& entry) {
         const std::string& name = entry.first;
         return name == ui::w_name
@@ -334,6 +341,7 @@ void Desktop::show_gallery_item() {
         session_.show(taken_over(gallery()[*picked], state_.edited.document, gallery_files_));
         state_.shown.status.done = filled(tr("Ctrl+Z brings back: {0}"), {before});
         done_gesture_ = state_.input.gesture;
+        frames_box_ = true;
     } else {
         state_.wishes.open_path = state_.shown.gallery[*picked].path;
     }
@@ -346,7 +354,8 @@ std::optional<ExportSubject> Desktop::export_subject() const {
     ExportSubject subject{.document = state_.edited.document,
                           .formula = wanted->formula,
                           .colors = wanted->colors,
-                          .settings = settings_};
+                          .settings = settings_,
+                          .whole_box = shows_whole_box()};
     subject.settings.tracer = state_.edited.inspection.tracer;
     // The usual background of pictures is dark: not what a light window shows.
     if (state_.edited.theme == ui::Theme::Light && !subject.document.light.background)

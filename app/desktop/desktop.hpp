@@ -18,6 +18,7 @@
 #include "app/gallery/look_cards.hpp"
 #include "app/gallery/view_cards.hpp"
 #include "document/document.hpp"
+#include "document/framing.hpp"
 #include "document/json/collection.hpp"
 #include "engine/base/language.hpp"
 #include "engine/measure/extent.hpp"
@@ -63,10 +64,13 @@ struct DesktopOptions {
     bool takes_keyboard = true;  ///< the first row has the keyboard, with its text selected
     bool keeps_files = true;     ///< see SessionOptions
     bool is_new = false;         ///< the document begins as new ones do, see ui::new_document
+    bool has_new_edges = false;  ///< its edges are smooth if those of new ones are
     bool read_only = false;      ///< a session for a class, see ui::Edited
     std::string latency_log;     ///< file of a LatencyLog; empty: none
     bool fit = false;            ///< looks at all of the surfaces first
     bool fits_box = true;        ///< `fit` also fits the clip box to the surfaces
+    bool frames_box = false;     ///< the first view is of the whole box where that is drawn
+    bool fits_itself = false;    ///< box and view follow the surfaces, see fit_by_itself
 };
 
 /// The window's content over time. The window's thread owns all of it; the jobs' threads only wake
@@ -100,11 +104,26 @@ private:
         bool operator==(const TextureLook&) const = default;
     };
 
+    /// A view of the whole box, with the picture's aspect and the axes for which it was made.
+    struct WholeView {
+        Camera camera;
+        double aspect = 1.0;
+        bool axes = false;
+    };
+    /// The clip box that was last chosen by the surfaces, of the document whose first row this is.
+    struct OwnBox {
+        Box box;
+        int row = 0;
+    };
+
     /// Finds what the window waits for, for the panels to show.
     void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
     void take_asked_box(const Program& program, Document& document);
+    void plan_own_fit();
+    void follow_surfaces();
+    void take_fit(const Framing& framing);
     void take_frame();
     void show_points();
     [[nodiscard]] TextureLook wanted_look() const;
@@ -118,6 +137,10 @@ private:
     void find_surfaces();
     void snap_marker();
     void frame(const Extent& extent);
+    void frame_whole_box(double aspect);
+    void keep_whole_box(double aspect);
+    void note_whole_view(const Document& document);
+    [[nodiscard]] bool shows_whole_box() const;
     void play();
     /// Has saved what is wished for, and tells of what has ended.
     void follow_exports();
@@ -148,7 +171,13 @@ private:
     std::optional<Box> asked_box_;  ///< by a plotting command of the text that is shown
     ExtentSearch search_;
     MarkerSnap snap_;
-    bool fits_box_;  ///< the next search's extent also fits the clip box
+    bool fits_box_;                        ///< the next search's extent also fits the clip box
+    bool frames_box_;                      ///< the whole box is to be looked at, where it is drawn
+    std::optional<WholeView> whole_view_;  ///< the last one
+    std::optional<OwnBox> own_box_;
+    std::optional<double> own_fit_due_s_;  ///< when box and view are to follow the surfaces
+    bool search_is_own_ = false;           ///< the search that runs is for that
+    bool fits_itself_;                     ///< the first text's box and view do
     /// The gesture in which the status line was told what is done; the next one clears that.
     unsigned done_gesture_ = 0;
     std::unique_ptr<LatencyLog> latency_;  ///< nullptr: latency is not logged

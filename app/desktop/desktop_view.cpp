@@ -1,8 +1,11 @@
 #include "app/desktop/desktop.hpp"
 #include "document/document.hpp"
 #include "document/framing.hpp"
+#include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/view/camera.hpp"
+#include "pipeline/fit_view.hpp"
 #include "pipeline/picture_request.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/window/window.hpp"
@@ -19,7 +22,7 @@
 namespace zeroset {
 namespace {
 
-/// The aspect of the picture that a camera is made for: ui::fitting sees to narrower ones.
+/// The aspect of the picture that a camera is made for: fitting sees to narrower ones.
 double wide_aspect(glm::ivec2 size_px) {
     return std::max(static_cast<double>(size_px.x) / static_cast<double>(size_px.y), 1.0);
 }
@@ -32,7 +35,7 @@ void Desktop::find_view() {
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = wide_aspect(size);
     const auto look = [aspect](Document& document) {
-        Camera first = default_camera(document.clip, aspect, document.up);
+        Camera first = default_camera(box_in_view(document), aspect, document.up);
         if (document.camera) first.projection = document.camera->projection;
         document.camera = document.home.value_or(first);
     };
@@ -40,13 +43,51 @@ void Desktop::find_view() {
     if (reset && state_.edited.document.camera) {
         Document wished = state_.edited.document;
         look(wished);
+        if (!wished.home) note_whole_view(wished);
         ui::move_view(state_, *wished.camera);
     }
-    if (!state_.edited.document.camera) session_.amend(look);
+    if (!state_.edited.document.camera) {
+        session_.amend(look);
+        if (!state_.edited.document.home) note_whole_view(state_.edited.document);
+    }
+    if (std::exchange(frames_box_, false) && draws_box(state_.edited.document))
+        frame_whole_box(aspect);
+    keep_whole_box(aspect);
     const bool typed = std::exchange(state_.wishes.frame_box, false);
-    if (typed)
-        ui::move_view(state_,
-                      framed(*state_.edited.document.camera, state_.edited.document.clip, aspect));
+    if (!typed) return;
+    Document wished = state_.edited.document;
+    wished.camera = whole_view(*wished.camera, wished, aspect);
+    note_whole_view(wished);
+    ui::move_view(state_, *wished.camera);
+}
+
+/// Moves the view, and the one that is gone back to, so that the whole box is seen.
+void Desktop::frame_whole_box(double aspect) {
+    session_.amend([&](Document& document) {
+        const bool is_home = document.camera == document.home;
+        document.camera = whole_view(*document.camera, document, aspect);
+        if (is_home) document.home = document.camera;
+    });
+    note_whole_view(state_.edited.document);
+}
+
+void Desktop::note_whole_view(const Document& document) {
+    whole_view_ = {.camera = *document.camera,
+                   .aspect = wide_aspect(state_.input.viewport_px),
+                   .axes = document.axes};
+}
+
+bool Desktop::shows_whole_box() const {
+    return whole_view_ && state_.edited.document.camera == whole_view_->camera;
+}
+
+/// Lets a view of the whole box that nobody has changed follow the shape of the window, and what is
+/// drawn beside the box.
+void Desktop::keep_whole_box(double aspect) {
+    if (!shows_whole_box() || state_.input.move) return;
+    const bool axes = state_.edited.document.axes;
+    if (aspect == whole_view_->aspect && axes == whole_view_->axes) return;
+    frame_whole_box(aspect);
 }
 
 /// Computes the surfaces' extent in the background, then looks at all of them.
@@ -57,12 +98,64 @@ void Desktop::find_surfaces() {
     }
     if (search_.runs()) {
         if (!search_.done()) return;
-        if (const auto extent = search_.take(wanted_picture())) frame(*extent);
+        const auto extent = search_.take(wanted_picture());
+        const bool own = std::exchange(search_is_own_, false);
+        if (extent && own) {
+            const double aspect = wide_aspect(state_.input.viewport_px);
+            const auto framing = frame_by_itself(state_.edited.document, *extent, aspect);
+            if (framing) take_fit(*framing);
+        } else if (extent) {
+            frame(*extent);
+        }
     }
     const std::optional<PictureRequest> wanted = wanted_picture();
-    if (!state_.wishes.frame_surfaces || !wanted || feed_.reads()) return;
-    state_.wishes.frame_surfaces = false;
-    search_.start(*wanted);
+    if (!wanted || feed_.reads()) return;
+    if (std::exchange(state_.wishes.frame_surfaces, false)) {
+        own_fit_due_s_.reset();
+        search_.start(*wanted);
+    } else if (own_fit_due_s_ && now_s() >= *own_fit_due_s_ && !feed_.tracing()) {
+        own_fit_due_s_.reset();
+        follow_surfaces();
+    }
+}
+
+/// Lets box and view follow the surfaces a moment after the last letter of a text was typed, unless
+/// the person has chosen another box.
+void Desktop::plan_own_fit() {
+    constexpr double rest_s = 0.6;
+    const Document& document = state_.edited.document;
+    const bool is_first = std::exchange(fits_itself_, false);
+    const bool had_own = own_box_ && own_box_->row == document.statements.front().id;
+    const bool is_free = document.clip == (had_own ? own_box_->box : Box());
+    if (asked_box_ || !is_free || state_.edited.read_only) return own_fit_due_s_.reset();
+    if (is_first) own_fit_due_s_ = now_s();
+    if (state_.input.typing_row != 0) own_fit_due_s_ = now_s() + rest_s;
+}
+
+void Desktop::follow_surfaces() {
+    Document fitted = state_.edited.document;
+    if (const auto box = graph_box(*feed_.formula()->program, fitted)) {
+        if (*box == fitted.clip) return;
+        fitted.clip = *box;
+        fitted.camera = whole_view(*fitted.camera, fitted, wide_aspect(state_.input.viewport_px));
+        return take_fit({.document = fitted, .note = graph_note(*box)});
+    }
+    search_is_own_ = true;
+    search_.start(*wanted_picture());
+}
+
+/// Takes box and view in one step, which one Ctrl+Z takes back.
+void Desktop::take_fit(const Framing& framing) {
+    ++state_.input.gesture;
+    done_gesture_ = state_.input.gesture;
+    Document& document = state_.edited.document;
+    document.clip = framing.document.clip;
+    own_box_ = {.box = document.clip, .row = document.statements.front().id};
+    document.camera = framing.document.camera;
+    state_.input.move.reset();
+    if (draws_box(document)) note_whole_view(document);
+    state_.shown.status.framed = framing.note + "  \u00B7  " + tr("Ctrl+Z: back");
+    window_.wake();
 }
 
 void Desktop::snap_marker() {
@@ -78,6 +171,7 @@ void Desktop::frame(const Extent& extent) {
     const Framing framing =
         frame_surfaces(state_.edited.document, extent, aspect, std::exchange(fits_box_, true));
     state_.edited.document.clip = framing.document.clip;
+    if (draws_box(framing.document)) note_whole_view(framing.document);
     ui::move_view(state_, *framing.document.camera);
     state_.shown.status.framed = framing.note;
     done_gesture_ = state_.input.gesture;

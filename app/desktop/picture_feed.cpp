@@ -1,8 +1,8 @@
 #include "app/desktop/picture_feed.hpp"
 
+#include "document/framing.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/field_source.hpp"
-#include "ui/model/steering.hpp"
 
 #include <utility>
 
@@ -90,8 +90,8 @@ std::optional<PictureRequest> PictureFeed::wanted(const Document& document,
     TraceSettings of_document = settings;
     of_document.stop = document.stop;
     PictureRequest request = picture_request(formula_, colors_, document, of_document, size_px);
-    request.camera = ui::fitting(request.camera,
-                                 static_cast<double>(size_px.x) / static_cast<double>(size_px.y));
+    request.camera =
+        fitting(request.camera, static_cast<double>(size_px.x) / static_cast<double>(size_px.y));
     return request;
 }
 

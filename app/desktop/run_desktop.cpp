@@ -35,6 +35,7 @@ std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
     taken_over.layout = before.layout;
     taken_over.desktop_language = desktop_language(locale_variables());
     if (options.is_new) ui::show_as_new(taken_over.document, before.layout);
+    if (options.has_new_edges) ui::smooth_as_new(taken_over.document, before.layout);
     taken_over.theme = before.theme.value_or(before.last_theme);
     taken_over.follows_desktop = !before.theme;
     taken_over.tour = options.tour && !before.tour_seen;

@@ -2,6 +2,7 @@
 
 #include "app/platform/folders.hpp"
 #include "document/import/import.hpp"
+#include "document/import/import_choice.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/share_text.hpp"
 #include "engine/base/text.hpp"
@@ -282,6 +283,7 @@ void Session::load(const std::string& path) {
     if (classify(path).kind == InputKind::Volume) return load_volume(path);
     auto loaded = load_document(path, volume_source(volumes_beside(path), files_));
     if (!loaded) return say_failure(loaded.error());
+    if (is_import_path(path)) ui::smooth_as_new(loaded->document, state_.edited.layout);
     begin(std::move(loaded->document), loaded->is_source ? "" : path);
     if (!loaded->is_source) recent_.add(path);
     const bool is_list = loaded->note.contains('\n');
@@ -291,6 +293,7 @@ void Session::load(const std::string& path) {
 void Session::load_volume(const std::string& path) {
     auto document = document_of_volume(path, files_);
     if (!document) return say_failure(document.error().reason);
+    ui::smooth_as_new(*document, state_.edited.layout);
     begin(std::move(*document), {});
 }
 

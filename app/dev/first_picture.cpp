@@ -72,6 +72,7 @@ std::uint64_t Editor::submit_picture(const Document& document, const FormulaResu
     RenderRequest request =
         render_request(picture_request(*result.formula, result.colors, document, plan_.settings,
                                        {plan_.size.width, plan_.size.height}));
+    request.settings.antialias = plan_.settings.antialias;
     request.preview = is_preview(**result.formula);
     request.again = again;
     return pictures_.submit(std::move(request));

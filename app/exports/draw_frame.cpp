@@ -4,6 +4,7 @@
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"
 #include "pipeline/finish_picture.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/shown_points.hpp"
 
 #include <utility>
@@ -11,7 +12,8 @@
 namespace zeroset {
 
 std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Document& document,
-                                     const glm::ivec2& size_px, ExportNews& news) {
+                                     const glm::ivec2& size_px, bool transparent,
+                                     ExportNews& news) {
     PictureRequest request =
         picture_request(subject.formula, subject.colors, document, subject.settings, size_px);
     add_needed_code(request);
@@ -31,7 +33,9 @@ std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Documen
                                                 .coloring = scene.coloring,
                                                 .uniforms = scene.uniforms,
                                                 .section_values = scene.section_values,
-                                                .points = points});
+                                                .points = points,
+                                                .of_pi = periodic_axes(*request.formula->program),
+                                                .transparent = transparent});
     return DrawnFrame{.frame = frame, .painted = painted ? *painted : frame};
 }
 
@@ -40,7 +44,7 @@ ExportWork copy_work(ExportSubject subject, const glm::ivec2& size_px,
     return [subject = smoothed(std::move(subject), true), size_px,
             png = std::move(png)](ExportNews& news) -> ExportOutcome {
         news.enter(tr("drawing"));
-        const auto drawn = draw_frame(subject, subject.document, size_px, news);
+        const auto drawn = draw_frame(subject, subject.document, size_px, false, news);
         if (!drawn) return std::unexpected(tr("it was cancelled"));
         *png = png_of(*drawn->painted);
         return filled(tr("copied the picture ({0})"),

@@ -60,7 +60,8 @@ std::expected<std::shared_ptr<const LineDrawing>, std::string> make_drawing(
         .tolerance_pt = wish.tolerance_pt};
     const TimeLimit limit{.cancel = &news.cancel,
                           .until = until_after(TimeLimit::Clock::now(), drawing_budget_s)};
-    const auto scene = drawing_scene(subject.document, subject.rows(), choice, limit);
+    const auto scene =
+        drawing_scene(framed_for(subject, wish.size_mm).document, subject.rows(), choice, limit);
     if (!scene) return std::unexpected(scene.error().reason);
     LineDrawing drawing = line_drawing(*scene, limit);
     if (news.cancel) return std::unexpected(tr("it was cancelled"));

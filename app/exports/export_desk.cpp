@@ -1,7 +1,7 @@
 #include "app/exports/export_desk.hpp"
 
+#include "document/framing.hpp"
 #include "engine/base/translation.hpp"
-#include "ui/model/steering.hpp"
 
 #include <glm/ext/vector_int2.hpp>
 
@@ -99,8 +99,8 @@ void ExportDesk::copy(const ui::UiState& state, const ExportSubject& subject) {
     copied_ = std::make_shared<std::vector<std::byte>>();
     const glm::ivec2 size = state.input.viewport_px;
     ExportSubject shown = subject;
-    shown.document.camera = ui::fitting(*subject.document.camera,
-                                        static_cast<double>(size.x) / static_cast<double>(size.y));
+    shown.document.camera = fitting(*subject.document.camera,
+                                    static_cast<double>(size.x) / static_cast<double>(size.y));
     run_.start(tr("the picture"), copy_work(shown, size, copied_));
 }
 

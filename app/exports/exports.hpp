@@ -26,9 +26,10 @@ struct DrawnFrame {
     std::shared_ptr<const Framebuffer> frame;    ///< as drawn
     std::shared_ptr<const Framebuffer> painted;  ///< with axes, markers and legend over it
 };
-/// Draws the document with the subject's code; nothing where it was cancelled.
+/// Draws the document with the subject's code; nothing where it was cancelled. `transparent`: see
+/// FrameSubject.
 std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Document& document,
-                                     const glm::ivec2& size_px, ExportNews& news);
+                                     const glm::ivec2& size_px, bool transparent, ExportNews& news);
 /// Draws the picture into the bytes of a PNG, which are there once this has succeeded.
 ExportWork copy_work(ExportSubject subject, const glm::ivec2& size_px,
                      std::shared_ptr<std::vector<std::byte>> png);

@@ -59,6 +59,7 @@ ExportOutcome save(const ExportSubject& subject, const ui::FilmExport& wish,
                     .size = {.width = wish.size_px.x, .height = wish.size_px.y},
                     .first = 0,
                     .last = plan.frames - 1,
+                    .transparent = target->transparent(),
                     .keeps_light = target->names && needs_light(target->picture_options),
                     .keeps_normals = target->names && needs_normals(target->picture_options)};
     news.enter(tr("drawing"), static_cast<std::uint64_t>(plan.frames), marked("frame"));
@@ -99,7 +100,7 @@ FilmPlan plan_of(const ui::FilmExport& wish, const Document& document) {
 
 ExportWork film_work(ExportSubject subject, const ui::FilmExport& wish,
                      std::filesystem::path path) {
-    return [subject = smoothed(std::move(subject), wish.smooth), wish,
+    return [subject = framed_for(smoothed(std::move(subject), wish.smooth), wish.size_px), wish,
             path = std::move(path)](ExportNews& news) { return save(subject, wish, path, news); };
 }
 

@@ -32,21 +32,21 @@ RgbaImage image_of(const Framebuffer& frame, const Framebuffer& painted, bool al
 
 std::optional<RgbaImage> draw(const ExportSubject& subject, const Document& document,
                               const glm::ivec2& size_px, bool alpha, ExportNews& news) {
-    const auto drawn = draw_frame(subject, document, size_px, news);
+    const auto drawn = draw_frame(subject, document, size_px, alpha, news);
     if (!drawn) return std::nullopt;
     return image_of(*drawn->frame, *drawn->painted, alpha);
 }
 
 void preview_picture(const PreviewRequest& request, Preview& preview, ExportNews& news) {
     const ui::PictureExport& wish = request.wish.picture;
-    const ExportSubject subject = smoothed(request.subject, wish.smooth);
+    const ExportSubject subject = framed_for(smoothed(request.subject, wish.smooth), wish.size_px);
     preview.image =
         draw(subject, subject.document, fitted(wish.size_px, request.space_px), wish.alpha, news);
 }
 
 void preview_film(const PreviewRequest& request, Preview& preview, ExportNews& news) {
     const ui::FilmExport& wish = request.wish.film;
-    const ExportSubject subject = smoothed(request.subject, wish.smooth);
+    const ExportSubject subject = framed_for(smoothed(request.subject, wish.smooth), wish.size_px);
     const double aspect = static_cast<double>(wish.size_px.x) / wish.size_px.y;
     const FilmScript script(plan_of(wish, subject.document), subject.document, aspect);
     preview.image = draw(subject, script.document_at(request.at),

@@ -3,6 +3,7 @@
 #include "engine/base/translation.hpp"
 #include "engine/export/pictures/picture_formats.hpp"
 #include "engine/render/color_range.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/plans/poster.hpp"
 #include "pipeline/shown_points.hpp"
@@ -55,6 +56,8 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
                         .document = subject.document,
                         .points = shown_points(request.formula.get(), subject.document,
                                                request.camera, wish.size_px.y),
+                        .of_pi = periodic_axes(*request.formula->program),
+                        .transparent = options.alpha,
                         .keeps_light = needs_light(options),
                         .keeps_normals = needs_normals(options)};
     const auto pixels =
@@ -79,7 +82,7 @@ ExportOutcome save(const ExportSubject& subject, const ui::PictureExport& wish,
 
 ExportWork picture_work(ExportSubject subject, const ui::PictureExport& wish,
                         std::filesystem::path path) {
-    return [subject = smoothed(std::move(subject), wish.smooth), wish,
+    return [subject = framed_for(smoothed(std::move(subject), wish.smooth), wish.size_px), wish,
             path = std::move(path)](ExportNews& news) { return save(subject, wish, path, news); };
 }
 

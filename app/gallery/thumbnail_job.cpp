@@ -26,8 +26,10 @@ constexpr int low_priority = 10;
 /// The request for the item's picture.
 PictureRequest request_of(const PreparedDocument& prepared, const Document& document,
                           glm::ivec2 size_px) {
-    return picture_request(prepared.formula, prepared.colors, document, thumbnail_settings(),
-                           size_px);
+    PictureRequest request =
+        picture_request(prepared.formula, prepared.colors, document, thumbnail_settings(), size_px);
+    request.settings.antialias = Antialias::None;  // thumbnail_of makes edges smooth
+    return request;
 }
 
 /// A failure leaves the thread's priority as it is, which only makes other work slower.

@@ -202,6 +202,7 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
     add_value(*draw_app, "--lines", draw.drawing.lines,
               "which lines: all (default), or some of silhouette, crease, boundary, intersection, "
               "contour, with commas");
+    add_axes_options(*draw_app, draw.trace);
     add_value(*draw_app, "--hidden", draw.drawing.hidden,
               "what surfaces hide: remove (default), dash or show");
     add_value(

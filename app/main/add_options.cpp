@@ -162,10 +162,14 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
     auto* const smooth = add_switch(app, "antialias", trace.antialias, "smooth edges: --aa iaa");
     add_value(app, "--aa", trace.aa,
-              "smooth edges: iaa (exact, by beams), none, or 4, 9, 16, 64 rays a pixel")
+              "smooth edges: iaa (default; exact, by beams), none, or 4, 9, 16, 64 rays a pixel")
         ->excludes(smooth);
     add_light_options(app, trace.light);
     add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
+    add_axes_options(app, trace);
+}
+
+void add_axes_options(CLI::App& app, TraceText& trace) {
     add_switch(app, "textbook", trace.textbook, "draw axes, clip box and grid");
     add_switch(app, "axes", trace.axes, "draw axes with numbers");
     add_value(app, "--axis-names", trace.axis_names, "names of the axes: X,Y,Z (default x,y,z)");

@@ -42,5 +42,7 @@ void add_region_options(CLI::App& app, ViewText& view);
 /// Options for region, camera and look.
 void add_view_options(CLI::App& app, ViewText& view);
 void add_trace_options(CLI::App& app, TraceText& trace);
+/// Options for axes, clip box and grid.
+void add_axes_options(CLI::App& app, TraceText& trace);
 
 }  // namespace zeroset

@@ -13,13 +13,15 @@ constexpr std::array groups{
         .about =
             R"(A picture, a film or a drawing shows what the window would show of the equation in the clip box.
 `--fit` encloses the surface first and looks at all of it; where it is bounded and sticks out of the clip box, or is
-smaller than a quarter of it, the clip box becomes a cube about it (a given `--box` stays). `--section` cuts by a plane
+smaller than a quarter of it, the clip box becomes a cube about it (a given `--box` stays). Without it that happens to
+typed surfaces that are bounded and stick out, and graphs z = f(x, y) get a box as high as they are, unless an option
+chooses box or view; a line on stderr says so. `--section` cuts by a plane
 and keeps one side, up to six times: the solid that it cuts open, f < 0, is filled with a hatched cap in the surface's
-colour. `--shadows` misses nothing that throws one, however thin. `--aa iaa` weighs each pixel by the part that a
-surface covers, by beams; 4, 9, 16 or 64 rays a pixel are there to compare with. `--no-shadows` and its like switch off
-what a saved session has.)",
+colour. `--shadows` misses nothing that throws one, however thin. Edges are smooth: each pixel is weighed by the part that
+a surface covers, by beams; `--aa none` leaves that out, 4, 9, 16 or 64 rays a pixel are there to compare with.
+`--no-shadows` and its like switch off what a saved session has.)",
         .examples = R"(render "x^2 + y^2 + z^2 = 1" -o sphere.png
-render @barth_sextic -o barth.png --size 1920x1080 --aa iaa --shadows
+render @barth_sextic -o barth.png --size 1920x1080 --shadows
 render "a = 2; x^2 + y^2 = a z, z < 1; x^2 + y^2 + (z-1)^2 = b" --set b=0.5 -o cup.png
 render @barth_sextic --section y=0 --sphere 1.8 -o cut.png
 render @barth_sextic --color-by gaussian-curvature -o curvature.png)",
@@ -48,8 +50,8 @@ where the ray enters. `--section-shows values` colours the plane by the numbers 
         .about =
             R"(Looks shade surfaces as papers do (`phong`), or make them of a material; `technical` adds lines at silhouettes,
 creases and edges. Lights that are given take the place of the look's own. [light.md](light.md) says what is proved.)",
-        .examples = R"(render @tangle --look metal --reflections 3 --shadows --aa iaa -o metal.png
-render "x^2 + y^2 + z^2 = 4; x y z = 0.5" --opacity 1:0.3 --box 2.2 --aa iaa -o layers.png)",
+        .examples = R"(render @tangle --look metal --reflections 3 --shadows -o metal.png
+render "x^2 + y^2 + z^2 = 4; x y z = 0.5" --opacity 1:0.3 --box 2.2 -o layers.png)",
         .options = "--antialias --light --reflections --opacity --absorption "
                    "--surface-look --background --alpha --tone"},
     HelpGroup{
@@ -76,7 +78,7 @@ draw @klein -o klein.pdf --hidden dash)",
         .about =
             R"(A film turns, changes parameters, or follows a way of the camera; [export.md](export.md) tells of formats, ways and
 numbered pictures.)",
-        .examples = R"(turntable @tangle -o tangle.mp4 --shadows --aa iaa
+        .examples = R"(turntable @tangle -o tangle.mp4 --shadows
 animate "x^2 + y^2 + z^2 = a" --sweep a=0.2..2 -o breath.gif)",
         .options = "--seconds --fps --frames --turn --axis --sweep --through "
                    "--through-views --end --ease --blur --shutter --frame-range "
@@ -101,7 +103,7 @@ view through the eye), +inf where it hits nothing. `--certificate` writes a PNG 
 dark (0.1) to pale (1000) by logarithms. `--stats` counts all of these, says how wide a certified pixel's bracket is
 and what drawing and writing took. `--probe` tells of a pixel: the point to the digits of double, what of them is
 proved, f, normal, distance and certificate.)",
-        .examples = R"(render @klein -o klein.png --size 32768x32768 --aa iaa --dpi 300
+        .examples = R"(render @klein -o klein.png --size 32768x32768 --dpi 300
 render @klein -o klein.exr --depth klein.pfm --certificate proved.png --stats -
 render "x^2 + y^2 + z^2 = 1" --probe 512,512)",
         .options = "--bits --dpi --quality --no-session --depth --certificate "

@@ -224,6 +224,7 @@ ParsedDocument document_of(const Json& json) {
     Fields fields(json, "", unknown);
     fields.find("zeroset");
     Document& document = read.document;
+    document.antialias = Antialias::None;  // as all that is missing in the field "look"
     document.statements = statements_of(fields.get("statements"), unknown);
     if (const Json* parameters = fields.find("parameters")) {
         read_parameters(*parameters, document, unknown);

@@ -1,9 +1,11 @@
 #include "engine/annotate/axes.hpp"
 
+#include "engine/annotate/ruler.hpp"
 #include "engine/annotate/ticks.hpp"
 #include "engine/view/image_plane.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -13,35 +15,18 @@
 namespace zeroset {
 namespace {
 
-/// Ticks are at least about so far apart, and labels this far from their axis, in em.
+/// Ticks are at least about so far apart where a unit is seen longest.
 constexpr double tick_distance_em = 4.5;
-constexpr double label_offset_em = 1.1;
-constexpr double tick_length_em = 0.3;
-constexpr double name_offset_em = 1.0;
+/// Ticks nearer to one another than this are left out, but for those with numbers.
+constexpr double least_distance_em = 0.6;
+/// Lines shorter than this have no numbers.
+constexpr double least_ruler_em = 1.6;
+constexpr double tick_length_em = 0.4;
+constexpr double number_height_em = 0.73;
 constexpr double label_height_em = 1.0;
 constexpr double label_gap_em = 0.35;
 /// Squares of the grid along the box's longest edge, at most.
 constexpr double most_squares = 16.0;
-
-struct Segment {
-    glm::dvec3 from, to;
-
-    [[nodiscard]] glm::dvec3 at(double t) const { return from + t * (to - from); }
-};
-
-/// The part [from, to] of the parameters 0 to 1.
-struct VisiblePart {
-    double from = 0.0, to = 1.0;
-
-    /// Leaves where the linear function with these values at 0 and 1 is not below 0.
-    void clip(double at_0, double at_1) {
-        if (at_0 < 0 && at_1 < 0) to = -1.0;
-        const double root = at_0 / (at_0 - at_1);
-        if (at_0 < 0 && at_1 >= 0) from = std::max(from, root);
-        if (at_0 >= 0 && at_1 < 0) to = std::min(to, root);
-    }
-    [[nodiscard]] bool empty() const { return !(from < to); }
-};
 
 struct Rectangle {
     glm::dvec2 lo, hi;
@@ -67,13 +52,17 @@ private:
     [[nodiscard]] VisiblePart visible_part(const Segment& segment) const;
     [[nodiscard]] bool is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const;
     void add_line(const Segment& segment, LineKind kind);
-    void add_ticks(int axis, const Segment& segment, const VisiblePart& part);
-    void add_tick(int axis, const Segment& segment, double value, double step);
-    void add_name(int axis, const Segment& segment, const VisiblePart& part);
-    void add_label(AxisLabel label);
+    [[nodiscard]] int up_axis() const;
     [[nodiscard]] Segment axis_segment(int axis) const;
-    [[nodiscard]] glm::dvec2 half_size(const std::string& text) const;
     [[nodiscard]] glm::dvec2 direction_at(const Segment& segment, const glm::dvec3& point) const;
+    [[nodiscard]] std::optional<Ruler> ruler_along(int axis, const Segment& segment) const;
+    [[nodiscard]] TickStep own_step(const Ruler& ruler) const;
+    bool add_ruler(const Ruler& ruler, const TickStep& step);
+    bool add_numbers(const Ruler& ruler, const TickStep& step, double width_em);
+    void add_tick(const Ruler& ruler, const glm::dvec2& at, bool hidden);
+    void add_name(const Ruler& ruler, double numbers_em, double width_em);
+    bool add_label(AxisLabel label);
+    [[nodiscard]] glm::dvec2 half_size(const std::string& text) const;
 
     const AxesView& view_;
     ImagePlane plane_;
@@ -162,9 +151,14 @@ std::vector<double> stops(double lo, double hi, double step) {
     return values;
 }
 
-void AxesMaker::add_grid() {
+/// The axis that `up` is nearest to.
+int AxesMaker::up_axis() const {
     const glm::dvec3 size = glm::abs(view_.up);
-    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    return size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+}
+
+void AxesMaker::add_grid() {
+    const int axis = up_axis();
     const double level = view_.up[axis] > 0 ? view_.clip.lo[axis] : view_.clip.hi[axis];
     const double step = tick_step(view_.clip.size() / most_squares);
     for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -209,82 +203,155 @@ glm::dvec2 AxesMaker::half_size(const std::string& text) const {
            glm::dvec2(label_width_em(text) + label_gap_em, label_height_em + label_gap_em);
 }
 
-void AxesMaker::add_axes() {
-    for (int axis = 0; axis < 3; ++axis) {
-        const Segment segment = axis_segment(axis);
-        add_line(segment, kind_of_axis(axis));
-        add_name(axis, segment, visible_part(segment));
+/// The line along an axis with the side at which its numbers stand: away from the box's middle, or
+/// for a line through that, below. Nothing where hardly any of it is seen.
+std::optional<Ruler> AxesMaker::ruler_along(int axis, const Segment& segment) const {
+    const VisiblePart part = visible_part(segment);
+    if (part.empty()) return std::nullopt;
+    const glm::dvec2 from = plane_.pixel(plane_.homogeneous(segment.at(part.from)));
+    const glm::dvec2 to = plane_.pixel(plane_.homogeneous(segment.at(part.to)));
+    Ruler ruler{.axis = axis,
+                .segment = segment,
+                .part = part,
+                .aside = below(direction_at(segment, segment.at(0.5 * (part.from + part.to)))),
+                .length_px = glm::distance(from, to)};
+    ruler.length = ruler.highest() - ruler.lowest();
+    if (ruler.length_px < least_ruler_em * view_.em) return std::nullopt;
+    if (const auto centre = plane_.pixel_of(view_.clip.centre())) {
+        const double away = glm::dot(0.5 * (from + to) - *centre, ruler.aside);
+        if (away < -0.5 * view_.em) ruler.aside = -ruler.aside;
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        const Segment segment = axis_segment(axis);
-        add_ticks(axis, segment, visible_part(segment));
-    }
+    return ruler;
 }
 
-/// Adds the axis's name beyond its end; where that is out of sight, beside the last of it that is
-/// seen, within the image.
-void AxesMaker::add_name(int axis, const Segment& segment, const VisiblePart& part) {
-    const std::string& name = view_.names.at(static_cast<std::size_t>(axis));
-    if (part.empty() || name.empty()) return;
-    const glm::dvec3 point = segment.at(part.to);
-    const glm::dvec2 end = plane_.pixel(plane_.homogeneous(point));
-    const glm::dvec2 along = direction_at(segment, point);
-    const double wider = 0.5 * std::max(label_width_em(name) - 1.0, 0.0);
-    const glm::dvec2 away = (name_offset_em + std::abs(along.x) * wider) * view_.em * along;
+/// The step that suits the line alone.
+TickStep AxesMaker::own_step(const Ruler& ruler) const {
+    const double em = ruler.length_px / view_.em;
+    const double ticks = std::max(em / tick_distance_em, std::min(2.0, em / least_ruler_em));
+    return tick_step_of(ruler.length / ticks, view_.of_pi.at(static_cast<std::size_t>(ruler.axis)));
+}
+
+/// How much of a label of this size, in em, there is along a direction in the image.
+double extent_along(const glm::dvec2& direction, double width_em) {
+    return std::abs(direction.x) * width_em + std::abs(direction.y) * number_height_em;
+}
+
+/// How far apart the middles of two labels with these widths, in em, must be in a direction.
+double apart_em(const glm::dvec2& direction, double width_em, double other_em) {
+    const glm::dvec2 along = glm::max(glm::abs(direction), 1e-9);
+    return std::min((0.5 * (width_em + other_em) + label_gap_em) / along.x,
+                    (label_height_em + label_gap_em) / along.y);
+}
+
+/// Adds ticks, numbers and the name beside a line; false where no number has room.
+bool AxesMaker::add_ruler(const Ruler& ruler, const TickStep& step) {
+    double width_em = 0.0;
+    for (const double k : {ruler.first(step), ruler.last(step)})
+        width_em = std::max(width_em, label_width_em(tick_label(k, step)));
+    if (!add_numbers(ruler, step, width_em)) return false;
+    add_name(ruler, tick_length_em + label_gap_em + 0.5 * extent_along(ruler.aside, width_em),
+             width_em);
+    return true;
+}
+
+bool AxesMaker::add_numbers(const Ruler& ruler, const TickStep& step, double width_em) {
+    // Numbers stand at every tick, or every second, fifth, tenth, so that they do not touch.
+    const double tick_px = step.length() * ruler.length_px / ruler.length;
+    const glm::dvec2 along(ruler.aside.y, ruler.aside.x);
+    const double needed_px = view_.em * apart_em(along, width_em, width_em);
+    const double every = std::max(1.0, tick_step(std::max(needed_px / tick_px, 1.0)));
+    const bool has_room = tick_px >= least_distance_em * view_.em;
+    bool any = false;
+    for (double k = ruler.first(step); k <= ruler.last(step); ++k) {
+        const bool has_number = std::fmod(k, every) == 0.0;
+        if (!has_number && !has_room) continue;
+        glm::dvec3 point = ruler.segment.from;
+        point[ruler.axis] = k * step.length();
+        const auto pixel = plane_.pixel_of(point);
+        if (!pixel) continue;
+        const bool hidden = is_hidden(point, *pixel);
+        add_tick(ruler, *pixel, hidden);
+        if (!has_number) continue;
+        const std::string text = tick_label(k, step);
+        const double reach_em =
+            tick_length_em + label_gap_em + 0.5 * extent_along(ruler.aside, label_width_em(text));
+        any |= add_label({.middle = *pixel + reach_em * view_.em * ruler.aside,
+                          .text = text,
+                          .kind = kind_of_axis(ruler.axis),
+                          .hidden = hidden});
+    }
+    return any;
+}
+
+void AxesMaker::add_tick(const Ruler& ruler, const glm::dvec2& at, bool hidden) {
+    made_.lines.push_back({.from = at,
+                           .to = at + tick_length_em * view_.em * ruler.aside,
+                           .kind = kind_of_axis(ruler.axis),
+                           .hidden = hidden});
+}
+
+/// Adds the axis's name beside the middle of the line, or another place of it, beyond its numbers,
+/// whose middles are so far away and which are so wide.
+void AxesMaker::add_name(const Ruler& ruler, double numbers_em, double width_em) {
+    const std::string& name = view_.names.at(static_cast<std::size_t>(ruler.axis));
+    if (name.empty()) return;
     const glm::dvec2 half = half_size(name);
     const glm::dvec2 size(view_.width, view_.height);
-    const glm::dvec2 middle = glm::clamp(end + away, half, glm::max(half, size - half));
-    const bool at_end = part.to >= 1.0;
-    const glm::dvec2 aside = at_end ? glm::dvec2(0.0) : label_offset_em * view_.em * below(along);
-    add_label({.middle = glm::clamp(middle + aside, half, glm::max(half, size - half)),
-               .text = name,
-               .kind = kind_of_axis(axis),
-               .hidden = is_hidden(point, end)});
+    const double reach_em =
+        numbers_em + apart_em(ruler.aside, width_em, label_width_em(name)) + 0.01;
+    for (const double place : {0.5, 0.75, 0.25, 0.95, 0.05}) {
+        const double t = std::lerp(ruler.part.from, ruler.part.to, place);
+        const glm::dvec3 point = ruler.segment.at(t);
+        const glm::dvec2 pixel = plane_.pixel(plane_.homogeneous(point));
+        const glm::dvec2 middle = pixel + reach_em * view_.em * ruler.aside;
+        if (add_label({.middle = glm::clamp(middle, half, glm::max(half, size - half)),
+                       .text = name,
+                       .kind = kind_of_axis(ruler.axis),
+                       .hidden = is_hidden(point, pixel)}))
+            return;
+    }
 }
 
-void AxesMaker::add_ticks(int axis, const Segment& segment, const VisiblePart& part) {
-    if (part.empty()) return;
-    const glm::dvec3 from = segment.at(part.from);
-    const glm::dvec3 to = segment.at(part.to);
-    const double length_px =
-        glm::distance(plane_.pixel(plane_.homogeneous(from)), plane_.pixel(plane_.homogeneous(to)));
-    const double ticks = length_px / (tick_distance_em * view_.em);
-    if (!(ticks >= 1.0)) return;
-    const double step = tick_step((to[axis] - from[axis]) / ticks);
-    for (double k = std::ceil(from[axis] / step); k * step <= to[axis]; ++k)
-        add_tick(axis, segment, k * step, step);
+/// Adds the axes themselves, and their numbers at the box's outline; where that is out of sight, at
+/// the axes. All have one step, as they have one scale, but for those that it leaves with less than
+/// two ticks, and those of multiples of pi.
+void AxesMaker::add_axes() {
+    std::array<std::optional<Ruler>, 3> rulers;
+    const auto edges = outer_edges(view_.clip, plane_, up_axis());
+    double px_per_unit = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        add_line(axis_segment(axis), kind_of_axis(axis));
+        if (edges.at(k)) rulers.at(k) = ruler_along(axis, *edges.at(k));
+        if (rulers.at(k)) add_line(*edges.at(k), kind_of_axis(axis));
+        if (!rulers.at(k)) rulers.at(k) = ruler_along(axis, axis_segment(axis));
+        if (rulers.at(k) && !view_.of_pi.at(k))
+            px_per_unit = std::max(px_per_unit, rulers.at(k)->length_px / rulers.at(k)->length);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        if (!rulers.at(k)) continue;
+        const auto step_of = [&](const Ruler& ruler) {
+            if (view_.of_pi.at(k)) return own_step(ruler);
+            const TickStep common{.num = tick_step(tick_distance_em * view_.em / px_per_unit)};
+            return ruler.last(common) > ruler.first(common) ? common : own_step(ruler);
+        };
+        if (add_ruler(*rulers.at(k), step_of(*rulers.at(k)))) continue;
+        if (const auto own = ruler_along(axis, axis_segment(axis))) add_ruler(*own, step_of(*own));
+    }
 }
 
-void AxesMaker::add_tick(int axis, const Segment& segment, double value, double step) {
-    glm::dvec3 point = segment.from;
-    point[axis] = value;
-    const auto pixel = plane_.pixel_of(point);
-    if (!pixel) return;
-    const glm::dvec2 aside = below(direction_at(segment, point));
-    const LineKind kind = kind_of_axis(axis);
-    const bool hidden = is_hidden(point, *pixel);
-    const glm::dvec2 half = 0.5 * tick_length_em * view_.em * aside;
-    made_.lines.push_back(
-        {.from = *pixel - half, .to = *pixel + half, .kind = kind, .hidden = hidden});
-    const std::string text = tick_text(value, step);
-    const double reach =
-        label_offset_em + std::abs(aside.x) * 0.5 * std::max(label_width_em(text) - 1.0, 0.0);
-    add_label({.middle = *pixel + reach * view_.em * aside,
-               .text = text,
-               .kind = kind,
-               .hidden = hidden});
-}
-
-/// Adds the label unless there is no room for it.
-void AxesMaker::add_label(AxisLabel label) {
+/// Adds the label; false where there is no room for it.
+bool AxesMaker::add_label(AxisLabel label) {
     const glm::dvec2 half = half_size(label.text);
     const Rectangle place{.lo = label.middle - half, .hi = label.middle + half};
     const bool inside = place.lo.x >= 0 && place.lo.y >= 0 && place.hi.x <= view_.width &&
                         place.hi.y <= view_.height;
     const auto meets = [&](const Rectangle& other) { return place.meets(other); };
-    if (!inside || std::ranges::any_of(taken_, meets)) return;
+    if (!inside || std::ranges::any_of(taken_, meets)) return false;
     taken_.push_back(place);
     made_.labels.push_back(std::move(label));
+    return true;
 }
 
 }  // namespace

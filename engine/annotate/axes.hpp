@@ -25,9 +25,14 @@ inline constexpr AxisColors axes_on_dark{
 inline constexpr AxisColors axes_on_light{
     .axes = {0xFF2F2FC4U, 0xFF228238U, 0xFFC8601FU}, .clip_box = 0xA042342AU, .grid = 0x4042342AU};
 
+/// Colours between these, for pictures that are laid on anything.
+inline constexpr AxisColors axes_on_anything{
+    .axes = {0xFF4645DBU, 0xFF3C9A4BU, 0xFFDE7C38U}, .clip_box = 0xE08A8480U, .grid = 0x908A8480U};
+
 /// Which of axes, clip box and grid are drawn.
 struct AxesChoice {
-    bool axes = false;      ///< through the origin or, where the box does not hold it, beside it
+    bool axes = false;      ///< through the origin or, where the box does not hold it, beside it;
+                            ///< with numbers at outer edges of the box
     bool clip_box = false;  ///< its edges
     bool grid = false;      ///< on the box's floor
 
@@ -43,10 +48,10 @@ struct AxisLine {
     bool hidden;  ///< behind a surface
 };
 
-/// A number at a tick, or the name at the end of an axis.
+/// A number at a tick, or the name of an axis.
 struct AxisLabel {
     glm::dvec2 middle;
-    std::string text;  ///< UTF-8: as tick_text's, or the axis's name
+    std::string text;  ///< UTF-8: as tick_label's, or the axis's name
     LineKind kind;     ///< of its axis
     bool hidden;
 };
@@ -64,7 +69,8 @@ struct AxesView {
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< the floor is where the box ends against the nearest axis
     int width = 0, height = 0;     ///< pixels
     double em = 12.0;              ///< size of the labels' font, pixels
-    std::array<std::string, 3> names{"x", "y", "z"};  ///< at the axes' ends; UTF-8
+    std::array<std::string, 3> names{"x", "y", "z"};  ///< beside the numbers; UTF-8
+    std::array<bool, 3> of_pi{};                      ///< ticks at multiples of pi
 };
 
 /// Lines and labels, and which pieces of them are behind what `shown` shows: a picture of the

@@ -54,6 +54,13 @@ AxisStyle axis_style_on(const Background& background, double em) {
             .halo = faded(ground, halo_opacity)};
 }
 
+AxisStyle axis_style_on_anything(double em) {
+    AxisStyle style = axis_style_on(Background(), em);
+    style.colors = axes_on_anything;
+    style.label_outline = style.halo = 0;
+    return style;
+}
+
 Shapes axis_shapes(const Axes& axes, const AxisStyle& style) {
     Shapes shapes;
     const auto width_of = [&style](LineKind kind) {

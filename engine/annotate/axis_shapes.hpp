@@ -24,6 +24,10 @@ struct AxisStyle {
 /// The style that is readable on this background and on surfaces before it.
 AxisStyle axis_style_on(const Background& background, double em);
 
+/// The style for pictures without a background, on whatever they are laid: no halos, and colours
+/// that are neither light nor dark.
+AxisStyle axis_style_on_anything(double em);
+
 /// Halos, lines, then labels.
 Shapes axis_shapes(const Axes& axes, const AxisStyle& style);
 

@@ -8,8 +8,10 @@ namespace zeroset {
 std::uint32_t blended(std::uint32_t under, std::uint32_t over, double coverage) {
     constexpr std::uint32_t one = 1U << 16U;
     const double opacity = coverage * static_cast<double>(over >> 24U) / 255.0;
-    const auto part = static_cast<std::uint32_t>(opacity * one);
-    std::uint32_t mixed = 0xFF000000U;
+    const double before = (1.0 - opacity) * static_cast<double>(under >> 24U) / 255.0;
+    if (!(opacity + before > 0.0)) return under;
+    const auto part = static_cast<std::uint32_t>(opacity / (opacity + before) * one);
+    std::uint32_t mixed = static_cast<std::uint32_t>((opacity + before) * 255.0 + 0.5) << 24U;
     for (const unsigned shift : {0U, 8U, 16U}) {
         const std::uint32_t from = under >> shift & 0xFFU;
         const std::uint32_t to = over >> shift & 0xFFU;

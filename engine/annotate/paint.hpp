@@ -10,8 +10,8 @@
 
 namespace zeroset {
 
-/// `over` on `under`, colours as in Framebuffer::color: as much of it as its opacity times
-/// `coverage` says. The result is opaque.
+/// `over` on `under`, colours not multiplied by their alpha: as much of it as its opacity times
+/// `coverage` says.
 std::uint32_t blended(std::uint32_t under, std::uint32_t over, double coverage);
 
 /// A line of the picture's colours with smooth edges, its ends cut straight: lines that go on where

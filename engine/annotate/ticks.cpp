@@ -1,9 +1,13 @@
 #include "engine/annotate/ticks.hpp"
 
+#include "engine/base/translation.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
+#include <numeric>
 
 namespace zeroset {
 namespace {
@@ -16,6 +20,7 @@ double width_em(char letter) {
         case '.':
         case ' ': return 0.318;
         case '-': return 0.361;
+        case '/': return 0.337;
         case 'm':
         case 'w':
         case 'M':
@@ -50,6 +55,30 @@ std::string tick_text(double value, double step) {
         std::snprintf(digits.data(), digits.size(), "%.*f", std::min(decimals, 17), size);
     }
     return (value < 0 ? minus_sign : "") + std::string(digits.data());
+}
+
+double TickStep::length() const { return num / den * (of_pi ? std::numbers::pi : 1.0); }
+
+TickStep tick_step_of(double length, bool of_pi) {
+    constexpr double finest = 1.0 / 12.0;
+    const double in_pi = length / std::numbers::pi;
+    if (!of_pi || in_pi < 0.25 * finest) return {.num = tick_step(length)};
+    for (const double den : {12.0, 6.0, 4.0, 2.0}) {
+        if (1.0 / den >= in_pi * (1.0 - 1e-9)) return {.num = 1.0, .den = den, .of_pi = true};
+    }
+    return {.num = std::max(tick_step(in_pi), 1.0), .of_pi = true};
+}
+
+std::string tick_label(double k, const TickStep& step) {
+    if (!step.of_pi || k == 0.0) return localized(tick_text(k * step.num, step.num));
+    const auto over = static_cast<long long>(std::abs(k) * step.num);
+    const auto under = static_cast<long long>(step.den);
+    const long long common = std::gcd(over, under);
+    std::string text = k < 0 ? minus_sign : "";
+    if (over != common) text += std::to_string(over / common);
+    text += "\u03C0";
+    if (under != common) text += "/" + std::to_string(under / common);
+    return text;
 }
 
 double label_width_em(const std::string& text) {

@@ -43,10 +43,33 @@ struct DrawnPath {
     std::vector<Bezier> pieces = {};
 };
 
+/// A straight line of axes, box or grid, in points of the page; one of no length is a dot.
+struct DrawnLine {
+    glm::dvec2 from, to;
+    double width_pt = 1.0;
+    std::uint32_t color = 0;  ///< 0xRRGGBB
+    bool hidden = false;      ///< a surface lies before it
+};
+
+/// A number, a name or a label.
+struct DrawnText {
+    std::string words;  ///< one line of UTF-8
+    glm::dvec2 middle;  ///< of its width, half as high as its digits, in points of the page
+    double em_pt = 10.0;
+    std::uint32_t color = 0;  ///< 0xRRGGBB
+};
+
+/// Lines and letters beside and behind the curves of a drawing.
+struct DrawnMarks {
+    std::vector<DrawnLine> lines = {};  ///< below the curves
+    std::vector<DrawnText> texts = {};  ///< over them
+};
+
 /// Curves on a page, as plain numbers.
 struct LineDrawing {
     PageSize size;
     std::vector<DrawnPath> paths = {};
+    DrawnMarks marks = {};
     FindingReport report = {};
     std::array<bool, 5> cut{};  ///< by CurveKind: the time did not suffice for all of them
     bool all_seams = true;      ///< false: some jumps are left out, as there were too many

@@ -78,8 +78,8 @@ std::uint32_t drawn_color(const Framebuffer& frame, const Framebuffer& painted, 
     constexpr std::uint32_t opaque = 0xFF000000U;
     const std::uint32_t color = frame.color[pixel];
     const bool is_hit = frame.depth[pixel] < std::numeric_limits<float>::infinity();
-    if (painted.color[pixel] != color || (is_hit && !is_partly_drawn(color)))
-        return painted.color[pixel] | opaque;
+    if (painted.color[pixel] != color) return painted.color[pixel];
+    if (is_hit && !is_partly_drawn(color)) return color | opaque;
     return is_partly_drawn(color) ? without_background(color, background) : 0;
 }
 

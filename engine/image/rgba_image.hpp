@@ -17,7 +17,8 @@ struct RgbaImage {
 };
 
 /// The colour of a pixel of `frame` without its background, a colour as of Framebuffer; 0: only
-/// that is seen. `painted`: the frame with what was drawn over it, which is not transparent.
+/// that is seen. `painted`: the frame with what was drawn over it; a pixel that it has changed is
+/// without its background there.
 std::uint32_t drawn_color(const Framebuffer& frame, const Framebuffer& painted, std::size_t pixel,
                           std::uint32_t background);
 

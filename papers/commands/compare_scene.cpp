@@ -57,6 +57,7 @@ OrInputError<PictureRequest> compiled(const BenchItem& item, const TraceSettings
     if (!item.read.rows) return std::unexpected(item.read.rows.error());
     Document document = item.read.document;
     document.light = {};
+    document.antialias = Antialias::None;
     const auto prepared = prepare(document, *item.read.rows, Preparation::Compiled);
     if (!prepared) return std::unexpected(prepared.error());
     PictureRequest request = picture_request(prepared->formula, prepared->colors, document,

@@ -6,6 +6,7 @@
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"
 #include "pipeline/finish_picture.hpp"
+#include "pipeline/periodic_axes.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/shown_points.hpp"
 
@@ -144,6 +145,7 @@ private:
     std::optional<SectionValues> section_values_;
     Uniforms uniforms_;
     std::vector<ShownPoint> points_;
+    std::array<bool, 3> of_pi_ = periodic_axes(*film_.prepared.formula->program);
 };
 
 NumberedFrame FrameDrawer::empty_frame() const {
@@ -194,7 +196,9 @@ std::optional<std::string> FrameDrawer::draw(NumberedFrame& drawn, FilmWork& wor
                                                 .uniforms = uniforms_,
                                                 .section_values = section_values_,
                                                 .legend = film_.legend,
-                                                .points = points_});
+                                                .points = points_,
+                                                .of_pi = of_pi_,
+                                                .transparent = film_.transparent});
     if (!painted) return painted.error();
     drawn.painted = std::move(*painted);
     work.drawing_ms += ms_since(start);

@@ -25,6 +25,7 @@ struct Film {
     int last = 0;   ///< the last one
     FrameRangeChoice frame_range = {};
     bool legend = true;        ///< draw a legend, if the colours stand for something
+    bool transparent = false;  ///< see FrameSubject
     bool keeps_light = false;  ///< frames have Framebuffer::light
     bool keeps_normals = false;
     /// Seconds after which what is not decided of a frame stays undecided.

@@ -21,6 +21,10 @@ struct FilmTarget {
     std::optional<FrameNames> names;
     const PictureFormat* picture = nullptr;
     PictureOptions picture_options;
+
+    [[nodiscard]] bool transparent() const {
+        return names ? picture_options.alpha : settings.alpha;
+    }
 };
 
 /// Writes a film's frames. One thread calls.

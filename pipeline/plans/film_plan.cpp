@@ -1,5 +1,7 @@
 #include "pipeline/plans/film_plan.hpp"
 
+#include "document/framing.hpp"
+
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -79,10 +81,11 @@ std::vector<double> moments_of(const FilmPlan& plan, int frame) {
 FilmScript::FilmScript(FilmPlan plan, Document document, double aspect)
     : plan_(std::move(plan)),
       document_(std::move(document)),
-      first_(document_.camera.value_or(default_camera(document_.clip, aspect, document_.up))),
+      first_(
+          document_.camera.value_or(default_camera(box_in_view(document_), aspect, document_.up))),
       path_(plan_.path, plan_.end == FilmEnd::Loop) {
     if (!document_.camera && plan_.turn)
-        first_ = framed_for_turn(first_, *plan_.turn, document_.clip, aspect);
+        first_ = framed_for_turn(first_, *plan_.turn, box_in_view(document_), aspect);
 }
 
 Camera FilmScript::camera_at(double progress) const {

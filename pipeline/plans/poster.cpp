@@ -36,7 +36,9 @@ FrameSubject subject_of(const Poster& poster) {
             .uniforms = poster.scene.uniforms,
             .section_values = poster.scene.section_values,
             .legend = poster.legend,
-            .points = poster.points};
+            .points = poster.points,
+            .of_pi = poster.of_pi,
+            .transparent = poster.transparent};
 }
 
 /// The poster in small, with nothing but what its surfaces hide.

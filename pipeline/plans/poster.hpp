@@ -8,6 +8,7 @@
 #include "engine/trace/tracer.hpp"
 #include "engine/view/camera.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <expected>
@@ -27,8 +28,10 @@ struct Poster {
     Document document;                    ///< whose axes, markers and so on are drawn over it
     std::vector<ShownPoint> points = {};  ///< whose names are, too
     bool legend = true;                   ///< draw a legend, if the colours stand for something
-    bool keeps_light = false;             ///< bands have Framebuffer::light
-    bool keeps_normals = false;           ///< and Framebuffer::normal
+    std::array<bool, 3> of_pi{};          ///< see FrameSubject, as the next one
+    bool transparent = false;
+    bool keeps_light = false;    ///< bands have Framebuffer::light
+    bool keeps_normals = false;  ///< and Framebuffer::normal
     /// Seconds after which what is not decided of a band stays undecided.
     double band_budget_s = std::numeric_limits<double>::infinity();
 };

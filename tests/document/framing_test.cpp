@@ -2,7 +2,10 @@
 
 #include "document/framing.hpp"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace zeroset::test::framing_test {
 namespace {
@@ -78,6 +81,53 @@ TEST(Framing, SaysThatThereIsNoSurface) {
     EXPECT_FALSE(framing.found);
     EXPECT_EQ(framing.document, document_with(1));
     EXPECT_EQ(framing.note, "no surface: f vanishes nowhere near the clip box");
+}
+
+/// Whether all corners of the box are in the picture, at least `room` of its half height or width
+/// within its edges.
+bool is_in_view(const Camera& camera, const Box& box, double aspect, double room) {
+    for (int corner = 0; corner < 8; ++corner) {
+        glm::dvec3 point = box.lo;
+        for (int i = 0; i < 3; ++i)
+            if ((corner >> i & 1) != 0) point[i] = box.hi[i];
+        const glm::dvec3 place = ViewFrame(camera).homogeneous(point);
+        if (std::abs(place.x / place.z) > aspect * (1.0 - room)) return false;
+        if (std::abs(place.y / place.z) > 1.0 - room) return false;
+    }
+    return true;
+}
+
+TEST(WholeView, HasTheDrawnBoxAndItsNumbersInPicturesOfAnyShape) {
+    Document document = document_with(2);
+    document.clip = {{-1, -3, 0}, {2, 3, 1}};
+    const Camera camera{{9, -3, 2}, {1, 1, 0}, {0, 0, 1}, 0.7};
+    for (const double aspect : {0.4, 1.0, 1.6, 3.0}) {
+        document.axes = false;
+        EXPECT_TRUE(is_in_view(whole_view(camera, document, aspect), document.clip, aspect, 0.0));
+        document.axes = true;
+        EXPECT_TRUE(is_in_view(whole_view(camera, document, aspect), document.clip, aspect, 0.1));
+    }
+}
+
+TEST(Framing, LooksAtTheBoxWhereItIsDrawn) {
+    const Box sphere = Box::cube(1.01);
+    Document document = document_with(2);
+    document.clip_box = true;
+    const Framing framing = frame_surfaces(document, {sphere, sphere, {}}, 1.5);
+    EXPECT_TRUE(is_in_view(*framing.document.camera, document.clip, 1.5, 0.0));
+}
+
+TEST(Framing, OfItselfFollowsABoundedSurfaceBeyondTheUsualBoxAndBack) {
+    const Document usual = document_with(2);
+    EXPECT_FALSE(frame_by_itself(usual, {Box::cube(1.5), Box::cube(1.5), {}}, 1.0));
+    EXPECT_FALSE(frame_by_itself(usual, {{}, Box::cube(2), {}}, 1.0)) << "it goes on";
+    const auto framing = frame_by_itself(usual, {Box::cube(5), Box::cube(2), {}}, 1.0);
+    ASSERT_TRUE(framing);
+    EXPECT_LT(glm::distance(framing->document.clip.hi, glm::dvec3(5.1)), 1e-12);
+    EXPECT_FALSE(frame_by_itself(framing->document, {Box::cube(5), Box::cube(5), {}}, 1.0));
+    const auto back = frame_by_itself(framing->document, {Box::cube(1), Box::cube(1), {}}, 1.0);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->document.clip, Box());
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ SPHERE = "x^2 + y^2 + z^2 = 1"
 
 class BudgetTest(ProgramTest):
     def test_what_is_left_is_undecided(self):
-        result = run("render", "-", "--size", "96x64", "--budget", 1, "-o", "out.png",
+        result = run("render", "-", "--box", 2, "--size", "96x64", "--budget", 1, "-o", "out.png",
                      "--certificate", "c.png", "--stats", "s.json", stdin=ENDLESS,
                      cwd=self.folder)
         self.assertEqual(result.code, 0, str(result))
@@ -140,7 +140,7 @@ class SignalTest(ProgramTest):
         return b"".join(written).decode()
 
     def test_progress_on_a_terminal(self):
-        text = self.on_terminal("render", "-", "--size", "64x64", "--budget", 3, "-o", "out.png",
+        text = self.on_terminal("render", "-", "--box", 2, "--size", "64x64", "--budget", 3, "-o", "out.png",
                                 stdin=ENDLESS)
         lines = text.split("\r\x1b[J")
         drawing = [line for line in lines[1:-1] if not re.fullmatch(r"compiling, \d+ s", line)]

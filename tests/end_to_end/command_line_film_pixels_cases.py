@@ -4,7 +4,7 @@ import subprocess
 
 from zeroset_program import ProgramTest, to_try
 
-SURFACE = "(x^2 + y^2 + z^2 + 3)^2 = 16*(x^2 + y^2)"
+SURFACE = "(x^2 + y^2 + z^2 + 0.75)^2 = 4*(x^2 + y^2)"
 SIZE = (64, 48)
 FRAMES = 4
 FRAME_BYTES = SIZE[0] * SIZE[1] * 4

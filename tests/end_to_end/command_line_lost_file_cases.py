@@ -12,7 +12,7 @@ SURFACE = "x^2 + y^2 + z^2 = 1"
 PICTURE = ["render", SURFACE, "--size", "90x60"]
 FILM = ["turntable", SURFACE, "--size", "64x48", "--frames", "6"]
 MESH = ["mesh", SURFACE, "--tolerance", "0.05"]
-DRAWING = ["draw", "z = x^2 + y^2"]
+DRAWING = ["draw", "z = x^2 + y^2", "--box", "2"]
 EXPORTS = [(command, ending) for command, endings in (
     (PICTURE, ("png", "jpg", "webp", "tif", "exr", "bmp", "tga", "hdr")),
     (FILM, ("mp4", "webm", "mov", "mkv", "gif", "apng", "#.png")),

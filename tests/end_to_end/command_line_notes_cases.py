@@ -22,3 +22,14 @@ class NotesTest(ProgramTest):
                     cwd=self.folder)
         self.assertEqual(boxed.err, "")
         self.assertEqual(read_png(self.folder / "n.png").rgb, read_png(self.folder / "b.png").rgb)
+
+    def test_a_bounded_surface_is_shown_whole(self):
+        large = ("render", "x^2 + y^2 + z^2 = 25", "--size", "40x40", "--depth", "out.pfm")
+        for options in (("--quiet",), ("--box", "2"), ("--eye", "9,9,9")):
+            self.run_ok(*large, *options)
+        self.run_ok("render", "x^2 + y^2 + z^2 = 2", *large[2:])
+        for command, note in ((large, "clip box"), (("render", "z = exp(x)", *large[2:]), "z from")):
+            noted = run(*command, cwd=self.folder)
+            self.assertEqual(noted.code, 0)
+            self.assertIn(note, noted.err)
+            self.assertIn("--box 2 keeps", noted.err)

@@ -51,7 +51,7 @@ class RenderTest(ProgramTest):
 
     def test_hits_are_drawn_before_the_background(self):
         """The picture differs from an empty one just where the depth is finite."""
-        arguments = ["--size", "48x40", "--box", "2"]
+        arguments = ["--size", "48x40", "--box", "2", "--aa", "none"]
         depth = self.depth(SPHERE, *arguments)
         ball, empty = (self.picture(text, *arguments) for text in (SPHERE, "x = 1000"))
         for col, row, distance in depth.pixels():
@@ -149,7 +149,7 @@ class RenderTest(ProgramTest):
 
     def test_looks_change_the_picture_only(self):
         pictures, depths = set(), []
-        for options in ([], ["--shadows"], ["--aa", "16"], ["--aa", "iaa"],
+        for options in (["--aa", "none"], ["--shadows", "--aa", "none"], ["--aa", "16"], [],
                         ["--shadows", "--aa", "iaa"]):
             depths.append(self.depth("@tangle", "--size", "80x60", "-o", "out.png",
                                      *options).values)
@@ -178,6 +178,15 @@ class RenderTest(ProgramTest):
         for options, colour_type in (([], 2), (["--alpha"], 6)):
             self.depth("@sphere", "--size", "80x60", "-o", "out.png", "--aa", "iaa", *options)
             self.assertEqual((self.folder / "out.png").read_bytes()[25], colour_type)
+
+    def test_edges_are_smooth_unless_they_are_not_wanted(self):
+        pictures = {}
+        for options in ((), ("--aa", "iaa"), ("--aa", "none"), ("--no-antialias",)):
+            self.depth("@sphere", "--size", "80x60", "-o", "out.png", *options)
+            pictures[options] = (self.folder / "out.png").read_bytes()
+        self.assertEqual(pictures[()], pictures["--aa", "iaa"])
+        self.assertEqual(pictures["--aa", "none"], pictures["--no-antialias",])
+        self.assertNotEqual(pictures[()], pictures["--aa", "none"])
 
     def test_a_document_keeps_its_look(self):
         file = self.folder / "look.zeroset.json"
@@ -281,7 +290,8 @@ class RenderTest(ProgramTest):
         file = self.folder / "marked.zeroset.json"
         statements = [{"text": "x^2 + y^2 + z^2 = a"}]
         file.write_text(json.dumps({
-            "zeroset": 1, "statements": statements, "color": {"by": "height", "range": [-1, 1]},
+            "zeroset": 1, "statements": statements, "look": {"antialias": True},
+            "color": {"by": "height", "range": [-1, 1]},
             "markers": [{"number": 1, "at": [0, -1, 0]}]}))
         result = run("render", file, "--size", "240x180", "-o", "document.png", "--no-session",
                      cwd=self.folder)

@@ -94,11 +94,35 @@ class FileTest(DrawingTest):
         self.assertEqual(text.count("\\begin{scope}"), text.count("\\end{scope}"))
         self.assertGreater(text.count("\\draw"), 2)
 
+    def test_axes_are_lines_and_letters(self):
+        drawing = ("z = sin(x) cos(y)", "--box", "3.3", "--textbook", "--axis-names", "length,y,a&b",
+                   "--mark", "0,0,0; label 50 %")
+        for ending in ("svg", "tex", "pdf"):
+            self.run_ok("draw", *drawing, "-o", "axes." + ending)
+            self.run_ok("draw", *drawing, "--no-textbook", "-o", "plain." + ending)
+        root = ET.parse(self.folder / "axes.svg").getroot()
+        groups = {group.get("id"): group for group in root}
+        words = {text.text for text in groups["labels"]}
+        self.assertLessEqual({"length", "y", "a&b", "50 %", "0", "\u2212\u03c0"}, words)
+        self.assertGreater(len(groups["axes"]), 30)
+        colors = {line.get("stroke") for line in groups["axes"]}
+        self.assertEqual(len(colors), 6, "three axes, box, grid and the marker")
+        for text in groups["labels"]:
+            self.assertTrue(0 < float(text.get("x")) < 400 and 0 < float(text.get("y")) < 400)
+        plain = ET.parse(self.folder / "plain.svg").getroot()
+        self.assertEqual({text.text for group in plain if group.get("id") == "labels"
+                          for text in group}, {"50 %"})
+        tex = (self.folder / "axes.tex").read_text(encoding="utf-8")
+        for word in ("{length}", "{$y$}", "{a\\&b}", "{50 \\%}", "{$0$}", "{$-\\pi $}"):
+            self.assertIn(word, tex)
+        self.assertTrue(tex.isascii())
+        self.assertIn(b"/FontFile2", (self.folder / "axes.pdf").read_bytes())
+
     def test_hidden_lines(self):
         spheres = "(x-1)^2 + (y+1.6)^2 + z^2 = 0.5; x^2 + y^2 + z^2 = 1"
-        dashed = self.svg(spheres, "--hidden", "dash")
-        removed = self.svg(spheres)
-        shown = self.svg(spheres, "--hidden", "show")
+        dashed = self.svg(spheres, "--box", 2, "--hidden", "dash")
+        removed = self.svg(spheres, "--box", 2)
+        shown = self.svg(spheres, "--box", 2, "--hidden", "show")
         self.assertTrue(any(path.hidden for path in dashed[1]))
         self.assertFalse(any(path.hidden for path in removed[1]))
         self.assertTrue(all(("stroke-dasharray" in group.attrib) ==

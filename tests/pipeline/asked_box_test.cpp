@@ -50,5 +50,46 @@ TEST(AskedBox, IsOneForWhatHasNoHeights) {
     EXPECT_EQ(box->hi.z, Box().hi.z);
 }
 
+/// The box of a text in which the slider a is at `a`.
+std::optional<Box> graph_box_for(std::string_view text, double a = 1.0) {
+    const auto program = read_program(text);
+    Document document;
+    document.parameters["a"] = {.value = a};
+    return program ? graph_box(*program, document) : std::nullopt;
+}
+
+TEST(GraphBox, IsAsHighAsTheGraph) {
+    const auto box = graph_box_for("z = a sin(x) cos(y)", 1.5);
+    ASSERT_TRUE(box);
+    EXPECT_EQ(box->lo.x, -2.0);
+    EXPECT_NEAR(box->lo.z, -1.65, 0.06);
+    EXPECT_NEAR(box->hi.z, 1.65, 0.06);
+    EXPECT_TRUE(graph_box_for("x^2/4 = z"));
+    EXPECT_TRUE(graph_box_for("f(x, y) = x^2/4"));
+}
+
+TEST(GraphBox, IsNoHigherThanWideAndHoldsMostOfTheGraph) {
+    const auto bowl = graph_box_for("z = x^2 + y^2");
+    ASSERT_TRUE(bowl);
+    EXPECT_NEAR(bowl->lo.z, -0.1, 0.05);
+    EXPECT_NEAR(bowl->hi.z, 4.0, 0.1);
+    const auto saddle = graph_box_for("z = x^2 - y^2");
+    ASSERT_TRUE(saddle);
+    EXPECT_NEAR(saddle->lo.z, -saddle->hi.z, 0.3);
+}
+
+TEST(GraphBox, IsNoPlate) {
+    const auto box = graph_box_for("z = 0.001 x + 7");
+    ASSERT_TRUE(box);
+    EXPECT_NEAR(box->centre().z, 7.0, 0.1);
+    EXPECT_GE(box->hi.z - box->lo.z, 1.0);
+}
+
+TEST(GraphBox, IsOfGraphsAlone) {
+    for (const char* text : {"x^2 + y^2 + z^2 = 1", "z = x z", "x = y^2", "z = x; x^2 + y^2 = 1",
+                             "z = sqrt(-1 - x^2)"})
+        EXPECT_FALSE(graph_box_for(text)) << text;
+}
+
 }  // namespace
 }  // namespace zeroset::asked_box_test

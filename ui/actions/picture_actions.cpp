@@ -36,7 +36,9 @@ bool has_smooth_edges(const UiState& state) {
 }
 
 void toggle_smooth_edges(UiState& state) {
-    state.edited.document.antialias = smooth_edges(!has_smooth_edges(state));
+    const bool smooth = !has_smooth_edges(state);
+    state.edited.document.antialias = smooth_edges(smooth);
+    state.edited.layout.smooth_edges = smooth;
 }
 
 bool is_parallel(const std::optional<Camera>& camera) {

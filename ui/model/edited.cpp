@@ -18,9 +18,14 @@ void show_as_new(Document& document, const Layout& layout) {
     document.grid = document.grid || layout.grid;
 }
 
+void smooth_as_new(Document& document, const Layout& layout) {
+    document.antialias = smooth_edges(layout.smooth_edges);
+}
+
 Document new_document(const Layout& layout) {
     Document document = empty_document();
     show_as_new(document, layout);
+    smooth_as_new(document, layout);
     return document;
 }
 

@@ -43,6 +43,7 @@ struct Layout {
     bool axes = true;
     bool clip_box = true;
     bool grid = true;
+    bool smooth_edges = true;
 
     WheelUse wheel = WheelUse::Zoom;
     std::optional<Language> language = {};  ///< of the window's texts; nothing: the desktop's
@@ -67,6 +68,8 @@ inline float shown_letters(const Layout& layout) {
 
 /// Shows what new documents begin with, besides what the document shows.
 void show_as_new(Document& document, const Layout& layout);
+/// Makes edges as smooth as those of new documents are.
+void smooth_as_new(Document& document, const Layout& layout);
 
 /// An empty document as the window begins it.
 Document new_document(const Layout& layout);

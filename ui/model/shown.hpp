@@ -14,6 +14,7 @@
 #include "ui/model/export_page.hpp"
 #include "ui/model/inspection.hpp"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -74,7 +75,8 @@ struct ShownPicture {
     std::optional<ValueRange> usual_section_range = std::nullopt;  ///< of most of these
     Shapes contour_labels = {};                                    ///< in pixels of the canvas
     std::optional<double> contour_step = std::nullopt;             ///< of its contour lines
-    bool tracing = false;  ///< a finer picture is on its way
+    std::array<bool, 3> of_pi{};  ///< axes whose numbers are multiples of pi
+    bool tracing = false;         ///< a finer picture is on its way
     /// The picture is of another text than the rows', and so little of it is seen: 0 (all) to 1.
     float dimmed = 0.0F;
 };

@@ -1,5 +1,6 @@
 #include "ui/model/steering.hpp"
 
+#include "document/framing.hpp"
 #include "engine/view/navigation.hpp"
 
 #include <cmath>
@@ -55,13 +56,6 @@ Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& 
     }
     moved.fov_rad = camera.fov_rad;
     return camera_defect(moved) == nullptr ? moved : camera;
-}
-
-Camera fitting(const Camera& camera, double aspect) {
-    if (!(aspect > 0.0) || aspect >= 1.0) return camera;
-    Camera wider = camera;
-    wider.fov_rad = 2.0 * std::atan(std::tan(0.5 * camera.fov_rad) / aspect);
-    return wider;
 }
 
 }  // namespace zeroset::ui

@@ -36,10 +36,6 @@ PointerMotion scrolled(WheelUse use, double x, double y, bool ctrl, bool shift);
 /// motion would lead to one that sees nothing.
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning);
 
-/// The camera that a picture of this aspect is taken with. The field of view is that of the smaller
-/// side: a picture narrower than high is not cropped at the sides.
-Camera fitting(const Camera& camera, double aspect);
-
 /// How dragging turns the document's view.
 TurnMode turn_mode_of(const Document& document);
 

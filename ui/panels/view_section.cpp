@@ -23,13 +23,14 @@ void draw_projection(std::optional<Camera>& camera) {
     draw_tooltip(tr("All rays have one direction: things do not get smaller with distance (5)."));
 }
 
-void draw_light(Document& document) {
+void draw_light(UiState& state) {
+    Document& document = state.edited.document;
     ImGui::Checkbox(labelled(tr("Shadows"), "###shadows").c_str(), &document.shadows);
     draw_tooltip(tr("Let the surfaces throw shadows, once the picture rests."));
     ImGui::SameLine(0.0F, em(1.2F));
     bool smooth = document.antialias != Antialias::None;
     if (ImGui::Checkbox(labelled(tr("Smooth edges"), "###antialias").c_str(), &smooth))
-        document.antialias = smooth_edges(smooth);
+        action_named("Smooth edges").run(state);
     draw_tooltip(
         tr("Show pixels part by part where they hold more than one smooth sheet, "
            "once the picture rests."));
@@ -82,7 +83,7 @@ float view_section_height() { return 4.0F * ImGui::GetFrameHeightWithSpacing(); 
 
 void draw_view_section(UiState& state) {
     draw_projection(state.edited.document.camera);
-    draw_light(state.edited.document);
+    draw_light(state);
     draw_wheel(state.edited.layout.wheel);
     draw_space_buttons(state);
 }

@@ -10,14 +10,15 @@
 namespace zeroset::ui {
 namespace {
 
-AxesView view_of(const Document& document, const Camera& camera, const ImVec2& extent) {
+AxesView view_of(const Document& document, const ShownPicture& picture, const ImVec2& extent) {
     return {.clip = document.clip,
-            .camera = camera,
+            .camera = picture.camera,
             .up = document.up,
             .width = static_cast<int>(extent.x),
             .height = static_cast<int>(extent.y),
             .em = small_em(),
-            .names = document.axis_names};
+            .names = document.axis_names,
+            .of_pi = picture.of_pi};
 }
 
 AxisStyle style_of(const Edited& edited) {
@@ -37,7 +38,7 @@ void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const Edi
         .axes = document.axes, .clip_box = document.clip_box, .grid = document.grid};
     const ImVec2 extent(hi.x - lo.x, hi.y - lo.y);
     if (!choice.any() || picture.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
-    const Axes axes = make_axes(view_of(document, picture.camera, extent), choice, *picture.frame);
+    const Axes axes = make_axes(view_of(document, picture, extent), choice, *picture.frame);
     canvas.PushClipRect(lo, hi, true);
     draw_shapes(canvas, lo, axis_shapes(axes, style_of(edited)));
     canvas.PopClipRect();

@@ -1,5 +1,6 @@
 #include "app/cli/options/view_options.hpp"
 #include "document/camera_text.hpp"
+#include "document/framing.hpp"
 #include "document/views.hpp"
 #include "engine/base/text.hpp"
 #include "pipeline/input_error.hpp"
@@ -28,12 +29,16 @@ OrInputError<std::optional<Camera>> first_camera(const ViewText& view, const Doc
     const Camera camera = document.camera.value_or(default_camera(document.clip));
     if (view.saved_view) return saved_camera("--view", *view.saved_view, document);
     if (view.camera) return read_camera("--camera", *view.camera, camera);
-    if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
-        return std::nullopt;
+    if (!chooses_camera(view)) return std::nullopt;
     return camera;
 }
 
 }  // namespace
+
+bool chooses_camera(const ViewText& view) {
+    return view.saved_view || view.camera || view.eye || view.look_at || view.up || view.fov ||
+           view.projection;
+}
 
 OrInputError<Camera> read_camera(const std::string& option, const std::string& text,
                                  const Camera& base) {
@@ -49,6 +54,22 @@ OrInputError<Camera> saved_camera(const std::string& option, const std::string& 
     return wrong_input(option + " " + wanted + ": there is no such view; " +
                        (document.views.empty() ? "the document has no saved ones"
                                                : "there are: " + view_names(document.views)));
+}
+
+void fit_camera(const ViewText& view, bool stored, double aspect, Document& document) {
+    if (chooses_camera(view) || !document.camera) return;
+    document.camera = !stored && draws_box(document)
+                          ? whole_view(*document.camera, document, aspect)
+                          : fitting(*document.camera, aspect);
+}
+
+bool has_free_view(const InputDocument& input, const ViewText& view) {
+    const bool chooses = view.box || view.fit || view.sphere || !view.sections.empty();
+    return input.typed && !chooses && !chooses_camera(view) && input.document.clip == Box();
+}
+
+std::string fitted_note(const std::string& note) {
+    return "zeroset: note: " + note + "; --box 2 keeps the usual clip box\n";
 }
 
 std::optional<InputError> take_camera(const ViewText& view, Document& document) {

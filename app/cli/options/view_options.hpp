@@ -20,8 +20,21 @@ OrInputError<Camera> read_camera(const std::string& option, const std::string& t
 OrInputError<Camera> saved_camera(const std::string& option, const std::string& name,
                                   const Document& document);
 
+/// Whether an option chooses the camera, or a part of it.
+bool chooses_camera(const ViewText& view);
+
 /// Changes the document's camera by the view options for it.
 [[nodiscard]] std::optional<InputError> take_camera(const ViewText& view, Document& document);
+
+/// Where no option has chosen the camera, fits the document's own to a picture of this aspect
+/// (width / height): one of the gallery to a clip box that is drawn, others as the window does.
+void fit_camera(const ViewText& view, bool stored, double aspect, Document& document);
+
+/// Whether the input is a text of whose clip box and camera nobody has chosen anything.
+bool has_free_view(const InputDocument& input, const ViewText& view);
+
+/// One line for stderr on what fit_by_itself did, from what it returned.
+std::string fitted_note(const std::string& note);
 
 /// Applies the view options to the region `base`. For a section without a side, the side away from
 /// `eye` is kept.

@@ -1,5 +1,7 @@
 #include "engine/draw/files/drawing_style.hpp"
 
+#include "engine/draw/files/encoders.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,13 @@ std::vector<LineGroup> line_groups(const LineDrawing& drawing, const DrawingStyl
         }
     }
     return groups;
+}
+
+std::optional<double> shown_width(const DrawnLine& line, const DrawingStyle& style) {
+    constexpr double of_hidden = 0.4;
+    if (!line.hidden) return line.width_pt;
+    if (style.hidden == HiddenLines::Remove) return std::nullopt;
+    return of_hidden * line.width_pt;
 }
 
 int decimals(const DrawingStyle& style) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <string>
 
 namespace zeroset {
@@ -22,6 +23,12 @@ std::string svg_of(const LineDrawing& drawing, const DrawingStyle& style);
 /// The drawing as a TikZ picture, to be read by \input in a LaTeX document that uses tikz: a scope
 /// for each kind of curve.
 std::string tikz_of(const LineDrawing& drawing, const DrawingStyle& style);
+
+/// Width of the line in a style; nothing where it is hidden and such lines are left out.
+std::optional<double> shown_width(const DrawnLine& line, const DrawingStyle& style);
+
+/// How far below the middle of a text its baseline is, in em, in DejaVu Sans.
+inline constexpr double below_middle_em = 0.365;
 
 /// The six hexadecimal digits of a colour 0xRRGGBB, in capitals.
 std::string hex_digits(std::uint32_t color);

@@ -58,6 +58,8 @@ public:
     }
     void fill(std::uint32_t color);
     void draw(const LineGroup& group);
+    void draw(const DrawnLine& line, double width_pt);
+    void draw(const DrawnText& text, HPDF_Font font);
 
 private:
     [[nodiscard]] HPDF_REAL unit(double points) const {
@@ -70,11 +72,36 @@ private:
     double units_;  ///< for a point
 };
 
+HPDF_REAL channel(std::uint32_t color, unsigned shift) {
+    return static_cast<HPDF_REAL>(color >> shift & 0xFFU) / 255.0F;
+}
+
+void PdfPage::draw(const DrawnLine& line, double width_pt) {
+    HPDF_Page_SetRGBStroke(page_, channel(line.color, 16), channel(line.color, 8),
+                           channel(line.color, 0));
+    HPDF_Page_SetLineWidth(page_, unit(width_pt));
+    HPDF_Page_MoveTo(page_, unit(line.from.x), unit(line.from.y));
+    HPDF_Page_LineTo(page_, unit(line.to.x), unit(line.to.y));
+    HPDF_Page_Stroke(page_);
+    HPDF_Page_SetRGBStroke(page_, 0.0F, 0.0F, 0.0F);
+}
+
+/// The page's y axis points downwards, letters upwards.
+void PdfPage::draw(const DrawnText& text, HPDF_Font font) {
+    HPDF_Page_SetRGBFill(page_, channel(text.color, 16), channel(text.color, 8),
+                         channel(text.color, 0));
+    HPDF_Page_BeginText(page_);
+    HPDF_Page_SetFontAndSize(page_, font, unit(text.em_pt));
+    const HPDF_REAL wide = HPDF_Page_TextWidth(page_, text.words.c_str());
+    const HPDF_REAL x = unit(text.middle.x) - 0.5F * wide;
+    const HPDF_REAL y = unit(text.middle.y + below_middle_em * text.em_pt);
+    HPDF_Page_SetTextMatrix(page_, 1, 0, 0, -1, x, y);
+    HPDF_Page_ShowText(page_, text.words.c_str());
+    HPDF_Page_EndText(page_);
+}
+
 void PdfPage::fill(std::uint32_t color) {
-    const auto channel = [&](unsigned shift) {
-        return static_cast<HPDF_REAL>(color >> shift & 0xFFU) / 255.0F;
-    };
-    HPDF_Page_SetRGBFill(page_, channel(16), channel(8), channel(0));
+    HPDF_Page_SetRGBFill(page_, channel(color, 16), channel(color, 8), channel(color, 0));
     HPDF_Page_Rectangle(page_, 0, 0, unit(drawing_.size.width), unit(drawing_.size.height));
     HPDF_Page_Fill(page_);
 }
@@ -94,6 +121,14 @@ void PdfPage::draw(const LineGroup& group) {
     for (const DrawnPath& path : drawing_.paths) {
         if (path.kind == group.kind && path.hidden == group.hidden) draw(path);
     }
+}
+
+/// DejaVu Sans, of which the file gets the letters that it needs.
+HPDF_Font letters(HPDF_Doc document) {
+    HPDF_UseUTFEncodings(document);
+    const char* const name =
+        HPDF_LoadTTFontFromFile(document, ZEROSET_FONT_DIR "/DejaVuSans.ttf", HPDF_TRUE);
+    return HPDF_GetFont(document, name, "UTF-8");
 }
 
 /// The file's bytes; empty where an error occurred.
@@ -122,8 +157,14 @@ std::expected<std::string, std::string> pdf_of(const LineDrawing& drawing,
     const std::vector<LineGroup> groups = line_groups(drawing, style);
     PdfPage page(HPDF_AddPage(document.get()), drawing, unit_for(groups));
     if (style.background) page.fill(*style.background);
+    for (const DrawnLine& line : drawing.marks.lines) {
+        if (const auto width_pt = shown_width(line, style)) page.draw(line, *width_pt);
+    }
     for (const LineGroup& group : groups)
         page.draw(group);
+    const HPDF_Font font = drawing.marks.texts.empty() ? nullptr : letters(document.get());
+    for (const DrawnText& text : drawing.marks.texts)
+        page.draw(text, font);
     std::string bytes = bytes_of(document.get());
     const HPDF_STATUS error = HPDF_GetError(document.get());
     if (error != HPDF_OK || bytes.empty()) {

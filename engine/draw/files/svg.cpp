@@ -11,13 +11,17 @@ public:
 
     std::string run() {
         begin();
+        write_lines();
         for (const LineGroup& group : line_groups(drawing_, style_))
             write_group(group);
+        write_texts();
         return std::move(text_) + "</svg>\n";
     }
 
 private:
     void begin();
+    void write_lines();
+    void write_texts();
     void write_group(const LineGroup& group);
     void write_path(const DrawnPath& path);
     [[nodiscard]] std::string number(double value) const { return file_number(value, decimals_); }
@@ -43,6 +47,50 @@ void SvgWriter::begin() {
         text_ += "<rect width=\"" + across + "\" height=\"" + down + "\" fill=\"#" +
                  hex_digits(*style_.background) + "\"/>\n";
     }
+}
+
+void SvgWriter::write_lines() {
+    if (drawing_.marks.lines.empty()) return;
+    text_ += R"(<g id="axes" stroke-linecap="round">)"
+             "\n";
+    for (const DrawnLine& line : drawing_.marks.lines) {
+        const auto width_pt = shown_width(line, style_);
+        if (!width_pt) continue;
+        text_ += R"(<path fill="none" stroke="#)" + hex_digits(line.color) + R"(" stroke-width=")" +
+                 width(*width_pt) + "\" d=\"M";
+        write_point(line.from);
+        text_ += "L";
+        write_point(line.to);
+        text_ += "\"/>\n";
+    }
+    text_ += "</g>\n";
+}
+
+/// The text with what XML would take for marks as entities.
+std::string escaped(const std::string& words) {
+    std::string text;
+    for (const char letter : words) {
+        switch (letter) {
+            case '&': text += "&amp;"; break;
+            case '<': text += "&lt;"; break;
+            case '>': text += "&gt;"; break;
+            default: text += letter;
+        }
+    }
+    return text;
+}
+
+void SvgWriter::write_texts() {
+    if (drawing_.marks.texts.empty()) return;
+    text_ += R"(<g id="labels" font-family="DejaVu Sans, sans-serif" text-anchor="middle">)"
+             "\n";
+    for (const DrawnText& text : drawing_.marks.texts) {
+        text_ += "<text x=\"" + number(text.middle.x) + "\" y=\"" +
+                 number(text.middle.y + below_middle_em * text.em_pt) + "\" font-size=\"" +
+                 width(text.em_pt) + "\" fill=\"#" + hex_digits(text.color) + "\">" +
+                 escaped(text.words) + "</text>\n";
+    }
+    text_ += "</g>\n";
 }
 
 void SvgWriter::write_group(const LineGroup& group) {

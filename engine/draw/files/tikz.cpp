@@ -1,5 +1,10 @@
 #include "engine/draw/files/encoders.hpp"
 
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
 namespace zeroset {
 namespace {
 
@@ -20,12 +25,16 @@ public:
                      "}\n\\fill[background] (0,0) rectangle " +
                      place({drawing_.size.width, drawing_.size.height}) + ";\n";
         }
+        write_lines();
         for (const LineGroup& group : line_groups(drawing_, style_))
             write_group(group);
+        write_texts();
         return std::move(text_) + "\\end{tikzpicture}\n";
     }
 
 private:
+    void write_lines();
+    void write_texts();
     void write_group(const LineGroup& group);
     void write_path(const DrawnPath& path);
     [[nodiscard]] std::string number(double value) const { return file_number(value, decimals_); }
@@ -41,6 +50,58 @@ private:
     int decimals_;
     std::string text_;
 };
+
+/// The option of TikZ for a colour 0xRRGGBB.
+std::string color_of(std::uint32_t color) {
+    return "color={rgb,255:red," + std::to_string(color >> 16U & 255U) + ";green," +
+           std::to_string(color >> 8U & 255U) + ";blue," + std::to_string(color & 255U) + "}";
+}
+
+void TikzWriter::write_lines() {
+    for (const DrawnLine& line : drawing_.marks.lines) {
+        const auto width_pt = shown_width(line, style_);
+        if (!width_pt) continue;
+        text_ += "\\draw[" + color_of(line.color) + ",line width=" + width(*width_pt) + "bp] " +
+                 place(line.from) + " -- " + place(line.to) + ";\n";
+    }
+}
+
+/// The words as TeX has to read them: numbers and single letters as formulas, pi and the minus by
+/// their names.
+std::string tex_of(const std::string& words) {
+    const auto replace = [](std::string text, std::string_view from, std::string_view to) {
+        for (std::size_t at = text.find(from); at != std::string::npos;
+             at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+        return text;
+    };
+    std::string text;
+    for (const char letter : words) {
+        if (letter == '\\') {
+            text += "\\textbackslash{}";
+        } else if (letter == '^' || letter == '~') {
+            text += std::string("\\") + letter + "{}";
+        } else {
+            if (std::string_view("&%$#_{}").contains(letter)) text += '\\';
+            text += letter;
+        }
+    }
+    const bool is_number =
+        words.find_first_not_of("0123456789.,/e+-\u2212\u03C0") == std::string::npos;
+    const bool is_letter =
+        words.size() == 1 && std::isalpha(static_cast<unsigned char>(words[0])) != 0;
+    if (!is_number && !is_letter) return text;
+    text = replace(replace(text, "\u2212", "-"), "\u03C0", "\\pi ");
+    return "$" + replace(text, ",", "{,}") + "$";
+}
+
+void TikzWriter::write_texts() {
+    for (const DrawnText& text : drawing_.marks.texts) {
+        text_ += "\\node[" + color_of(text.color) + ",inner sep=0,font=\\fontsize{" +
+                 width(text.em_pt) + "}{" + width(1.2 * text.em_pt) + "}\\selectfont] at " +
+                 place(text.middle) + " {" + tex_of(text.words) + "};\n";
+    }
+}
 
 void TikzWriter::write_group(const LineGroup& group) {
     const std::size_t before = text_.size();

@@ -62,7 +62,8 @@ std::array<float, 4> pixel_light(const PictureBand& band, std::size_t pixel,
     const std::uint32_t painted = band.painted.color[pixel];
     if (painted != band.frame.color[pixel]) {
         return {light_of_channel(painted & 0xFFU), light_of_channel(painted >> 8U & 0xFFU),
-                light_of_channel(painted >> 16U & 0xFFU), 1.0F};
+                light_of_channel(painted >> 16U & 0xFFU),
+                static_cast<float>(painted >> 24U) / 255.0F};
     }
     std::array<float, 4> light = band.frame.light[pixel];
     const float part = std::clamp(light[3], 0.0F, 1.0F);

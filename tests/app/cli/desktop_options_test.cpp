@@ -56,6 +56,10 @@ TEST_F(SavedSession, IsNotNew) {
     TraceText trace;
     trace.axes = false;
     EXPECT_FALSE(read_desktop_options("x = 1", {}, trace)->is_new) << "as the command line says";
+    EXPECT_TRUE(read_desktop_options("x = 1", {}, trace)->has_new_edges);
+    EXPECT_FALSE(read_desktop_options(path_.string(), {}, {})->has_new_edges);
+    trace.aa = "none";
+    EXPECT_FALSE(read_desktop_options("x = 1", {}, trace)->has_new_edges);
 }
 
 TEST_F(SavedSession, GivesWayToTheCommandLine) {

@@ -43,6 +43,7 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
                           .letters = 1.5F,
                           .axes = false,
                           .grid = false,
+                          .smooth_edges = false,
                           .wheel = ui::WheelUse::Orbit};
     preferences.theme = ui::Theme::Light;
     preferences.last_theme = ui::Theme::Light;

@@ -91,9 +91,10 @@ TEST(DocumentText, MayLeaveOutAllButTheStatements) {
     const auto read = document_from(R"({"zeroset": 1, "statements": [{"text": "x = 1"}]})");
     ASSERT_TRUE(read) << read.error();
     Document expected = empty_document();
+    expected.antialias = Antialias::None;  // off, as all that is missing of the look
+    EXPECT_EQ(document_from(R"({"zeroset": 1, "statements": []})")->document, expected);
     expected.statements[0].text = "x = 1";
     EXPECT_EQ(read->document, expected);
-    EXPECT_EQ(document_from(R"({"zeroset": 1, "statements": []})")->document, empty_document());
 }
 
 TEST(DocumentText, MaySayWhatItWasShownOn) {

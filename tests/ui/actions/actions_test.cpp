@@ -99,6 +99,18 @@ TEST(Actions, OfAxesSayWhatNewDocumentsBeginWith) {
     EXPECT_EQ(new_document(state.edited.layout), empty_document());
 }
 
+TEST(Actions, OfEdgesSayWhetherThoseOfNewDocumentsAreSmooth) {
+    UiState state;
+    EXPECT_EQ(new_document(state.edited.layout).antialias, Antialias::Beams);
+    const Action& smooth = action_named("Smooth edges");
+    EXPECT_TRUE(smooth.is_on(state));
+    smooth.run(state);
+    EXPECT_EQ(state.edited.document.antialias, Antialias::None);
+    EXPECT_EQ(new_document(state.edited.layout).antialias, Antialias::None);
+    smooth.run(state);
+    EXPECT_EQ(new_document(state.edited.layout).antialias, Antialias::Beams);
+}
+
 TEST(Actions, AreDescribedWithTheirFirstKeys) {
     EXPECT_EQ(described(action_named("Redo")), "Redo (Ctrl+Shift+Z)");
     EXPECT_EQ(described(action_named("Light theme")), "Light theme");

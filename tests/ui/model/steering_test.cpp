@@ -1,5 +1,6 @@
 #include "ui/model/steering.hpp"
 
+#include "document/framing.hpp"
 #include "engine/view/camera.hpp"
 
 #include <glm/glm.hpp>

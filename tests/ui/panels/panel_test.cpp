@@ -199,10 +199,11 @@ TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     draw();
     click_at(section_line("view", 1));
     EXPECT_TRUE(state_.edited.document.shadows);
-    EXPECT_EQ(state_.edited.document.antialias, Antialias::None);
+    EXPECT_EQ(state_.edited.document.antialias, Antialias::Beams);
     click_at(section_line("view", 1) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
     EXPECT_TRUE(state_.edited.document.shadows);
-    EXPECT_EQ(state_.edited.document.antialias, Antialias::Beams);
+    EXPECT_EQ(state_.edited.document.antialias, Antialias::None);
+    EXPECT_FALSE(state_.edited.layout.smooth_edges);
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),
