@@ -58,12 +58,30 @@ std::string box_text(const Box& box) {
 
 Framing shown(const Document& document, const Box& seen, double aspect, std::string note) {
     Framing framing{.document = document, .note = std::move(note), .found = true};
-    const Camera usual = default_camera(document.clip, aspect, document.up);
-    framing.document.camera = framed(document.camera.value_or(usual), seen, aspect);
+    framing.document.camera = framed(camera_of(document, aspect), seen, aspect);
     return framing;
 }
 
 }  // namespace
+
+Extent unstretched(Extent extent, const glm::dvec3& stretch) {
+    for (std::optional<Box>* const box : {&extent.whole, &extent.inside, &extent.reached}) {
+        if (*box) *box = stretched(**box, 1.0 / stretch);
+    }
+    return extent;
+}
+
+Camera camera_of(const Document& document, double aspect) {
+    return camera_of(document, aspect, stretch_of(document));
+}
+
+Camera camera_of(const Document& document, double aspect, const glm::dvec3& stretch) {
+    if (!document.camera) return default_camera(document.clip, aspect, document.up, stretch);
+    if (document.camera->stretch == stretch) return *document.camera;
+    Camera camera = *document.camera;
+    camera.stretch = stretch;
+    return framed(camera, document.clip, aspect);
+}
 
 Framing frame_surfaces(const Document& document, const Extent& extent, double aspect,
                        bool may_clip) {

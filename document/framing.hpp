@@ -14,6 +14,14 @@ struct Framing {
     bool found = true;  ///< false: the document is unchanged
 };
 
+/// The extent in a world that is drawn stretched (Camera), in the formula's.
+Extent unstretched(Extent extent, const glm::dvec3& stretch);
+
+/// The document's camera for a world that is drawn with this stretch (Camera); one that shows the
+/// whole box where it has none for it.
+Camera camera_of(const Document& document, double aspect, const glm::dvec3& stretch);
+Camera camera_of(const Document& document, double aspect = 1.0);
+
 /// Shows all that is in the clip box, from the same direction and as near as possible. With
 /// `may_clip`, the clip box becomes a cube about the surfaces where all of them is known and sticks
 /// out of the box or is smaller than a quarter of it; where the box holds nothing of surfaces

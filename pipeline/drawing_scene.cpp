@@ -24,8 +24,7 @@ double aspect_of(const PageSize& page) { return page.width / page.height; }
 
 /// The document with the camera of a picture of the page's aspect.
 Document with_camera(Document document, const PageSize& page) {
-    if (!document.camera)
-        document.camera = default_camera(document.clip, aspect_of(page), document.up);
+    if (!document.camera) document.camera = camera_of(document, aspect_of(page));
     return document;
 }
 
@@ -100,7 +99,7 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                     "points: hide their rows, or save a picture"));
     if (refused) return std::unexpected(std::move(*refused));
     result.scene = scene_of(request);
-    result.camera = request.camera;
+    result.camera = request.camera.in_drawn_world();
     for (const std::size_t i : shown_indices(request))
         result.surfaces.push_back(prepared->formula->drawn[i]);
     auto numbers = contour_numbers(document, *prepared->formula, result.scene.coloring.lines);

@@ -78,7 +78,8 @@ std::optional<Box> asked_box(const Program& program) {
 std::string fit_view(Document& document, const PictureRequest& request, double aspect,
                      bool fits_box, const TimeLimit& limit) {
     document.camera = request.camera;
-    const Extent extent = find_extent(scene_of(request), limit);
+    const Extent extent =
+        unstretched(find_extent(scene_of(request), limit), request.camera.stretch);
     Framing framing = frame_surfaces(document, extent, aspect, fits_box);
     document = std::move(framing.document);
     return framing.found && extent.whole ? "" : framing.note;

@@ -32,7 +32,7 @@ void Desktop::find_view() {
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = wide_aspect(size);
     const auto look = [aspect](Document& document) {
-        Camera first = default_camera(document.clip, aspect, document.up);
+        Camera first = default_camera(document.clip, aspect, document.up, stretch_of(document));
         if (document.camera) first.projection = document.camera->projection;
         document.camera = document.home.value_or(first);
     };
@@ -43,6 +43,9 @@ void Desktop::find_view() {
         ui::move_view(state_, *wished.camera);
     }
     if (!state_.edited.document.camera) session_.amend(look);
+    if (state_.edited.document.camera->stretch != stretch_of(state_.edited.document))
+        session_.amend(
+            [aspect](Document& document) { document.camera = camera_of(document, aspect); });
     const bool typed = std::exchange(state_.wishes.frame_box, false);
     if (typed)
         ui::move_view(state_,

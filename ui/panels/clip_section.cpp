@@ -1,4 +1,5 @@
 #include "document/document.hpp"
+#include "document/framing.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
@@ -73,6 +74,23 @@ void draw_edges(Box& clip, Wishes& wishes) {
     }
 }
 
+bool shows_aspect(const Edited& edited) {
+    return shows_edges(edited) && !edited.document.region.ball;
+}
+
+/// How long a unit is drawn along each axis, and a button for what the box suggests.
+void draw_aspect(Document& document) {
+    draw_label(tr("scale"), tr("How long one unit is drawn along x, y and z."));
+    glm::dvec3 aspect = stretch_of(document);
+    const bool automatic = !document.aspect;
+    if (draw_numbers("aspect", std::array{&aspect.x, &aspect.y, &aspect.z}).changed &&
+        glm::all(glm::greaterThan(aspect, glm::dvec3(0.0))))
+        document.aspect = aspect;
+    if (automatic) return;
+    if (ImGui::Button(tr("Automatic scale"), ImVec2(-FLT_MIN, 0.0F))) document.aspect.reset();
+    draw_tooltip(tr("All axes alike, unless an edge of the box is ten times another."));
+}
+
 void draw_box(Edited& edited, Wishes& wishes) {
     Box& clip = edited.document.clip;
     const bool plain = is_plain(clip);
@@ -95,6 +113,7 @@ void draw_box(Edited& edited, Wishes& wishes) {
         open = !open;
     }
     if (shows_edges(edited)) draw_edges(clip, wishes);
+    if (shows_aspect(edited)) draw_aspect(edited.document);
 }
 
 void draw_ball(Edited& edited) {
@@ -212,9 +231,11 @@ int axis_of(const Section& section) {
 }
 
 Section section_across(int axis, const Document& document) {
-    const Camera camera = document.camera.value_or(default_camera(document.clip));
+    const Camera camera = camera_of(document);
     const glm::dvec3 to_eye = camera.eye - camera.look_at;
-    if (axis == free_axis) return make_section(to_eye, glm::dot(to_eye, camera.look_at));
+    // Across the view in the drawn world, where the point p is at stretch * p.
+    if (axis == free_axis)
+        return make_section(camera.stretch * to_eye, glm::dot(to_eye, camera.look_at));
     glm::dvec3 normal(0.0);
     normal[axis] = to_eye[axis] < 0 ? -1.0 : 1.0;
     return make_section(normal, glm::dot(normal, document.clip.centre()));
@@ -223,6 +244,7 @@ Section section_across(int axis, const Document& document) {
 float clip_section_height(const Edited& edited) {
     const Region& region = edited.document.region;
     float rows = 2.0F + (shows_edges(edited) ? 3.0F : 0.0F) + (region.ball ? 2.0F : 0.0F);
+    if (shows_aspect(edited)) rows += edited.document.aspect ? 2.0F : 1.0F;
     for (const Section& section : region.sections)
         rows += axis_of(section) == free_axis ? 3.0F : 2.0F;
     if (region.sections.size() < max_sections) rows += 1.0F;
