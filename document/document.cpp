@@ -63,6 +63,22 @@ void keep_settings(Document& document, const Document& of) {
     if (!document.camera) document.up = of.up;
 }
 
+glm::dvec3 stretch_of(const Document& document) {
+    constexpr double most_unequal = 10.0;
+    if (document.region.ball) return glm::dvec3(1.0);  // it would be no ball
+    if (document.aspect) return *document.aspect;
+    const glm::dvec3 edges = document.clip.hi - document.clip.lo;
+    const double longest = document.clip.size();
+    if (longest <= most_unequal * std::min({edges.x, edges.y, edges.z})) return glm::dvec3(1.0);
+    // Powers of two stretch numbers without rounding.
+    return glm::exp2(glm::round(glm::log2(longest / edges)));
+}
+
+Document unstretched(Document document) {
+    document.aspect = glm::dvec3(1.0);
+    return document;
+}
+
 Document empty_document() {
     Document document;
     document.statements.push_back({.id = 1, .text = {}, .visible = true, .color = {}});

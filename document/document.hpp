@@ -81,7 +81,10 @@ struct Document {
     std::map<std::string, Slider> parameters;  ///< those that differ from the default, by name
     Slider w{.value = 0.0, .lo = -2.0, .hi = 2.0};
     Box clip;
-    Region region;                 ///< the part of the clip box that is shown
+    Region region;  ///< the part of the clip box that is shown
+    /// Lengths in the picture for one unit along each axis; none: all equal, unless the box's edges
+    /// are very unequal.
+    std::optional<glm::dvec3> aspect = std::nullopt;
     std::optional<Camera> camera;  ///< default_camera of the clip box when absent
     std::optional<Camera> home;    ///< where "reset view" goes, if not to the default
     std::vector<SavedView> views;  ///< in the order in which they were saved
@@ -114,6 +117,11 @@ void keep_settings(Document& document, const Document& of);
 
 /// A document with one empty row.
 Document empty_document();
+
+/// Camera::stretch for pictures of the document.
+glm::dvec3 stretch_of(const Document& document);
+/// The document with nothing drawn stretched, for files that are no pictures.
+Document unstretched(Document document);
 
 /// An id that no row has.
 int unused_id(const Document& document);

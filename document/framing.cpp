@@ -58,9 +58,8 @@ std::string box_text(const Box& box) {
 
 Framing shown(const Document& document, const Box& seen, double aspect, std::string note) {
     Framing framing{.document = document, .note = std::move(note), .found = true};
-    const Camera usual = default_camera(document.clip, aspect, document.up);
     const Box& looked_at = draws_box(document) ? box_in_view(document) : seen;
-    framing.document.camera = framed(document.camera.value_or(usual), looked_at, aspect);
+    framing.document.camera = framed(camera_of(document, aspect), looked_at, aspect);
     return framing;
 }
 
@@ -106,6 +105,26 @@ std::optional<Framing> frame_by_itself(const Document& document, const Extent& e
     usual.clip = Box();
     return shown(usual, usual.clip, aspect,
                  filled(tr("framed the whole surface: clip box {0}"), {box_text(usual.clip)}));
+}
+
+Extent unstretched(Extent extent, const glm::dvec3& stretch) {
+    for (std::optional<Box>* const box : {&extent.whole, &extent.inside, &extent.reached}) {
+        if (*box) *box = stretched(**box, 1.0 / stretch);
+    }
+    return extent;
+}
+
+Camera camera_of(const Document& document, double aspect) {
+    return camera_of(document, aspect, stretch_of(document));
+}
+
+Camera camera_of(const Document& document, double aspect, const glm::dvec3& stretch) {
+    if (!document.camera)
+        return default_camera(box_in_view(document), aspect, document.up, stretch);
+    if (document.camera->stretch == stretch) return *document.camera;
+    Camera camera = *document.camera;
+    camera.stretch = stretch;
+    return framed(camera, box_in_view(document), aspect);
 }
 
 Framing frame_surfaces(const Document& document, const Extent& extent, double aspect,

@@ -63,6 +63,7 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.camera != b.camera) return "camera";
     if (const std::string view = changed_view(a, b); !view.empty()) return view;
     if (a.clip != b.clip) return "clip";
+    if (a.aspect != b.aspect) return "aspect";
     if (a.region != b.region) return "region";
     if (a.stop != b.stop) return "stop";
     if (a.up != b.up) return "up";

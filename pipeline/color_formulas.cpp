@@ -5,6 +5,7 @@
 #include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
+#include "engine/rewrite/stretch.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/contour_step.hpp"
 #include "pipeline/input_error.hpp"
@@ -59,7 +60,11 @@ SurfaceLines lines_of(const LineChoice& choice, const ColorFormulas& formulas, c
         case Contours::None: break;
         case Contours::Height: lines.contours = {{.along = up}}; break;
         case Contours::Coordinates:
-            lines.contours = {{.along = {1, 0, 0}}, {.along = {0, 1, 0}}, {.along = {0, 0, 1}}};
+            for (int axis = 0; axis < 3; ++axis) {
+                glm::dvec3 along(0.0);
+                along[axis] = 1.0 / formulas.stretch[axis];
+                lines.contours.push_back({.along = along});
+            }
             break;
         case Contours::Expression:
             // The last expression that could be read may still be another one.
@@ -81,19 +86,22 @@ std::expected<Expr, InputError> contour_expression(const LineChoice& lines,
 }
 
 std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
-                                                        const ColorChoice& choice) {
+                                                        const ColorChoice& choice,
+                                                        const glm::dvec3& stretch) {
     ColorFormulas formulas{.by = choice.by, .expression = choice.expression, .values = {}};
+    formulas.stretch = stretch;
     if (choice.lines.contours == Contours::Expression) {
         const auto expression = contour_expression(choice.lines, rows);
         if (!expression) return std::unexpected(expression.error());
         formulas.contour_expression = choice.lines.expression;
-        formulas.contours = code_of(*expression);
+        formulas.contours = code_of(stretched(*expression, stretch));
     }
     if (!has_formula(choice.by)) return formulas;
     if (choice.by == ColorBy::Expression) {
         const auto expression = color_expression(choice, rows);
         if (!expression) return std::unexpected(expression.error());
-        formulas.values.assign(rows.program->surfaces.size(), code_of(*expression));
+        formulas.values.assign(rows.program->surfaces.size(),
+                               code_of(stretched(*expression, stretch)));
         return formulas;
     }
     if (std::ranges::any_of(rows.program->surfaces,
@@ -102,7 +110,7 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
             tr("curvature and gradient are known of equations only: colour parametric surfaces by "
                "height, normal or an expression"));
     for (const Expr& surface : rows.program->surfaces)
-        formulas.values.push_back(code_of(shape_of(choice.by, surface)));
+        formulas.values.push_back(code_of(stretched(shape_of(choice.by, surface), stretch)));
     return formulas;
 }
 
@@ -132,7 +140,7 @@ Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
         if (std::abs(up[other]) > std::abs(up[axis])) axis = other;
     }
     coloring.up = glm::dvec3(0.0);
-    coloring.up[axis] = up[axis] < 0.0 ? -1.0 : 1.0;
+    coloring.up[axis] = (up[axis] < 0.0 ? -1.0 : 1.0) / formulas.stretch[axis];
     coloring.lines = lines_of(choice.lines, formulas, coloring.up, clip);
     return coloring;
 }

@@ -25,8 +25,7 @@ double aspect_of(const PageSize& page) { return page.width / page.height; }
 
 /// The document with the camera of a picture of the page's aspect.
 Document with_camera(Document document, const PageSize& page) {
-    if (!document.camera)
-        document.camera = default_camera(box_in_view(document), aspect_of(page), document.up);
+    if (!document.camera) document.camera = camera_of(document, aspect_of(page));
     return document;
 }
 
@@ -104,7 +103,7 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                     "points: hide their rows, or save a picture"));
     if (refused) return std::unexpected(std::move(*refused));
     result.scene = scene_of(request);
-    result.camera = request.camera;
+    result.camera = request.camera.in_drawn_world();
     for (const std::size_t i : shown_indices(request))
         result.surfaces.push_back(prepared->formula->drawn[i]);
     auto numbers = contour_numbers(document, *prepared->formula, result.scene.coloring.lines);

@@ -147,7 +147,8 @@ std::string fit_by_itself(Document& document, const PictureRequest& request, dou
         if (document.camera) document.camera = whole_view(*document.camera, document, aspect);
         return graph_note(*box);
     }
-    const Extent extent = find_extent(scene_of(request), limit);
+    const Extent extent =
+        unstretched(find_extent(scene_of(request), limit), request.camera.stretch);
     if (limit.over()) return "";
     auto framing = frame_by_itself(document, extent, aspect);
     if (!framing) return "";
@@ -165,7 +166,8 @@ TimeLimit own_fitting_limit(const std::atomic<bool>* cancel) {
 std::string fit_view(Document& document, const PictureRequest& request, double aspect,
                      bool fits_box, const TimeLimit& limit) {
     document.camera = request.camera;
-    const Extent extent = find_extent(scene_of(request), limit);
+    const Extent extent =
+        unstretched(find_extent(scene_of(request), limit), request.camera.stretch);
     Framing framing = frame_surfaces(document, extent, aspect, fits_box);
     document = std::move(framing.document);
     return framing.found && extent.whole ? "" : framing.note;

@@ -3,6 +3,7 @@
 #include "engine/base/clock.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/interpret/interpret.hpp"
+#include "engine/rewrite/stretch.hpp"
 #include "engine/rewrite/surface_functions.hpp"
 #include "engine/rewrite/traceable.hpp"
 #include "pipeline/input_error.hpp"
@@ -119,16 +120,18 @@ bool Formula::has_code(Precision precision) const {
     return precision == Precision::Float || std::ranges::all_of(kernels, &Kernel::has_double);
 }
 
-std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& region,
+std::expected<Formula, InputError> prepare_formula(RowProgram rows, const FormulaPlace& place,
                                                    Preparation how) {
     const auto start = Clock::now();
     const CodeUse use = how == Preparation::Compiled ? CodeUse::Pictures : CodeUse::FirstPicture;
     Formula formula;
     static_cast<RowProgram&>(formula) = std::move(rows);
-    formula.region = region;
-    for (const Expr& shown : formula.program->surfaces) {
+    formula.stretch = place.stretch;
+    formula.region = stretched(place.region, place.stretch);
+    for (const Expr& typed : formula.program->surfaces) {
         const std::size_t index = formula.drawn.size();
-        if (const auto graphs = patch_of(shown)) {
+        const Expr shown = stretched(typed, place.stretch);
+        if (const auto graphs = patch_of(typed)) {
             if (has_thickness(graphs->kind))
                 formula.thick.push_back({.surface = index, .kind = graphs->kind});
             if (graphs->kind == PatchKind::Point)
@@ -143,7 +146,8 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
             formula.unrestricted.emplace_back();
             continue;
         }
-        const Expr& drawn = formula.drawn.emplace_back(traceable(surface, sample_region(region)));
+        const Expr& drawn =
+            formula.drawn.emplace_back(traceable(surface, sample_region(formula.region)));
         formula.facts.push_back(found_facts(drawn, formula.program->sheets[index]));
         const auto whole = unrestricted(drawn);
         auto& value = formula.unrestricted.emplace_back();

@@ -40,7 +40,8 @@ struct PointRow {
 struct Formula : RowProgram {
     /// The program's surfaces, each in its tightest form; of a parametric one as it is there.
     std::vector<Expr> drawn{};
-    Box region;                     ///< the region in which `drawn` is tightest
+    glm::dvec3 stretch{1.0};        ///< of the world in which `drawn` is (Camera)
+    Box region;                     ///< the region of that world in which `drawn` is tightest
     std::vector<Kernel> kernels{};  ///< one for each of `drawn`
     /// The facts known of each of `drawn`, whatever its code is: its kernels have them. nullptr for
     /// parametric ones, whose only kernel has them.
@@ -70,8 +71,19 @@ enum class Preparation : std::uint8_t {
     Compiled,  ///< machine code unless the formula is too large for it; takes up to a few seconds
 };
 
-/// Makes the code of a program, in forms that are tightest in `region`. Thread-safe.
-std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& region,
+/// Where a formula is looked at, and how it is drawn there.
+struct FormulaPlace {
+    Box region;
+    glm::dvec3 stretch;  ///< of the world in which it is drawn (Camera)
+
+    // NOLINTNEXTLINE(google-explicit-constructor): a box is such a place where nothing is stretched
+    FormulaPlace(const Box& box = {}, const glm::dvec3& drawn = glm::dvec3(1.0))
+        : region(box), stretch(drawn) {}
+    bool operator==(const FormulaPlace&) const = default;
+};
+
+/// Makes the code of a program, in forms that are tightest in the place's region. Thread-safe.
+std::expected<Formula, InputError> prepare_formula(RowProgram rows, const FormulaPlace& place,
                                                    Preparation how);
 
 /// Returns the formula with machine code, also in `precision`; its code must be InterpretedFirst.

@@ -11,7 +11,7 @@ namespace {
 /// Prepares sheets; remembers the last good text of each row and the last formula.
 class Preparer {
 public:
-    FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice,
+    FormulaResult prepare(Sheet sheet, const FormulaPlace& place, const ColorChoice& choice,
                           const std::shared_ptr<const FieldSource>& files, bool draws_old) {
         // Expressions of colours, too, may name files.
         const std::uint64_t version = files ? files->version() : 0;
@@ -22,15 +22,17 @@ public:
                              .formula = last_,
                              .choice = choice};
         const RowProgram& rows = result.reading;
-        if (last_ == nullptr || !same_functions(*last_, rows) || region_ != region) {
-            auto formula = prepare_formula(rows, region, Preparation::Quickest);
+        if (last_ == nullptr || !same_functions(*last_, rows) || place_ != place) {
+            auto formula = prepare_formula(rows, place, Preparation::Quickest);
             if (!formula) {
                 result.formula = std::unexpected(formula.error());
                 return result;
             }
-            if (last_ == nullptr || !same_functions(*last_, rows)) colors_ = nullptr;
+            if (last_ == nullptr || !same_functions(*last_, rows) ||
+                place_.stretch != place.stretch)
+                colors_ = nullptr;
             last_ = std::make_shared<const Formula>(std::move(*formula));
-            region_ = region;
+            place_ = place;
         } else if (last_->surface_rows != rows.surface_rows || last_->files != rows.files) {
             files_changed_ |= last_->files != rows.files;
             Formula of_other_rows = *last_;
@@ -52,7 +54,7 @@ private:
         const std::string contours = has_contours ? choice.lines.expression : "";
         if (colors_ == nullptr || files_changed_ || colors_->by != choice.by ||
             colors_->expression != choice.expression || colors_->contour_expression != contours) {
-            auto colors = color_formulas(*last_, choice);
+            auto colors = color_formulas(*last_, choice, last_->stretch);
             if (colors) {
                 files_changed_ = false;
                 colors_ = std::make_shared<const ColorFormulas>(std::move(*colors));
@@ -67,7 +69,7 @@ private:
     SheetReader reader_;
     std::shared_ptr<const Formula> last_;
     std::shared_ptr<const ColorFormulas> colors_;  ///< made for `last_`
-    Box region_;
+    FormulaPlace place_;
     std::uint64_t files_ = 0;     ///< FieldSource::version() at the last sheet
     bool files_changed_ = false;  ///< since `colors_` were made
 };
@@ -107,13 +109,13 @@ FormulaJob::~FormulaJob() {
     compiling_.join();
 }
 
-void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice,
+void FormulaJob::submit(Sheet sheet, const FormulaPlace& place, const ColorChoice& choice,
                         std::shared_ptr<const FieldSource> files, bool draws_old) {
     {
         const std::scoped_lock lock(mutex_);
         pending_ = Request{.number = ++newest_,
                            .sheet = std::move(sheet),
-                           .region = region,
+                           .place = place,
                            .choice = choice,
                            .files = std::move(files),
                            .draws_old = draws_old};
@@ -168,7 +170,7 @@ void FormulaJob::prepare_sheets() {
             request = std::move(*std::exchange(pending_, std::nullopt));
             set_language(style_);
         }
-        FormulaResult result = preparer.prepare(std::move(request.sheet), request.region,
+        FormulaResult result = preparer.prepare(std::move(request.sheet), request.place,
                                                 request.choice, request.files, request.draws_old);
         result.number = request.number;
         publish(std::move(result));

@@ -42,9 +42,9 @@ public:
     FormulaJob(const FormulaJob&) = delete;
     FormulaJob& operator=(const FormulaJob&) = delete;
 
-    /// Replaces the sheet to prepare. `region`: where the formula will be looked at. Map and range
+    /// Replaces the sheet to prepare. `place`: where the formula will be looked at. Map and range
     /// of `choice` do not matter. `files`: of the document. `draws_old`: see SheetReader::read.
-    void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {},
+    void submit(Sheet sheet, const FormulaPlace& place, const ColorChoice& choice = {},
                 std::shared_ptr<const FieldSource> files = nullptr, bool draws_old = true);
     /// Returns the newest result not yet taken, if any.
     std::optional<FormulaResult> take();
@@ -62,7 +62,7 @@ private:
     struct Request {
         std::uint64_t number = 0;
         Sheet sheet;
-        Box region;
+        FormulaPlace place = {};
         ColorChoice choice = {};
         std::shared_ptr<const FieldSource> files = nullptr;
         bool draws_old = true;

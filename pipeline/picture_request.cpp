@@ -64,7 +64,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
         .colors = std::move(colors),
         .clip = document.clip,
         .region = document.region,
-        .camera = camera_of(document, size_px),
+        .camera = {},
         .coloring = document.coloring,
         .section_values = document.section_values,
         .light = document.light,
@@ -74,6 +74,8 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
         .surfaces = {},
         .uniforms = {},
     };
+    request.camera =
+        camera_of(document, static_cast<double>(size_px.x) / size_px.y, request.formula->stretch);
     request.settings.shadows = document.shadows;
     request.settings.antialias = document.antialias;
     request.settings.reflections = document.light.reflections;
@@ -85,9 +87,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
 }
 
 Camera camera_of(const Document& document, glm::ivec2 size_px) {
-    if (document.camera) return *document.camera;
-    return default_camera(box_in_view(document), static_cast<double>(size_px.x) / size_px.y,
-                          document.up);
+    return camera_of(document, static_cast<double>(size_px.x) / size_px.y);
 }
 
 bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next) {
@@ -110,9 +110,9 @@ std::vector<double> uniform_values(const PictureRequest& request) {
     std::vector<double> values = request.uniforms;
     for (const auto& [surface, kind] : request.formula->thick) {
         const auto shown = std::ranges::find(request.surfaces, surface, &ShownSurface::index);
-        const ThicknessUniforms thickness =
-            thickness_of(kind, shown != request.surfaces.end() ? shown->thickness : std::nullopt,
-                         request.clip, request.camera, request.size_px.y);
+        const ThicknessUniforms thickness = thickness_of(
+            kind, shown != request.surfaces.end() ? shown->thickness : std::nullopt,
+            stretched(request.clip, request.formula->stretch), request.camera, request.size_px.y);
         values.insert(values.end(), thickness.begin(), thickness.end());
     }
     return values;
@@ -131,8 +131,8 @@ namespace {
 /// The surfaces where they are shown, without what they look like.
 Scene bare_scene(const PictureRequest& request) {
     Scene scene;
-    scene.clip = request.clip;
-    scene.region = request.region;
+    scene.clip = stretched(request.clip, request.formula->stretch);
+    scene.region = stretched(request.region, request.formula->stretch);
     scene.jumps = request.jumps;
     scene.uniforms = uniforms_of(request);
     for (const ShownSurface& surface : request.surfaces)
@@ -190,7 +190,7 @@ Scene scene_of(const PictureRequest& request) {
 RenderRequest render_request(const PictureRequest& request) {
     RenderRequest frame;
     frame.scene = scene_of(request);
-    frame.camera = request.camera;
+    frame.camera = request.camera.in_drawn_world();
     frame.settings = request.settings;
     frame.width = request.size_px.x;
     frame.height = request.size_px.y;

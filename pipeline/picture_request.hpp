@@ -39,7 +39,7 @@ struct PictureRequest {
     std::shared_ptr<const ColorFormulas> colors;  ///< made for the formula and `coloring`
     Box clip;
     Region region;
-    Camera camera;
+    Camera camera;  ///< of the formula's stretch
     ColorChoice coloring;
     SectionChoice section_values;
     LightChoice light;
@@ -74,7 +74,7 @@ std::vector<double> uniform_values(const PictureRequest& request);
 /// The uniforms shared by all surfaces.
 Uniforms uniforms_of(const PictureRequest& request);
 
-/// Converts the surfaces and their colours to the engine's scene.
+/// Converts the surfaces and their colours to the engine's scene, which is in the drawn world.
 Scene scene_of(const PictureRequest& request);
 
 /// Converts the request to the engine's.

@@ -1,5 +1,7 @@
 #include "pipeline/prepare.hpp"
 
+#include "document/document.hpp"
+
 #include <utility>
 
 namespace zeroset {
@@ -20,9 +22,9 @@ ReadDocument read_document_text(std::string_view text, std::shared_ptr<const Fie
 
 std::expected<PreparedDocument, InputError> prepare(const Document& document, RowProgram rows,
                                                     Preparation how) {
-    auto formula = prepare_formula(std::move(rows), document.clip, how);
+    auto formula = prepare_formula(std::move(rows), {document.clip, stretch_of(document)}, how);
     if (!formula) return std::unexpected(formula.error());
-    auto colors = color_formulas(*formula, document.coloring);
+    auto colors = color_formulas(*formula, document.coloring, formula->stretch);
     if (!colors) return std::unexpected(colors.error());
     return PreparedDocument{.formula = std::make_shared<const Formula>(std::move(*formula)),
                             .colors = std::make_shared<const ColorFormulas>(std::move(*colors))};

@@ -3,6 +3,7 @@
 #include "engine/expr/patch_graph.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
+#include "engine/rewrite/stretch.hpp"
 #include "engine/scene/tolerance.hpp"
 
 #include <glm/glm.hpp>
@@ -15,12 +16,19 @@ std::vector<Kernel> typed_formulas(const Program& program, const Formula* formul
     formulas.reserve(shown.size());
     for (const std::size_t surface : shown) {
         if (!is_patch(program.surfaces[surface])) {
-            formulas.push_back(interpret(program.surfaces[surface]));
+            const glm::dvec3 stretch = formula == nullptr ? glm::dvec3(1.0) : formula->stretch;
+            formulas.push_back(interpret(stretched(program.surfaces[surface], stretch)));
         } else {
             formulas.push_back(formula == nullptr ? Kernel() : formula->kernels[surface]);
         }
     }
     return formulas;
+}
+
+PointFacts unstretched(PointFacts facts, const glm::dvec3& stretch) {
+    facts.point /= stretch;
+    if (facts.normal != glm::dvec3(0.0)) facts.normal = glm::normalize(stretch * facts.normal);
+    return facts;
 }
 
 double depth_tolerance(const Box& clip, const StopCriterion& stop, Precision precision) {

@@ -18,10 +18,14 @@ namespace zeroset {
 
 // Formulas and tolerances for probing pixels, used by the window and the command line.
 
-/// The formulas, as they were typed, of the program's surfaces in `shown`, for probe(); `formula`:
-/// the code that drew them, nullptr if there was no time for any.
+/// The formulas, as they were typed, of the program's surfaces in `shown`, for probe(), in the
+/// world that is drawn; `formula`: the code that drew them, nullptr if there was no time for any.
 std::vector<Kernel> typed_formulas(const Program& program, const Formula* formula,
                                    const std::vector<std::size_t>& shown);
+
+/// The facts of a pixel in a world that is drawn stretched (Camera), with point and normal in the
+/// formula's.
+PointFacts unstretched(PointFacts facts, const glm::dvec3& stretch);
 
 /// Largest distance of the depths of a frame traced in this precision from the surface, world
 /// units; a guess if the criterion bounds nothing.

@@ -49,8 +49,10 @@ std::vector<ShownPoint> shown_points(const Formula* formula, const Document& doc
                               document.region.contains(point.at);
         if (!is_shown) continue;
         const ThicknessUniforms q =
-            thickness_of(PatchKind::Point, row->thickness, document.clip, camera, height_px);
-        point.radius = std::abs(q[0] + q[1] * point.at.x + q[2] * point.at.y + q[3] * point.at.z);
+            thickness_of(PatchKind::Point, row->thickness, stretched(document.clip, camera.stretch),
+                         camera, height_px);
+        const glm::dvec3 drawn = camera.stretch * point.at;
+        point.radius = std::abs(q[0] + q[1] * drawn.x + q[2] * drawn.y + q[3] * drawn.z);
         points.push_back(std::move(point));
     }
     return points;

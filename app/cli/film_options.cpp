@@ -3,6 +3,7 @@
 #include "app/cli/options/option_reader.hpp"
 #include "app/cli/options/view_options.hpp"
 #include "document/camera_text.hpp"
+#include "document/framing.hpp"
 #include "document/views.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/base/text.hpp"
@@ -149,7 +150,7 @@ OrInputError<std::vector<Camera>> read_path(const FilmCommand& command, const Do
                                " saved views, and a way has two ends at least");
         return path;
     }
-    const Camera camera = document.camera.value_or(default_camera(document.clip, 1.0, document.up));
+    const Camera camera = camera_of(document);
     for (const std::string& text : command.waypoints) {
         const bool is_name =
             find_view(document.views, trimmed(text)) != nullptr || !looks_like_camera(text);

@@ -83,7 +83,7 @@ OrInputError<MeshPlan> plan_of(const MeshCommand& command) {
     plan.format = *format;
     auto input = read_document_with_rows(command.equation, command.view);
     if (!input) return std::unexpected(input.error());
-    plan.document = std::move(input->document);
+    plan.document = unstretched(std::move(input->document));
     plan.rows = std::move(*input->rows);
     plan.settings.open = command.open;
     plan.settings.thin = !command.no_thin;

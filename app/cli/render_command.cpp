@@ -187,7 +187,9 @@ void print_probes(const RenderedPicture& picture) {
                                   .tolerance = tolerance},
                                  pixel.x, pixel.y);
         const std::size_t surface = facts ? shown[facts->surface] : 0;
-        std::cout << json_line(pixel.x, pixel.y, facts, surface + 1, readings[surface]);
+        const auto typed_facts = facts.transform(
+            [&](const PointFacts& drawn) { return unstretched(drawn, request.camera.stretch); });
+        std::cout << json_line(pixel.x, pixel.y, typed_facts, surface + 1, readings[surface]);
     }
 }
 

@@ -35,7 +35,8 @@ void Desktop::find_view() {
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = wide_aspect(size);
     const auto look = [aspect](Document& document) {
-        Camera first = default_camera(box_in_view(document), aspect, document.up);
+        Camera first =
+            default_camera(box_in_view(document), aspect, document.up, stretch_of(document));
         if (document.camera) first.projection = document.camera->projection;
         document.camera = document.home.value_or(first);
     };
@@ -50,6 +51,9 @@ void Desktop::find_view() {
         session_.amend(look);
         if (!state_.edited.document.home) note_whole_view(state_.edited.document);
     }
+    if (state_.edited.document.camera->stretch != stretch_of(state_.edited.document))
+        session_.amend(
+            [aspect](Document& document) { document.camera = camera_of(document, aspect); });
     if (std::exchange(frames_box_, false) && draws_box(state_.edited.document))
         frame_whole_box(aspect);
     keep_whole_box(aspect);

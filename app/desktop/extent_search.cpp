@@ -1,5 +1,7 @@
 #include "app/desktop/extent_search.hpp"
 
+#include "document/framing.hpp"
+
 #include <chrono>
 
 namespace zeroset {
@@ -18,7 +20,7 @@ std::optional<Extent> ExtentSearch::take(const std::optional<PictureRequest>& no
     const Extent extent = extent_.get();
     if (!now || now->formula != picture_->formula || now->clip != picture_->clip)
         return std::nullopt;
-    return extent;
+    return unstretched(extent, now->camera.stretch);
 }
 
 }  // namespace zeroset

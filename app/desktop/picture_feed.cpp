@@ -35,15 +35,19 @@ void PictureFeed::read(const Document& document, bool draws_old) {
     const std::uint64_t files = document.files ? document.files->version() : 0;
     const bool told_otherwise = given_.language != language() || given_.files != files ||
                                 given_.source != document.files || (given_.draws_old && !draws_old);
-    if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
+    const glm::dvec3 stretch = stretch_of(document);
+    const bool is_known =
+        sheet == given_.rows && choice == given_.choice && stretch == given_.stretch;
+    if (is_known && !told_otherwise) return;
     if (told_otherwise) answered_ = {};
     given_ = {.rows = sheet,
               .choice = choice,
+              .stretch = stretch,
               .language = language(),
               .files = files,
               .source = document.files,
               .draws_old = draws_old};
-    formulas_.submit(std::move(sheet), document.clip, choice, document.files, draws_old);
+    formulas_.submit(std::move(sheet), {document.clip, stretch}, choice, document.files, draws_old);
 }
 
 std::optional<FormulaResult> PictureFeed::take_reading() {
@@ -51,6 +55,7 @@ std::optional<FormulaResult> PictureFeed::take_reading() {
     if (!result) return std::nullopt;
     answered_ = {.rows = result->sheet,
                  .choice = result->choice,
+                 .stretch = given_.stretch,
                  .language = given_.language,
                  .files = given_.files,
                  .source = given_.source};

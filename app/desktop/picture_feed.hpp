@@ -78,6 +78,7 @@ private:
     struct Text {
         std::optional<Sheet> rows;
         ColorChoice choice;
+        glm::dvec3 stretch{1.0};                              ///< of the document
         Language language = Language::English;                ///< of what is told of them
         std::uint64_t files = 0;                              ///< FieldSource::version() then
         std::shared_ptr<const FieldSource> source = nullptr;  ///< the document's

@@ -76,8 +76,8 @@ std::optional<ui::PointedFacts> PointInspector::facts_at(const ui::ShownPicture&
     if (shown.frame == nullptr) return std::nullopt;
     const ViewFrame view(shown.camera);
     const StopCriterion& stop = request.settings.stop;
-    const double tolerance =
-        depth_tolerance(request.clip, stop, wanted_precision(request.clip, view, stop));
+    const Box clip = stretched(request.clip, request.formula->stretch);
+    const double tolerance = depth_tolerance(clip, stop, wanted_precision(clip, view, stop));
     const Uniforms uniforms = uniforms_of(request);
     const ProbedPicture picture{.frame = *shown.frame,
                                 .camera = shown.camera,
@@ -88,8 +88,9 @@ std::optional<ui::PointedFacts> PointInspector::facts_at(const ui::ShownPicture&
     const auto facts = probe(picture, pixel.x, pixel.y);
     if (!facts || facts->surface >= request.surfaces.size()) return std::nullopt;
     const double pixel_size = view.pixel_width(shown.frame->height, facts->distance);
-    return ui::PointedFacts{
-        .facts = *facts, .row = request.surfaces[facts->surface].row, .pixel_size = pixel_size};
+    return ui::PointedFacts{.facts = unstretched(*facts, request.formula->stretch),
+                            .row = request.surfaces[facts->surface].row,
+                            .pixel_size = pixel_size};
 }
 
 const std::vector<Kernel>& PointInspector::typed(const PictureRequest& request) {

@@ -87,10 +87,11 @@ ExportOutcome write_level_sets(const ExportSubject& subject, const ui::MeshExpor
 
 /// The request that a file is made from, with code that takes no time to make.
 std::expected<PictureRequest, std::string> request_of(const ExportSubject& subject) {
-    auto prepared = prepare(subject.document, subject.rows(), Preparation::Interpreted);
+    const Document document = unstretched(subject.document);
+    auto prepared = prepare(document, subject.rows(), Preparation::Interpreted);
     if (!prepared) return std::unexpected(prepared.error().reason);
     constexpr glm::ivec2 size_px(1024, 1024);  // for the camera that distances are taken from
-    return picture_request(prepared->formula, prepared->colors, subject.document, subject.settings,
+    return picture_request(prepared->formula, prepared->colors, document, subject.settings,
                            size_px);
 }
 

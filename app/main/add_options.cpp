@@ -105,6 +105,9 @@ void add_region_options(CLI::App& app, ViewText& view) {
 
 void add_view_options(CLI::App& app, ViewText& view) {
     add_region_options(app, view);
+    add_value(app, "--aspect", view.aspect,
+              "how long one unit is drawn along x, y and z: 1:1:0.01, or auto (default: all alike, "
+              "unless an edge of the box is ten times another)");
     auto* const saved = add_value(app, "--view", view.saved_view,
                                   "look from a saved view of the document: its name");
     add_value(app, "--camera", view.camera,

@@ -31,10 +31,11 @@ render @barth_sextic --color-by gaussian-curvature -o curvature.png)",
         .name = "Camera",
         .about =
             R"(Without these the whole clip box is seen from a good direction. `--camera` takes one line, as the window
-copies it. Parallel rays (`--projection orthographic`) leave the size of the point looked at.)",
+copies it. Parallel rays (`--projection orthographic`) leave the size of the point looked at. Where `--aspect` draws the
+axes at scales of their own, `--eye` and `--look-at` are points of the formula, `--camera` is in lengths of the picture.)",
         .examples = R"(render @klein --eye 4,-3,2 --look-at 0,0,0 --fov 30 -o klein.png
 render "x^2 + y^2 = z" --box 1,1.000000001,0,1e-9,1,1.000000001 -o deep.png)",
-        .options = "--camera --view --eye --look-at --up --fov --projection"},
+        .options = "--camera --view --eye --look-at --up --fov --projection --aspect"},
     HelpGroup{
         .name = "Clip",
         .about =

@@ -19,11 +19,20 @@ Camera camera_in(Fields& fields, const std::string& place) {
     if (const Json* projection = fields.find("projection")) {
         camera.projection = projection_of(*projection, fields.at("projection"));
     }
+    if (const Json* stretch = fields.find("stretch"))
+        camera.stretch = stretch_of(*stretch, fields.at("stretch"));
     if (const char* defect = camera_defect(camera)) throw Damage{place + ": " + defect};
     return camera;
 }
 
 }  // namespace
+
+glm::dvec3 stretch_of(const Json& json, const std::string& place) {
+    const glm::dvec3 stretch = vector_of(json, place);
+    if (!glm::all(glm::greaterThan(stretch, glm::dvec3(0.0))))
+        throw Damage{filled(tr("{0} is not above 0"), {place})};
+    return stretch;
+}
 
 Json json_of(const Camera& camera) {
     Json json{{"eye", array_of(camera.eye)},
@@ -32,6 +41,7 @@ Json json_of(const Camera& camera) {
               {"fov_rad", camera.fov_rad}};
     if (camera.projection != Projection::Perspective)
         json["projection"] = name_of(camera.projection);
+    if (camera.stretch != Camera().stretch) json["stretch"] = array_of(camera.stretch);
     return json;
 }
 

@@ -14,6 +14,8 @@ namespace zeroset {
 // Conversions of the fields "camera", "home" and "views" of a document. Reading throws Damage.
 
 Json json_of(const Camera& camera);
+/// A stretch of a camera (engine/view/camera.hpp).
+glm::dvec3 stretch_of(const Json& json, const std::string& place);
 Camera camera_of(const Json& json, const std::string& place, std::vector<std::string>& unknown);
 
 Json json_of(const std::vector<SavedView>& views);

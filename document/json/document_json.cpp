@@ -231,6 +231,7 @@ ParsedDocument document_of(const Json& json) {
     }
     if (const Json* w = fields.find("w")) document.w = slider_of(*w, "w", unknown);
     if (const Json* box = fields.find("box")) document.clip = box_of(*box, "box");
+    if (const Json* aspect = fields.find("aspect")) document.aspect = stretch_of(*aspect, "aspect");
     if (const Json* region = fields.find("region")) document.region = region_of(*region, unknown);
     if (const Json* camera = fields.find("camera"))
         document.camera = camera_of(*camera, "camera", unknown);
@@ -291,6 +292,7 @@ std::string text_of(const Document& document, const std::optional<Background>& s
     json["w"] = json_of(document.w);
     const Box& box = document.clip;
     json["box"] = {box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z};
+    if (document.aspect) json["aspect"] = array_of(*document.aspect);
     if (!document.region.is_whole()) json["region"] = json_of(document.region);
     if (document.camera) json["camera"] = json_of(*document.camera);
     if (document.home) json["home"] = json_of(*document.home);

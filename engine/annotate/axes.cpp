@@ -160,8 +160,10 @@ int AxesMaker::up_axis() const {
 void AxesMaker::add_grid() {
     const int axis = up_axis();
     const double level = view_.up[axis] > 0 ? view_.clip.lo[axis] : view_.clip.hi[axis];
-    const double step = tick_step(view_.clip.size() / most_squares);
+    const glm::dvec3& stretch = view_.camera.stretch;
+    const double drawn_step = stretched(view_.clip, stretch).size() / most_squares;
     for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
+        const double step = tick_step(drawn_step / stretch[across]);
         for (const double value : stops(view_.clip.lo[across], view_.clip.hi[across], step)) {
             Segment line{.from = view_.clip.lo, .to = view_.clip.hi};
             line.from[axis] = line.to[axis] = level;

@@ -32,10 +32,11 @@ bool is_behind(const Framebuffer& frame, const ViewFrame& view, const glm::dvec3
 
 glm::dvec3 before_ball(const ViewFrame& view, const glm::dvec3& middle, double radius) {
     constexpr double margin = 1.05;
-    const glm::dvec3 towards = view.eye - middle;
+    const glm::dvec3 drawn = view.stretch * middle;
+    const glm::dvec3 towards = view.eye - drawn;
     const glm::dvec3 way = view.parallel() ? -view.forward : glm::normalize(towards);
     const double free = view.parallel() ? margin * radius : 0.5 * glm::length(towards);
-    return middle + std::min(margin * radius, free) * way;
+    return (drawn + std::min(margin * radius, free) * way) / view.stretch;
 }
 
 }  // namespace zeroset

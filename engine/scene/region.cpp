@@ -21,6 +21,17 @@ Section make_section(const glm::dvec3& normal, double offset, bool cap) {
     return {.normal = normal / length, .offset = offset / length, .cap = cap};
 }
 
+Region stretched(const Region& region, const glm::dvec3& stretch) {
+    if (stretch == glm::dvec3(1.0)) return region;
+    Region drawn = region;
+    for (Section& section : drawn.sections) {
+        const Section across = make_section(section.normal / stretch, section.offset);
+        section.normal = across.normal;
+        section.offset = across.offset;
+    }
+    return drawn;
+}
+
 bool cuts(const Section& section, const Box& box) {
     constexpr double error = 0x1p-48;  // above the rounding of the few operations here
     const glm::dvec3 farthest =

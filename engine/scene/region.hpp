@@ -53,6 +53,9 @@ Section make_section(const glm::dvec3& normal, double offset, bool cap = true);
 /// Whether something is seen on the section itself.
 inline bool is_filled(const Section& section) { return section.cap || section.values; }
 
+/// The region, which has no ball, in a world that is drawn stretched (Camera).
+Region stretched(const Region& region, const glm::dvec3& stretch);
+
 /// Whether the section takes something away from the box, and is no face of it.
 bool cuts(const Section& section, const Box& box);
 

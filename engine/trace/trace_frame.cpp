@@ -16,7 +16,7 @@ TraceFrame trace_frame(const Scene& scene, const Surface& surface, const ViewFra
                        const ImageSize& image, const StopCriterion& stop) {
     return {.scene = scene,
             .kernel = surface.kernel,
-            .view = view,
+            .view = view.in_drawn_world(),
             .image = image,
             .stop = stop,
             .depth = search_depth(scene.clip, view, stop),

@@ -26,4 +26,9 @@ struct Box {
 /// `box` about its own centre, `factor` times as large.
 Box scaled(const Box& box, double factor);
 
+/// The box in a world that is drawn stretched (Camera).
+inline Box stretched(const Box& box, const glm::dvec3& stretch) {
+    return {.lo = stretch * box.lo, .hi = stretch * box.hi};
+}
+
 }  // namespace zeroset

@@ -25,7 +25,8 @@ ViewFrame::ViewFrame(const Camera& camera)
       forward(glm::normalize(camera.look_at - camera.eye)),
       look_distance(glm::distance(camera.look_at, camera.eye)),
       half_height(std::tan(0.5 * camera.fov_rad)),
-      projection(camera.projection) {
+      projection(camera.projection),
+      stretch(camera.stretch) {
     right = glm::normalize(glm::cross(forward, camera.up));
     up = glm::cross(right, forward);
 }
@@ -46,7 +47,7 @@ glm::dvec3 ViewFrame::origin(const PixelPoint& at, const ImageSize& image) const
 }
 
 glm::dvec3 ViewFrame::point(const PixelPoint& at, const ImageSize& image, double distance) const {
-    return origin(at, image) + distance * glm::normalize(direction(at, image));
+    return (origin(at, image) + distance * glm::normalize(direction(at, image))) / stretch;
 }
 
 glm::dmat3 front_axes(const glm::dvec3& up) {
@@ -59,19 +60,21 @@ glm::dmat3 front_axes(const glm::dvec3& up) {
 }
 
 glm::dvec3 ViewFrame::homogeneous(const glm::dvec3& point) const {
-    const glm::dvec3 to = point - eye;
+    const glm::dvec3 to = stretch * point - eye;
     const double along = parallel() ? look_distance : glm::dot(to, forward);
     return {glm::dot(to, right), glm::dot(to, up), half_height * along};
 }
 
 double ViewFrame::distance_of(const glm::dvec3& point) const {
-    const glm::dvec3 to = point - eye;
+    const glm::dvec3 to = stretch * point - eye;
     return parallel() ? glm::dot(to, forward) : glm::length(to);
 }
 
-Camera default_camera(const Box& box, double aspect, const glm::dvec3& up) {
+Camera default_camera(const Box& box, double aspect, const glm::dvec3& up,
+                      const glm::dvec3& stretch) {
     Camera camera;
-    camera.look_at = box.centre();
+    camera.stretch = stretch;
+    camera.look_at = stretch * box.centre();
     camera.eye = camera.look_at + front_axes(up) * default_view_direction;
     camera.up = up;
     camera.fov_rad = glm::radians(default_fov_deg);
@@ -81,7 +84,7 @@ Camera default_camera(const Box& box, double aspect, const glm::dvec3& up) {
 Camera framed(const Camera& camera, const Box& box, double aspect) {
     constexpr double margin = 1.04;
     const ViewFrame frame(camera);
-    const glm::dvec3 half = 0.5 * (box.hi - box.lo);
+    const glm::dvec3 half = 0.5 * camera.stretch * (box.hi - box.lo);
     double distance = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
@@ -95,7 +98,7 @@ Camera framed(const Camera& camera, const Box& box, double aspect) {
         distance = std::max(distance, needed);
     }
     Camera moved = camera;
-    moved.look_at = box.centre();
+    moved.look_at = camera.stretch * box.centre();
     moved.eye = moved.look_at - distance * frame.forward;
     return moved;
 }
@@ -158,8 +161,9 @@ Camera pan(const Camera& camera, const ViewShift& by) {
 Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
     constexpr double nearest = 0x1p-46;  // relative to the coordinates: at least 64 ulp
     Camera moved = camera;
-    moved.eye = fixed + factor * (camera.eye - fixed);
-    moved.look_at = fixed + factor * (camera.look_at - fixed);
+    const glm::dvec3 drawn = camera.stretch * fixed;
+    moved.eye = drawn + factor * (camera.eye - drawn);
+    moved.look_at = drawn + factor * (camera.look_at - drawn);
     const double distance = glm::distance(moved.eye, moved.look_at);
     return factor < 1.0 && distance < nearest * glm::length(moved.look_at) ? camera : moved;
 }

@@ -20,6 +20,9 @@ std::string_view name_of(Projection projection);
 std::optional<Projection> projection_named(std::string_view name);
 
 /// A point of view. Row 0 of its image is at the top, rays go through pixel centres.
+///
+/// What it shows may be drawn stretched along the axes: then eye, point looked at and up are in the
+/// drawn world, where the point p is at stretch * p. Scenes are in the drawn world.
 struct Camera {
     glm::dvec3 eye{0.0};
     glm::dvec3 look_at{0.0};
@@ -28,21 +31,36 @@ struct Camera {
     /// at as a perspective one with this angle does.
     double fov_rad = 0.0;
     Projection projection = Projection::Perspective;
+    glm::dvec3 stretch{1.0};  ///< above 0
 
     bool operator==(const Camera&) const = default;
+    /// The camera among points of the drawn world.
+    [[nodiscard]] Camera in_drawn_world() const {
+        Camera camera = *this;
+        camera.stretch = glm::dvec3(1.0);
+        return camera;
+    }
 };
 
 /// A camera as an orthonormal frame, and its rays: the points origin + t * direction. Perspective
 /// rays begin at the eye. Orthographic ones have no beginning; t = 0 is where they cross the plane
 /// through the eye across the view. Distances are measured along the ray from t = 0, so those of an
-/// orthographic view may be negative.
+/// orthographic view may be negative. All of it is in the drawn world (Camera), but for the points
+/// that `point` returns and `homogeneous` and `distance_of` take.
 struct ViewFrame {
     glm::dvec3 eye, right, up, forward;
     double look_distance = 1.0;  ///< from the eye to the point looked at, along forward
     double half_height = 1.0;    ///< tan(fov / 2)
     Projection projection = Projection::Perspective;
+    glm::dvec3 stretch{1.0};
 
     explicit ViewFrame(const Camera& camera);
+    /// The frame among points of the drawn world.
+    [[nodiscard]] ViewFrame in_drawn_world() const {
+        ViewFrame frame = *this;
+        frame.stretch = glm::dvec3(1.0);
+        return frame;
+    }
 
     [[nodiscard]] bool parallel() const { return projection == Projection::Orthographic; }
     /// The point looked at.
@@ -95,9 +113,10 @@ inline constexpr glm::dvec3 default_view_direction{1.0, -1.6, 0.9};
 inline constexpr double default_fov_deg = 42.0;
 
 /// A camera that looks at the box's centre from `default_view_direction`, far enough to show the
-/// whole box in an image of the given aspect (width / height).
+/// whole box, stretched, in an image of the given aspect (width / height).
 Camera default_camera(const Box& box, double aspect = 1.0,
-                      const glm::dvec3& up = glm::dvec3(0.0, 0.0, 1.0));
+                      const glm::dvec3& up = glm::dvec3(0.0, 0.0, 1.0),
+                      const glm::dvec3& stretch = glm::dvec3(1.0));
 /// `camera` moved to look at the box's centre in its direction, as near as shows the whole box.
 Camera framed(const Camera& camera, const Box& box, double aspect);
 

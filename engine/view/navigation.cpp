@@ -87,12 +87,13 @@ Camera roll_ball(const Camera& camera, const ViewPoint& from, const ViewPoint& t
 
 Camera centred(const Camera& camera, const glm::dvec3& point) {
     const ViewFrame frame(camera);
+    const glm::dvec3 drawn = camera.stretch * point;
     const double depth =
-        frame.parallel() ? frame.look_distance : glm::dot(point - camera.eye, frame.forward);
+        frame.parallel() ? frame.look_distance : glm::dot(drawn - camera.eye, frame.forward);
     if (!(depth > 0)) return camera;
     Camera moved = camera;
-    moved.look_at = point;
-    moved.eye = point - depth * frame.forward;
+    moved.look_at = drawn;
+    moved.eye = drawn - depth * frame.forward;
     return camera_defect(moved) == nullptr ? moved : camera;
 }
 

@@ -81,8 +81,7 @@ std::vector<double> moments_of(const FilmPlan& plan, int frame) {
 FilmScript::FilmScript(FilmPlan plan, Document document, double aspect)
     : plan_(std::move(plan)),
       document_(std::move(document)),
-      first_(
-          document_.camera.value_or(default_camera(box_in_view(document_), aspect, document_.up))),
+      first_(camera_of(document_, aspect)),
       path_(plan_.path, plan_.end == FilmEnd::Loop) {
     if (!document_.camera && plan_.turn)
         first_ = framed_for_turn(first_, *plan_.turn, box_in_view(document_), aspect);

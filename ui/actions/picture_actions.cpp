@@ -47,7 +47,10 @@ bool is_parallel(const std::optional<Camera>& camera) {
 
 void switch_projection(UiState& state) {
     std::optional<Camera>& camera = state.edited.document.camera;
-    if (!camera) camera = default_camera(state.edited.document.clip);
+    if (!camera) {
+        const Document& document = state.edited.document;
+        camera = default_camera(document.clip, 1.0, document.up, stretch_of(document));
+    }
     const bool parallel = is_parallel(camera);
     camera->projection = parallel ? Projection::Perspective : Projection::Orthographic;
 }

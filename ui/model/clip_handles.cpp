@@ -23,15 +23,17 @@ constexpr double thinnest = 1e-3;  ///< of the box's size
 /// A normal that is turned this near an axis becomes it.
 constexpr double almost_axis = 0.9994;
 
+/// In the drawn world (Camera).
 glm::dvec3 ray_direction(const ViewFrame& view, const glm::dvec3& point) {
-    return view.parallel() ? view.forward : glm::normalize(point - view.eye);
+    return view.parallel() ? view.forward : glm::normalize(view.stretch * point - view.eye);
 }
 
 bool is_end_on(const ViewFrame& view, const glm::dvec3& at, const glm::dvec3& along) {
-    return glm::length(glm::cross(along, ray_direction(view, at))) < end_on;
+    const glm::dvec3 drawn = glm::normalize(view.stretch * along);
+    return glm::length(glm::cross(drawn, ray_direction(view, at))) < end_on;
 }
 
-/// World units per height of the picture where the point is.
+/// Drawn lengths per height of the picture where the point is.
 double height_at(const ViewFrame& view, const glm::dvec3& point) {
     return 2.0 * view.homogeneous(point).z;
 }
@@ -84,7 +86,8 @@ void add_section(std::vector<Handle>& handles, std::size_t index, const Clipping
                  const ViewFrame& view, double stem) {
     const Section& section = clipping.region.sections[index];
     const glm::dvec3 from = section_middle(section, clipping.clip);
-    const glm::dvec3 reach = stem * height_at(view, from) * section.normal;
+    const double drawn = glm::length(view.stretch * section.normal);
+    const glm::dvec3 reach = stem * height_at(view, from) / drawn * section.normal;
     if (!is_end_on(view, from, section.normal)) {
         handles.push_back({.id = {.part = HandlePart::SectionPlace, .index = index},
                            .from = from,
@@ -109,10 +112,11 @@ glm::dvec3 rounded(const glm::dvec3& point, double pixel) {
             rounded_to_pixel(point.z, pixel)};
 }
 
-Box moved_face(const Box& start, std::size_t face, double place, const DragKeys& keys) {
+Box moved_face(const Box& start, std::size_t face, double place, const DragKeys& keys,
+               const glm::dvec3& stretch) {
     const int axis = static_cast<int>(face / 2);
     const bool upper = face % 2 == 1;
-    const double gap = thinnest * start.size();
+    const double gap = thinnest * stretched(start, stretch).size() / stretch[axis];
     const double middle = start.centre()[axis];
     const bool both = keys.shift || keys.ctrl;
     const double limit = both    ? middle + (upper ? 0.5 : -0.5) * gap
@@ -148,11 +152,12 @@ glm::dvec3 settled(const glm::dvec3& normal, const DragKeys& keys) {
 }
 
 /// From the middle of a ball to where the ray through `place` meets it, on the side towards the eye
-/// or away from it as `was` is; to the rim for rays that pass. Length 1.
+/// or away from it as `was` is; to the rim for rays that pass. Length 1, in the drawn world, as
+/// `radius` and `was` are.
 glm::dvec3 turned(const ViewFrame& view, const glm::dvec3& middle, double radius,
                   const glm::dvec3& was, const ViewPoint& place) {
     const PixelRay ray = pixel_ray(view, place);
-    const glm::dvec3 to = ray.origin - middle;
+    const glm::dvec3 to = ray.origin - view.stretch * middle;
     const double nearest = -glm::dot(to, ray.direction);
     const glm::dvec3 aside = to + nearest * ray.direction;
     const double half = std::sqrt(std::max(radius * radius - glm::dot(aside, aside), 0.0));
@@ -164,7 +169,12 @@ glm::dvec3 turned(const ViewFrame& view, const glm::dvec3& middle, double radius
 struct Aim {
     const ViewFrame& view;
     ViewPoint place;
-    double pixel;  ///< world units
+    double pixel;  ///< in the drawn world
+
+    /// A pixel's part of the typed lengths along a direction.
+    [[nodiscard]] double pixel_along(const glm::dvec3& direction) const {
+        return pixel / glm::length(view.stretch * direction);
+    }
 };
 
 /// How far the handle goes along its line, within bounds.
@@ -180,9 +190,10 @@ Clipping with_face(const HandleDrag& drag, const Aim& aim, const DragKeys& keys)
     if (!s) return drag.last;
     const Handle& handle = drag.handle;
     const int axis = static_cast<int>(handle.id.index / 2);
-    const double place = rounded_to_pixel((handle.at + *s * handle.along)[axis], aim.pixel);
+    const double place =
+        rounded_to_pixel((handle.at + *s * handle.along)[axis], aim.pixel_along(handle.along));
     Clipping result = drag.start;
-    result.clip = moved_face(drag.start.clip, handle.id.index, place, keys);
+    result.clip = moved_face(drag.start.clip, handle.id.index, place, keys, aim.view.stretch);
     return result;
 }
 
@@ -206,18 +217,20 @@ Clipping with_place(const HandleDrag& drag, const Aim& aim) {
     if (!s) return drag.last;
     Clipping result = drag.start;
     double& offset = result.region.sections[drag.handle.id.index].offset;
-    offset = rounded_to_pixel(offset + *s, aim.pixel);
+    offset = rounded_to_pixel(offset + *s, aim.pixel_along(drag.handle.along));
     return result;
 }
 
 Clipping with_tilt(const HandleDrag& drag, const Aim& aim, const DragKeys& keys) {
     Clipping result = drag.start;
     Section& section = result.region.sections[drag.handle.id.index];
+    const glm::dvec3& stretch = aim.view.stretch;
     const glm::dvec3 middle = drag.handle.from;
-    const double radius = glm::distance(drag.handle.at, middle);
-    const glm::dvec3 normal = turned(aim.view, middle, radius, section.normal, aim.place);
-    section.normal = settled(normal, keys);
-    section.offset = rounded_to_pixel(glm::dot(section.normal, middle), aim.pixel);
+    const double radius = glm::length(stretch * (drag.handle.at - middle));
+    const glm::dvec3 drawn = turned(aim.view, middle, radius, stretch * section.normal, aim.place);
+    section.normal = settled(glm::normalize(drawn / stretch), keys);
+    section.offset =
+        rounded_to_pixel(glm::dot(section.normal, middle), aim.pixel_along(section.normal));
     return result;
 }
 

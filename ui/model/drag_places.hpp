@@ -17,7 +17,7 @@ inline glm::dvec3 across_view(const ViewFrame& view, const glm::dvec3& point,
     const glm::dvec3 seen = view.homogeneous(point);
     const double x = 2.0 * seen.z * place.x - seen.x;
     const double y = 2.0 * seen.z * place.y - seen.y;
-    return point + x * view.right + y * view.up;
+    return point + (x * view.right + y * view.up) / view.stretch;
 }
 
 /// A number of world units, to a power of ten that is no larger than a pixel there.

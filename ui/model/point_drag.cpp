@@ -67,15 +67,17 @@ Sliders dragged(const PointDrag& drag, const ViewFrame& view, const ViewPoint& c
     Sliders sliders = drag.start;
     for (auto& [name, slider] : sliders) {
         double sum = 0.0;
+        double unit = pixel;
         int count = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             if (drag.point.sliders.at(k) != name) continue;
             sum += to[static_cast<int>(k)];
+            unit = pixel / view.stretch[static_cast<int>(k)];
             ++count;
         }
         const double value = std::clamp(sum / count, -largest_number, largest_number);
         set_value(slider,
-                  slider.step > 0.0 ? stepped(slider, value) : rounded_to_pixel(value, pixel));
+                  slider.step > 0.0 ? stepped(slider, value) : rounded_to_pixel(value, unit));
     }
     return sliders;
 }

@@ -1,5 +1,7 @@
 #include "ui/model/section_axis.hpp"
 
+#include "document/framing.hpp"
+
 #include <cmath>
 
 namespace zeroset::ui {
@@ -12,9 +14,11 @@ int axis_of(const Section& section) {
 }
 
 Section section_across(int axis, const Document& document) {
-    const Camera camera = document.camera.value_or(default_camera(document.clip));
+    const Camera camera = camera_of(document);
     const glm::dvec3 to_eye = camera.eye - camera.look_at;
-    if (axis == free_axis) return make_section(to_eye, glm::dot(to_eye, camera.look_at));
+    // Across the view in the drawn world, where the point p is at stretch * p.
+    if (axis == free_axis)
+        return make_section(camera.stretch * to_eye, glm::dot(to_eye, camera.look_at));
     glm::dvec3 normal(0.0);
     normal[axis] = to_eye[axis] < 0 ? -1.0 : 1.0;
     return make_section(normal, glm::dot(normal, document.clip.centre()));

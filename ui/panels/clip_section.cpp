@@ -1,4 +1,5 @@
 #include "document/document.hpp"
+#include "document/framing.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
@@ -73,6 +74,23 @@ void draw_edges(Box& clip, Wishes& wishes) {
     }
 }
 
+bool shows_aspect(const Edited& edited) {
+    return shows_edges(edited) && !edited.document.region.ball;
+}
+
+/// How long a unit is drawn along each axis, and a button for what the box suggests.
+void draw_aspect(Document& document) {
+    draw_label(tr("scale"), tr("How long one unit is drawn along x, y and z."));
+    glm::dvec3 aspect = stretch_of(document);
+    const bool automatic = !document.aspect;
+    if (draw_numbers("aspect", std::array{&aspect.x, &aspect.y, &aspect.z}).changed &&
+        glm::all(glm::greaterThan(aspect, glm::dvec3(0.0))))
+        document.aspect = aspect;
+    if (automatic) return;
+    if (ImGui::Button(tr("Automatic scale"), ImVec2(-FLT_MIN, 0.0F))) document.aspect.reset();
+    draw_tooltip(tr("All axes alike, unless an edge of the box is ten times another."));
+}
+
 void draw_box(Edited& edited, Wishes& wishes) {
     Box& clip = edited.document.clip;
     const bool plain = is_plain(clip);
@@ -95,6 +113,7 @@ void draw_box(Edited& edited, Wishes& wishes) {
         open = !open;
     }
     if (shows_edges(edited)) draw_edges(clip, wishes);
+    if (shows_aspect(edited)) draw_aspect(edited.document);
 }
 
 void draw_ball(Edited& edited) {
@@ -207,6 +226,7 @@ Box resized(const Box& box, double half) { return scaled(box, 2.0 * half / box.s
 float clip_section_height(const Edited& edited) {
     const Region& region = edited.document.region;
     float rows = 2.0F + (shows_edges(edited) ? 3.0F : 0.0F) + (region.ball ? 2.0F : 0.0F);
+    if (shows_aspect(edited)) rows += edited.document.aspect ? 2.0F : 1.0F;
     for (const Section& section : region.sections)
         rows += axis_of(section) == free_axis ? 3.0F : 2.0F;
     if (region.sections.size() < max_sections) rows += 1.0F;

@@ -93,7 +93,9 @@ std::vector<glm::dvec3> outline_of(const HandleId& id, const Clipping& clipping,
 
 std::string handle_text(const Handle& handle, const Clipping& clipping, const ViewFrame& view,
                         int height_px) {
-    const double pixel = 2.0 * view.homogeneous(handle.at).z / height_px;
+    const double drawn =
+        handle.along == glm::dvec3(0.0) ? 1.0 : glm::length(view.stretch * handle.along);
+    const double pixel = 2.0 * view.homogeneous(handle.at).z / height_px / drawn;
     const Region& region = clipping.region;
     switch (handle.id.part) {
         case HandlePart::BoxFace: {

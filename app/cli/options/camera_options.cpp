@@ -26,7 +26,7 @@ OrInputError<Projection> read_projection(const std::string& text) {
 
 /// The camera that the options for parts of it change; nothing: the document's stays as it is.
 OrInputError<std::optional<Camera>> first_camera(const ViewText& view, const Document& document) {
-    const Camera camera = document.camera.value_or(default_camera(document.clip));
+    const Camera camera = camera_of(document);
     if (view.saved_view) return saved_camera("--view", *view.saved_view, document);
     if (view.camera) return read_camera("--camera", *view.camera, camera);
     if (!chooses_camera(view)) return std::nullopt;
@@ -78,18 +78,17 @@ std::optional<InputError> take_camera(const ViewText& view, Document& document) 
     if (!*first) return std::nullopt;
     Camera camera = **first;
     const auto take = [](const std::optional<std::string>& text, const char* option,
-                         glm::dvec3& value) -> std::optional<InputError> {
+                         glm::dvec3& value, const glm::dvec3& scale) -> std::optional<InputError> {
         if (!text) return std::nullopt;
         const auto vector = read_vector(option, *text);
         if (!vector) return vector.error();
-        value = *vector;
+        value = scale * *vector;
         return std::nullopt;
     };
-    if (auto error = take(view.eye, "--eye", camera.eye)) return error;
-    if (auto error = take(view.look_at, "--look-at", camera.look_at)) {
-        return error;
-    }
-    if (auto error = take(view.up, "--up", camera.up)) return error;
+    const glm::dvec3& stretch = camera.stretch;
+    if (auto error = take(view.eye, "--eye", camera.eye, stretch)) return error;
+    if (auto error = take(view.look_at, "--look-at", camera.look_at, stretch)) return error;
+    if (auto error = take(view.up, "--up", camera.up, glm::dvec3(1.0))) return error;
     if (view.up) document.up = camera.up;
     if (view.fov) {
         const auto degrees = read_number("--fov", *view.fov);

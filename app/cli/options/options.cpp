@@ -2,6 +2,7 @@
 
 #include "app/cli/options/surface_options.hpp"
 #include "app/cli/options/view_options.hpp"
+#include "document/framing.hpp"
 #include "document/json/document_json.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
@@ -27,16 +28,26 @@ std::optional<InputError> take_view(const ViewText& view, Document& document) {
         document.clip = *box;
         document.camera.reset();  // the old camera was meant for the old box
     }
+    if (view.aspect) {
+        const auto aspect = read_aspect(*view.aspect);
+        if (!aspect) return aspect.error();
+        document.aspect = *aspect;
+    }
     if (view.w) {
         const auto w = read_number("--w", *view.w);
         if (!w) return w.error();
         set_value(document.w, *w);
     }
     if (auto error = take_camera(view, document)) return error;
-    const glm::dvec3 eye = document.camera.value_or(default_camera(document.clip)).eye;
+    const Camera camera = camera_of(document);
+    const glm::dvec3 eye = camera.eye / camera.stretch;
     auto region = read_region(view, document.region, eye);
     if (!region) return region.error();
     document.region = std::move(*region);
+    if (view.aspect && document.aspect != glm::dvec3(1.0) && document.region.ball)
+        return InputError{.reason = "--aspect " + *view.aspect +
+                                    ": a sphere is drawn as one; leave out --sphere, or cut by "
+                                    "--section"};
     return read_section_looks(view, document.region, document.section_values);
 }
 
@@ -209,16 +220,23 @@ void tell_notes(const InputDocument& input) {
     }
 }
 
-/// Says on stderr that one scale for all axes makes a long clip box thin.
-void tell_thin_box(const Box& clip) {
+/// Says on stderr that axes are drawn at scales of their own, or that a thin clip box is drawn so.
+void tell_scales(const Document& document) {
     constexpr double most = 10.0;
-    const glm::dvec3 sides = clip.hi - clip.lo;
+    const glm::dvec3 stretch = stretch_of(document);
+    const glm::dvec3 sides = stretch * (document.clip.hi - document.clip.lo);
     const auto [least, longest] = std::minmax({sides.x, sides.y, sides.z});
-    if (!(longest > most * least)) return;
-    std::cerr
-        << "zeroset: note: the clip box is " << short_number(longest / least, 3)
-        << " times as long as it is thin, and all axes have the same scale: what is in it may "
-           "be too thin to see; scale the formula, or give --box another shape\n";
+    if (longest > most * least) {
+        std::cerr << "zeroset: note: the clip box is drawn " << short_number(longest / least, 3)
+                  << " times as long as it is thin: what is in it may be too thin to see; "
+                     "--aspect 1:1:0.01 draws z a hundredth as long\n";
+    } else if (!document.aspect && stretch != glm::dvec3(1.0)) {
+        std::cerr << "zeroset: note: pictures show one unit along x, y and z as "
+                  << short_number(stretch.x) << ":" << short_number(stretch.y) << ":"
+                  << short_number(stretch.z)
+                  << " lengths, as the edges of the clip box are very unequal; --aspect 1:1:1 "
+                     "shows them alike\n";
+    }
 }
 
 }  // namespace
@@ -229,7 +247,7 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     if (!input) return input;
     if (!view.quiet) tell_notes(*input);
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);
-    if (!view.quiet && (input->typed || view.box)) tell_thin_box(input->document.clip);
+    if (!view.quiet && (input->typed || view.box)) tell_scales(input->document);
     if (input->path.empty()) input->document.home = input->document.camera;
     // An unreadable text is reported before options that do not fit it.
     if (!input->rows && input->path.empty()) return input;

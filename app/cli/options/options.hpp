@@ -30,7 +30,7 @@ struct SurfaceTexts {
 
 /// The view options as typed; empty where an option was not given.
 struct ViewText {
-    std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
+    std::optional<std::string> box, aspect, eye, look_at, up, fov, projection, w, sphere;
     std::optional<std::string> camera;      ///< as read_camera reads it
     std::optional<std::string> saved_view;  ///< the name of one of the document's views
     std::vector<std::string> sections;

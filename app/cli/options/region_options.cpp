@@ -87,6 +87,19 @@ OrInputError<Region> read_region(const ViewText& view, const Region& base, const
     return region;
 }
 
+OrInputError<std::optional<glm::dvec3>> read_aspect(const std::string& text) {
+    if (trimmed(text) == "auto") return std::nullopt;
+    std::string listed = text;
+    std::ranges::replace(listed, ':', ',');
+    const auto numbers = read_numbers("--aspect", listed, 3);
+    if (!numbers) return std::unexpected(numbers.error());
+    const glm::dvec3 aspect((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    const bool are_lengths = glm::all(glm::greaterThanEqual(aspect, glm::dvec3(1.0 / largest))) &&
+                             glm::all(glm::lessThanEqual(aspect, glm::dvec3(largest)));
+    if (!are_lengths) return wrong_input("--aspect " + text + ": type lengths from 1e-9 to 1e9");
+    return aspect;
+}
+
 OrInputError<Box> read_box(const std::string& option, const std::string& text) {
     const bool cube = !text.contains(',');
     const auto numbers = read_numbers(option, text, cube ? 1 : 6);

@@ -43,6 +43,9 @@ OrInputError<Region> read_region(const ViewText& view, const Region& base, const
 /// Reads the box that an option gives: L for [-L, L]^3, or x0,x1,y0,y1,z0,z1.
 OrInputError<Box> read_box(const std::string& option, const std::string& text);
 
+/// Reads --aspect: auto, or lengths in the picture for one unit along x, y and z, as 1:1:0.01.
+OrInputError<std::optional<glm::dvec3>> read_aspect(const std::string& text);
+
 /// Applies the options of what sections show to those of the region and to the values' choice.
 std::optional<InputError> read_section_looks(const ViewText& view, Region& region,
                                              SectionChoice& values);

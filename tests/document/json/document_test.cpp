@@ -31,7 +31,9 @@ Document rich_document() {
     document.parameters["\u03B1"] = {1e-30, -1e30, 1e30, 0.0, slowest, Repeat::Bounce};
     document.w = {0.3, -2.0, 2.5, 0.1, 4.0, Repeat::Loop};
     document.clip = {{-1.1, -2, -3}, {0.7, 5, 6}};
+    document.aspect = {1, 0.25, 1.0 / 3.0};
     document.camera = Camera{{5, 0.1, 1}, {1, 2, 3}, {0, 1, 0}, 0.7330382858376184};
+    document.camera->stretch = {1, 0.25, 1.0 / 3.0};
     document.home = Camera{{1, 2, 3.3}, {0, 0, 0}, {0, 0, 1}, 1.0, Projection::Orthographic};
     document.region = {Ball{{0.1, -2, 3}, 1.0 / 3.0},
                        {make_section({1, 2, 3}, 0.1), make_section({0, 0, -1}, 7, false)}};

@@ -64,6 +64,23 @@ TEST_P(ClipHandles, StandInTheMiddleOfWhatTheyMove) {
                 1e-12);
 }
 
+/// Faces and sections go where the pointer is, in typed numbers, where the picture is stretched.
+TEST_P(ClipHandles, MoveInAStretchedPicture) {
+    clipping_.region.ball.reset();
+    clipping_.clip = {.lo = {-2, -2, -200}, .hi = {2, 2, 200}};
+    clipping_.region.sections = {Section{{0, 0, 1}, 25.0, true}};
+    camera_ = default_camera(clipping_.clip, 1.0, {0, 0, 1}, {1, 1, 0.01});
+    camera_.projection = GetParam();
+    const Clipping moved = drag_to(handle(HandlePart::BoxFace, 5), {0, 0, 120});
+    EXPECT_NEAR(moved.clip.hi.z, 120, 100 * pixel());
+    const Handle arrow = handle(HandlePart::SectionPlace);
+    const Clipping cut = drag_to(arrow, arrow.at + glm::dvec3(0, 0, 40));
+    EXPECT_NEAR(cut.region.sections[0].offset, 65, 100 * pixel());
+    const Handle tip = handle(HandlePart::SectionTilt);
+    EXPECT_NEAR(glm::length(camera_.stretch * (tip.at - tip.from)),
+                stem * 2.0 * view().homogeneous(tip.from).z, 1e-12);
+}
+
 TEST_P(ClipHandles, MoveOneFaceAlongItsAxis) {
     for (std::size_t face = 0; face < 6; ++face) {
         const Handle grip = handle(HandlePart::BoxFace, face);

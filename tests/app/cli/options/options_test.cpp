@@ -263,6 +263,28 @@ TEST(ReadSurface, TakesTheCamera) {
     EXPECT_EQ(surface->document.w.value, -0.5);
 }
 
+TEST(AspectOption, ScalesTheAxesOfThePicture) {
+    ViewText view;
+    view.box = "-1,1,-1,1,-50,50";
+    view.eye = "3,-4,100";
+    view.look_at = "0,0,10";
+    const Document chosen = read_document("z = 50 x y", view).value().document;
+    EXPECT_FALSE(chosen.aspect);
+    EXPECT_EQ(chosen.camera->stretch, glm::dvec3(64, 64, 1));
+    EXPECT_EQ(chosen.camera->eye, glm::dvec3(192, -256, 100));
+    view.aspect = "1:1:0.5";
+    const Document typed = read_document("z = 50 x y", view).value().document;
+    EXPECT_EQ(typed.aspect, glm::dvec3(1, 1, 0.5));
+    EXPECT_EQ(typed.camera->look_at, glm::dvec3(0, 0, 5));
+    for (const char* const wrong : {"1:1", "1:0:1", "1:-1:1", "flat"}) {
+        view.aspect = wrong;
+        expect_refused(read_document("z = 50 x y", view), "--aspect");
+    }
+    view.aspect = "1:1:0.5";
+    view.sphere = "1";
+    expect_refused(read_document("z = 50 x y", view), "--aspect");
+}
+
 TEST(ReadSurface, RefusesCamerasThatSeeNothing) {
     expect_refused(document_of({{&ViewText::eye, "1,1,1"}, {&ViewText::look_at, "1,1,1"}}), "eye");
     expect_refused(document_of({{&ViewText::up, "0,0,0"}}), "up");
