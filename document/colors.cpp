@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -19,11 +18,6 @@ std::uint32_t swapped(std::uint32_t color) {
 float light(std::uint32_t byte) {
     const float part = static_cast<float>(byte & 0xFFU) / 255.0F;
     return part * part;
-}
-
-float distance(const float (&a)[3], const float (&b)[3]) {
-    return std::hypot(std::sqrt(a[0]) - std::sqrt(b[0]), std::sqrt(a[1]) - std::sqrt(b[1]),
-                      std::sqrt(a[2]) - std::sqrt(b[2]));
 }
 
 std::uint32_t free_color(const Document& document, std::size_t fallback) {
@@ -71,10 +65,13 @@ SurfaceColors surface_colors(std::uint32_t front) {
     }
     SurfaceColors colors{.front = {light(front >> 16U), light(front >> 8U), light(front)},
                          .back = {}};
-    const auto farthest = std::ranges::max_element(palette(), {}, [&](const SurfaceColors& pair) {
-        return distance(pair.back, colors.front);
-    });
-    std::ranges::copy(farthest->back, colors.back);
+    const float(&side)[3] = colors.front;
+    const float brightness = 0.2126F * side[0] + 0.7152F * side[1] + 0.0722F * side[2];
+    const bool is_light = brightness > 0.5F;
+    // Paler tones are as bright as they can be, so that they keep their hue in shade.
+    const float strongest = std::max({side[0], side[1], side[2], 1e-3F});
+    for (std::size_t i = 0; i < 3; ++i)
+        colors.back[i] = is_light ? 0.25F * side[i] : 0.5F + 0.45F * side[i] / strongest;
     return colors;
 }
 

@@ -20,7 +20,7 @@ std::string color_text(std::uint32_t color);
 std::optional<std::uint32_t> color_from(std::string_view text);
 
 /// Colours of the two sides of a surface whose front shows as `front` (0xRRGGBB): the palette's
-/// pair, or for other fronts the palette's back that differs most.
+/// pair, or for other fronts a paler tone of them, for light ones a deeper one.
 SurfaceColors surface_colors(std::uint32_t front);
 
 /// How the other side of such a surface shows, 0xRRGGBB.

@@ -226,11 +226,18 @@ std::optional<Ruler> AxesMaker::ruler_along(int axis, const Segment& segment) co
     return ruler;
 }
 
-/// The step that suits the line alone.
+/// The step that suits the line alone: a finer one where it would have less than three ticks, and
+/// there is room.
 TickStep AxesMaker::own_step(const Ruler& ruler) const {
+    const bool of_pi = view_.of_pi.at(static_cast<std::size_t>(ruler.axis));
     const double em = ruler.length_px / view_.em;
     const double ticks = std::max(em / tick_distance_em, std::min(2.0, em / least_ruler_em));
-    return tick_step_of(ruler.length / ticks, view_.of_pi.at(static_cast<std::size_t>(ruler.axis)));
+    TickStep step = tick_step_of(ruler.length / ticks, of_pi);
+    constexpr double finer = 0.4;  // of 1, 2 and 5 the next smaller
+    const double least = least_ruler_em / em * ruler.length;
+    while (ruler.last(step) - ruler.first(step) < 2.0 && finer * step.length() > 0.8 * least)
+        step = tick_step_of(finer * step.length(), of_pi);
+    return step;
 }
 
 /// How much of a label of this size, in em, there is along a direction in the image.
@@ -320,23 +327,24 @@ void AxesMaker::add_name(const Ruler& ruler, double numbers_em, double width_em)
 void AxesMaker::add_axes() {
     std::array<std::optional<Ruler>, 3> rulers;
     const auto edges = outer_edges(view_.clip, plane_, up_axis());
-    double px_per_unit = 0.0;
+    const Ruler* longest = nullptr;  ///< the one along which a unit is seen longest
     for (int axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
         add_line(axis_segment(axis), kind_of_axis(axis));
         if (edges.at(k)) rulers.at(k) = ruler_along(axis, *edges.at(k));
         if (rulers.at(k)) add_line(*edges.at(k), kind_of_axis(axis));
         if (!rulers.at(k)) rulers.at(k) = ruler_along(axis, axis_segment(axis));
-        if (rulers.at(k) && !view_.of_pi.at(k))
-            px_per_unit = std::max(px_per_unit, rulers.at(k)->length_px / rulers.at(k)->length);
+        if (!rulers.at(k) || view_.of_pi.at(k)) continue;
+        if (longest == nullptr || rulers.at(k)->px_per_unit() > longest->px_per_unit())
+            longest = &*rulers.at(k);
     }
+    const TickStep common = longest != nullptr ? own_step(*longest) : TickStep();
     for (int axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
         if (!rulers.at(k)) continue;
         const auto step_of = [&](const Ruler& ruler) {
-            if (view_.of_pi.at(k)) return own_step(ruler);
-            const TickStep common{.num = tick_step(tick_distance_em * view_.em / px_per_unit)};
-            return ruler.last(common) > ruler.first(common) ? common : own_step(ruler);
+            const bool suits = !view_.of_pi.at(k) && ruler.last(common) > ruler.first(common);
+            return suits ? common : own_step(ruler);
         };
         if (add_ruler(*rulers.at(k), step_of(*rulers.at(k)))) continue;
         if (const auto own = ruler_along(axis, axis_segment(axis))) add_ruler(*own, step_of(*own));

@@ -33,6 +33,7 @@ struct Ruler {
     double length_px = 0.0;  ///< of the part that is seen
     double length = 0.0;     ///< of that part, in the world
 
+    [[nodiscard]] double px_per_unit() const { return length_px / length; }
     [[nodiscard]] double lowest() const { return segment.at(part.from)[axis]; }
     [[nodiscard]] double highest() const { return segment.at(part.to)[axis]; }
     /// Numbers of the first and the last tick in it.

@@ -67,6 +67,7 @@ HitLight HitShader::shade_standard(const LitHit& hit) const {
         out.gloss += 0.22F / 0.85F * light * std::pow(std::max(gloss, 0.0F), 32.0F);
     }
     out.body = hit.color * diffuse;
+    out.gloss *= 1.0F - out.body;
     out.mirror = mirror_of(hit);
     return out;
 }

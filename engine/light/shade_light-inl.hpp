@@ -174,8 +174,10 @@ HWY_INLINE void reflect(const Paint& paint, const RowLight& light, std::size_t c
     const V<float> specular = hn::Mul(gloss, hn::Set(d<float>, 0.22F * 0x1p-32F));
     const V<float> facing = hn::Load(d<float>, &light.facing[col]);
     for (int channel = 0; channel < 3; ++channel) {
-        const V<float> albedo = paint.at(channel, facing, pixel);
-        hn::StoreU(hn::MulAdd(albedo, diffuse, specular), d<float>, channels[channel] + col);
+        // Laid over as a pale veil, the highlight does not burn out to white where it is bright.
+        const V<float> body = hn::Mul(paint.at(channel, facing, pixel), diffuse);
+        hn::StoreU(hn::NegMulAdd(body, specular, hn::Add(body, specular)), d<float>,
+                   channels[channel] + col);
     }
 }
 

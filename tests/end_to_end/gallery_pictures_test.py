@@ -160,7 +160,8 @@ class GalleryPicturesTest(ProgramTest):
     def test_every_item_is_drawn_in_many_colors(self):
         for item in to_try(gallery(), every=3):
             with self.subTest(item["name"]):
-                image = self.picture("@" + item["name"], "--size", SIZE, "--dstop", D_STOP)
+                image = self.picture("@" + item["name"], "--size", SIZE, "--dstop", D_STOP,
+                                     "--aa", "none")
                 self.assertEqual((image.width, image.height), (SIZE, SIZE))
                 self.assertGreater(len(image.colors()), 60)
                 background = [image.at(0, row) for row in range(SIZE)]
