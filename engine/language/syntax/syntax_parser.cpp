@@ -2,6 +2,7 @@
 
 #include "engine/base/translation.hpp"
 #include "engine/language/vocabulary/words_vocabulary.hpp"
+#include "engine/language/words/syntax_bars.hpp"
 
 #include <array>
 #include <cassert>
@@ -157,20 +158,28 @@ SyntaxParser::Parsed SyntaxParser::product() {
     std::string marks;
     for (;;) {
         if (next_is("~")) take();
-        const bool written = next_is_one_of({"*", "/", "%"});
+        const bool written = next_is_one_of({"*", "/", "%"}) || next_is_remainder();
         if (!written && !starts_factor()) break;
         if (is_derivative()) {
             return fail(next(), tr("derivatives such as d/dx are not read"),
                         tr("type the derivative as a formula"));
         }
         const bool is_like_index = next_is("[") && adjacent(tokens_[at_ - 1], next());
-        marks += written ? take().text.front() : is_like_index ? '[' : '*';
+        const char sign = next_is_word("mod") ? '%' : next().text.front();
+        if (written) take();
+        marks += written ? sign : is_like_index ? '[' : '*';
         const Parsed further = written ? signed_power() : power();
         if (!further) return further;
         operands.push_back(*further);
     }
     if (marks.empty()) return first;
     return add(SyntaxKind::Product, offset, std::move(operands), marks);
+}
+
+/// Whether the word of x mod 2 is next, and no call.
+bool SyntaxParser::next_is_remainder() const {
+    return next_is_word("mod") && begins_operand(tokens_[at_ + 1]) &&
+           !is_symbol(tokens_[at_ + 1], {"(", "["});
 }
 
 /// Whether the "/" of d/dx is next, typed without spaces, and d is not a defined name.

@@ -121,6 +121,7 @@ private:
     Parsed relation();
     Parsed sum();
     Parsed product();
+    [[nodiscard]] bool next_is_remainder() const;
     [[nodiscard]] bool is_derivative() const;
     Parsed signed_power();
     Parsed negated();

@@ -24,6 +24,7 @@ constexpr std::array operator_signs{
     std::pair{U'≠', symbol("!=")},   std::pair{U'∣', symbol("|")},
     std::pair{U'⌊', symbol("⌊")},    std::pair{U'⌋', symbol("⌋")},
     std::pair{U'⌈', symbol("⌈")},    std::pair{U'⌉', symbol("⌉")},
+    std::pair{U'ℜ', name("Re")},     std::pair{U'ℑ', name("Im")},
     std::pair{U'√', name("√")},      std::pair{U'∛', name("∛")},
     std::pair{U'∧', name("and")},    std::pair{U'∨', name("or")},
     std::pair{U'¬', name("not")},    std::pair{U'½', number("0.5")},
