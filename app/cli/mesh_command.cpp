@@ -11,6 +11,8 @@
 #include "pipeline/plans/export_formats.hpp"
 #include "pipeline/prepare.hpp"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -173,10 +175,20 @@ int write_implicit(const MeshCommand& command, const MeshPlan& plan) {
     return exit_ok;
 }
 
+/// Large arrays come and go. Memory that the system takes back it gives again only page by page,
+/// each of them cleared, which takes an eighth of the time.
+void keep_memory() {
+    constexpr int mebibyte = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
+    mallopt(M_TRIM_THRESHOLD, 1024 * mebibyte);
+    mallopt(M_TOP_PAD, 16 * mebibyte);
+}
+
 }  // namespace
 
 int run_mesh(const MeshCommand& command) {
     const auto start = Clock::now();
+    keep_memory();
     auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = first_unwritable({command.output, command.stats}))

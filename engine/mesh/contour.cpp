@@ -123,7 +123,7 @@ MeshFacts contour_facts(const Lattice& lattice) {
     TriangleMesh mesh;
     mesh.vertices.resize(marched.edges.size());
     mesh.triangles = std::move(marched.triangles);
-    return facts_of(mesh);
+    return counts_of(mesh);
 }
 
 std::size_t contour_complexity(const Lattice& lattice) {

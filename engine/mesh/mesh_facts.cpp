@@ -72,10 +72,15 @@ void measure(const TriangleMesh& mesh, MeshFacts& facts) {
 
 }  // namespace
 
-MeshFacts facts_of(const TriangleMesh& mesh) {
+MeshFacts counts_of(const TriangleMesh& mesh) {
     MeshFacts facts{.vertices = mesh.vertices.size(), .triangles = mesh.triangles.size()};
     count_edges(mesh, facts);
     facts.components = Groups(mesh).count();
+    return facts;
+}
+
+MeshFacts facts_of(const TriangleMesh& mesh) {
+    MeshFacts facts = counts_of(mesh);
     measure(mesh, facts);
     return facts;
 }

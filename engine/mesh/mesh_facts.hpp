@@ -29,6 +29,8 @@ struct MeshFacts {
 };
 
 MeshFacts facts_of(const TriangleMesh& mesh);
+/// Counts alone, without sizes.
+MeshFacts counts_of(const TriangleMesh& mesh);
 
 /// One of the vertices of each vertex's component, the same one for all of it.
 std::vector<std::uint32_t> components_of(const TriangleMesh& mesh);

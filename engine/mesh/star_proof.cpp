@@ -5,33 +5,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 namespace zeroset {
 namespace {
 
-void keep_each_once(std::vector<std::uint32_t>& ids) {
-    std::ranges::sort(ids);
-    ids.erase(std::ranges::unique(ids).begin(), ids.end());
-}
+/// Vertices of the lattice by their numbers, those whose stars are to be proved.
+using VertexSet = std::vector<std::uint8_t>;
 
-/// The tetrahedra about each vertex.
+/// The tetrahedra about each vertex of a set.
 class Stars {
 public:
-    explicit Stars(const Lattice& lattice) : starts_(lattice.vertices.size() + 1) {
+    Stars(const Lattice& lattice, const VertexSet& set) : starts_(lattice.vertices.size() + 1) {
         for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
             for (const std::uint32_t vertex : tetrahedron.vertices)
-                ++starts_[vertex + 1];
+                starts_[vertex + 1] += set[vertex];
         }
         for (std::size_t i = 1; i < starts_.size(); ++i)
             starts_[i] += starts_[i - 1];
         members_.resize(starts_.back());
         std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
         for (std::uint32_t i = 0; i < lattice.tetrahedra.size(); ++i) {
-            for (const std::uint32_t vertex : lattice.tetrahedra[i].vertices)
-                members_[next[vertex]++] = i;
+            for (const std::uint32_t vertex : lattice.tetrahedra[i].vertices) {
+                if (set[vertex] != 0) members_[next[vertex]++] = i;
+            }
         }
     }
     [[nodiscard]] std::span<const std::uint32_t> of(std::size_t vertex) const {
@@ -71,7 +69,8 @@ enum class Rise : std::uint8_t { None, Function, Both };
 
 class Prover {
 public:
-    Prover(const CellTree& tree, const Lattice& lattice, const MeshWork& work);
+    Prover(const CellTree& tree, const Lattice& lattice, const VertexSet& set,
+           const MeshWork& work);
     [[nodiscard]] Rise rise(std::size_t vertex) const;
     /// Lowers what is proved of the cells about a vertex to what is proved of its star.
     void mark_cells(std::size_t vertex, Rise rise, std::vector<Rise>& of_cells) const;
@@ -88,11 +87,15 @@ private:
     std::vector<std::optional<GradientBox>> levels_;  ///< of tetrahedra
 };
 
-Prover::Prover(const CellTree& tree, const Lattice& lattice, const MeshWork& work)
-    : tree_(tree), lattice_(lattice), stars_(lattice), levels_(lattice.tetrahedra.size()) {
+Prover::Prover(const CellTree& tree, const Lattice& lattice, const VertexSet& set,
+               const MeshWork& work)
+    : tree_(tree), lattice_(lattice), stars_(lattice, set), levels_(lattice.tetrahedra.size()) {
     parallel_upward(levels_.size(), 4096, work, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            levels_[i] = linear_gradient(lattice, lattice.tetrahedra[i]);
+        for (std::size_t i = first; i < last; ++i) {
+            const auto& [a, b, c, d] = lattice.tetrahedra[i].vertices;
+            if ((set[a] | set[b] | set[c] | set[d]) != 0)
+                levels_[i] = linear_gradient(lattice, lattice.tetrahedra[i]);
+        }
     });
 }
 
@@ -156,9 +159,13 @@ void Prover::mark_cells(std::size_t vertex, Rise rise, std::vector<Rise>& of_cel
     }
 }
 
-StarProof prove_some(const CellTree& tree, const Lattice& lattice,
-                     std::span<const std::uint32_t> vertices, const MeshWork& work) {
-    const Prover prover(tree, lattice, work);
+StarProof prove_some(const CellTree& tree, const Lattice& lattice, const VertexSet& set,
+                     const MeshWork& work) {
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t v = 0; v < set.size(); ++v) {
+        if (set[v] != 0) vertices.push_back(v);
+    }
+    const Prover prover(tree, lattice, set, work);
     std::vector<Rise> rises(vertices.size());
     parallel_upward(rises.size(), 256, work, [&](std::size_t first, std::size_t last) {
         if (work.limit.over()) return;  // what is left counts as not proved
@@ -182,9 +189,7 @@ StarProof prove_some(const CellTree& tree, const Lattice& lattice,
 }  // namespace
 
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work) {
-    std::vector<std::uint32_t> vertices(lattice.vertices.size());
-    std::iota(vertices.begin(), vertices.end(), 0U);
-    return prove_some(tree, lattice, vertices, work);
+    return prove_some(tree, lattice, VertexSet(lattice.vertices.size(), 1), work);
 }
 
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
@@ -193,14 +198,14 @@ StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
     std::vector<bool> wanted(tree.size());
     for (const std::uint32_t leaf : leaves)
         wanted[leaf] = true;
-    std::vector<std::uint32_t> vertices;
+    VertexSet set(lattice.vertices.size());
     for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
         const auto& [a, b] = tetrahedron.cells;
         if (tetrahedron.newest < first_new && !wanted[a] && !wanted[b]) continue;
-        vertices.insert(vertices.end(), tetrahedron.vertices.begin(), tetrahedron.vertices.end());
+        for (const std::uint32_t vertex : tetrahedron.vertices)
+            set[vertex] = 1;
     }
-    keep_each_once(vertices);
-    return prove_some(tree, lattice, vertices, work);
+    return prove_some(tree, lattice, set, work);
 }
 
 }  // namespace zeroset

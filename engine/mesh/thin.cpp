@@ -224,9 +224,10 @@ std::vector<std::vector<std::uint32_t>> tiles_of(const CollapsibleMesh& mesh, do
     return members;
 }
 
-/// The edge of tiles that hold about so many vertices each.
+/// The edge of tiles such that threads have some tiles each.
 double tile_edge(const CollapsibleMesh& mesh) {
-    constexpr double vertices_of_tile = 8'000;
+    const auto vertices = static_cast<double>(mesh.triangles()) / 2.0;
+    const double vertices_of_tile = std::clamp(vertices / 8.0, 500.0, 8'000.0);
     double area = 0.0;
     for (std::uint32_t v = 0; v < mesh.size(); ++v) {
         for (const std::uint32_t t : mesh.star(v)) {
@@ -236,7 +237,7 @@ double tile_edge(const CollapsibleMesh& mesh) {
                     6.0;
         }
     }
-    return std::sqrt(area * vertices_of_tile / static_cast<double>(mesh.size()));
+    return std::sqrt(area * vertices_of_tile / vertices);
 }
 
 }  // namespace
@@ -251,17 +252,20 @@ void thin(TriangleMesh& mesh, const MeshSolid& solid, const ThinOptions& options
                 .run(tiles[tile]);
         });
     };
-    // Where the number of triangles ends the work, the cheapest of all must come first.
-    if (options.most_triangles == 0) {
-        const double edge = tile_edge(thinning.mesh());
-        for (const double moved : {0.0, 0.5})
-            thin_tiles(tiles_of(thinning.mesh(), edge, moved, states.tiles));
-    }
-    std::ranges::fill(states.tiles, 0U);
     std::vector<std::vector<std::uint32_t>> all(1);
     all[0].resize(thinning.mesh().size());
     std::iota(all[0].begin(), all[0].end(), 0U);
-    thin_tiles(all);
+    const auto thin_all = [&] {
+        // Where the number of triangles ends the work, the cheapest of all must come first.
+        if (options.most_triangles == 0) {
+            const double edge = tile_edge(thinning.mesh());
+            for (const double moved : {0.0, 0.5})
+                thin_tiles(tiles_of(thinning.mesh(), edge, moved, states.tiles));
+        }
+        std::ranges::fill(states.tiles, 0U);
+        thin_tiles(all);
+    };
+    thin_all();
     // A vertex that could go nowhere is asked again only where its ring changes, but what is beyond
     // that counts, too.
     constexpr int most_rounds = 4;
@@ -269,7 +273,7 @@ void thin(TriangleMesh& mesh, const MeshSolid& solid, const ThinOptions& options
     for (int round = 0; round < most_rounds && before != thinning.mesh().triangles(); ++round) {
         before = thinning.mesh().triangles();
         std::ranges::fill(states.asked, std::uint8_t{1});
-        thin_tiles(all);
+        thin_all();
     }
     mesh = thinning.finish();
 }
