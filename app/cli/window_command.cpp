@@ -57,6 +57,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     if (const auto wrong = take_look(trace, options.document)) return std::unexpected(*wrong);
     options.is_new =
         !input->stored && !trace.axes && !trace.clip_box && !trace.grid && !trace.textbook;
+    options.opens_last = equation.empty();
     options.fit = view.fit;
     options.fits_box = !view.fit || !view.box;
     options.settings = std::move(*settings);

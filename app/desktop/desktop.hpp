@@ -65,6 +65,7 @@ struct DesktopOptions {
     bool is_new = false;         ///< the document begins as new ones do, see ui::new_document
     bool read_only = false;      ///< a session for a class, see ui::Edited
     std::string latency_log;     ///< file of a LatencyLog; empty: none
+    bool opens_last = false;     ///< begins with the file used last, where there is one
     bool fit = false;            ///< looks at all of the surfaces first
     bool fits_box = true;        ///< `fit` also fits the clip box to the surfaces
 };
@@ -114,6 +115,9 @@ private:
     void follow_edits();
     void show_gallery_item();
     void read_rows();
+    /// Says over the picture what was done; `saved`: the file, if that is one.
+    void tell_done(std::string text, std::string saved = {});
+    void follow_news();
     void find_view();
     void find_surfaces();
     void snap_marker();
@@ -148,9 +152,8 @@ private:
     std::optional<Box> asked_box_;  ///< by a plotting command of the text that is shown
     ExtentSearch search_;
     MarkerSnap snap_;
-    bool fits_box_;  ///< the next search's extent also fits the clip box
-    /// The gesture in which the status line was told what is done; the next one clears that.
-    unsigned done_gesture_ = 0;
+    bool fits_box_;        ///< the next search's extent also fits the clip box
+    double told_s_ = 0.0;  ///< when news was told last; it leaves some seconds later
     std::unique_ptr<LatencyLog> latency_;  ///< nullptr: latency is not logged
     std::optional<DesktopPortal> portal_;  ///< only for a window on a desktop
 

@@ -51,10 +51,6 @@ void Desktop::find_view() {
 
 /// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
-    if (state_.input.gesture != done_gesture_) {
-        state_.shown.status.done.clear();
-        state_.shown.status.framed.clear();
-    }
     if (search_.runs()) {
         if (!search_.done()) return;
         if (const auto extent = search_.take(wanted_picture())) frame(*extent);
@@ -69,7 +65,7 @@ void Desktop::snap_marker() {
     if (!state_.wishes.snap_marker && !snap_.runs()) return;
     const bool has_read = feed_.has_read(state_.edited.document);
     if (!snap_.follow(state_, has_read ? wanted_picture() : std::nullopt)) return;
-    done_gesture_ = state_.input.gesture;
+    tell_done(state_.shown.status.done);
     window_.wake();
 }
 
@@ -80,7 +76,7 @@ void Desktop::frame(const Extent& extent) {
     state_.edited.document.clip = framing.document.clip;
     ui::move_view(state_, *framing.document.camera);
     state_.shown.status.framed = framing.note;
-    done_gesture_ = state_.input.gesture;
+    told_s_ = now_s();
     window_.wake();
 }
 

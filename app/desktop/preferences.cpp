@@ -23,7 +23,7 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The layout's switches, with their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 15> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 16> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"camera_open", &ui::Layout::camera_open},
@@ -38,7 +38,8 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 15> switches{
      {"handles", &ui::Layout::handles},
      {"axes", &ui::Layout::axes},
      {"clip_box", &ui::Layout::clip_box},
-     {"grid", &ui::Layout::grid}}};
+     {"grid", &ui::Layout::grid},
+     {"begins_with_last", &ui::Layout::begins_with_last}}};
 
 /// The enum's value of which the file has the name, as `named` reads it.
 template <class Enum>

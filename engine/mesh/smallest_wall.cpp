@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -16,6 +17,8 @@ namespace {
 constexpr std::size_t most_triangles = 40'000;
 // The cosine between the way inwards and the normal of the side that it meets.
 constexpr double least_facing = 0.5;
+// That cosine where the two sides count as parallel.
+constexpr double parallel_facing = 0.94;
 // The direction of narrower triangles is not to be trusted.
 constexpr double least_shape = 0.02;
 
@@ -45,15 +48,38 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
                                 share.z * mesh.vertices[t[2]].point;
         ++least.places;
         const auto hit = tree.way_out(from, inward, triangle);
-        if (!hit || hit->distance >= least.thickness) continue;
+        if (!hit) continue;
         const Triangle& met = mesh.triangles[hit->triangle];
         if (shape(mesh, met) < least_shape) continue;
         const glm::dvec3 normal = glm::normalize(area_vector_of(mesh, met));
-        if (!(glm::dot(normal, inward) > least_facing)) continue;
+        const double facing = glm::dot(normal, inward);
+        if (&share == places.data() && facing > parallel_facing) least.but_for_rims = hit->distance;
+        if (!(facing > least_facing) || hit->distance >= least.thickness) continue;
         least.thickness = hit->distance;
         least.at = from + 0.5 * hit->distance * inward;
     }
     return least;
+}
+
+/// The thickness between parallel sides below which the part `share` of their area lies; `found[i]`
+/// is behind the triangle i * every.
+std::optional<double> thickness_at(double share, const TriangleMesh& mesh,
+                                   const std::vector<SmallestWall>& found, std::size_t every) {
+    std::vector<std::pair<double, double>> walls;  // thickness, area
+    double all = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i].but_for_rims) continue;
+        const double area = glm::length(area_vector_of(mesh, mesh.triangles[i * every]));
+        walls.emplace_back(*found[i].but_for_rims, area);
+        all += area;
+    }
+    std::ranges::sort(walls);
+    double thinner = 0.0;
+    for (const auto& [thickness, area] : walls) {
+        thinner += area;
+        if (thinner >= share * all) return thickness;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -80,6 +106,8 @@ std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWo
         least.places = places_before + wall.places;
     }
     if (least.thickness == unbounded) return std::nullopt;
+    constexpr double rims = 0.01;
+    least.but_for_rims = thickness_at(rims, mesh, found, every);
     return least;
 }
 

@@ -43,6 +43,7 @@ struct Layout {
     bool axes = true;
     bool clip_box = true;
     bool grid = true;
+    bool begins_with_last = false;  ///< the window, with the document used last
 
     WheelUse wheel = WheelUse::Zoom;
     std::optional<Language> language = {};  ///< of the window's texts; nothing: the desktop's
