@@ -60,6 +60,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     options.is_new =
         !input->stored && !trace.axes && !trace.clip_box && !trace.grid && !trace.textbook;
     options.has_new_edges = !input->stored && !trace.aa && !trace.antialias;
+    options.opens_last = equation.empty();
     options.fit = view.fit;
     options.fits_box = !view.fit || !view.box;
     options.frames_box = !input->stored && !chooses_camera(view);

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ constexpr double slider_frame_s = 1.0 / 60.0;
 constexpr double quick_ms = 30.0;
 /// Longest step of a playing slider, after a frame that took long.
 constexpr double longest_step_s = 0.25;
+/// Time for which news stays.
+constexpr double news_s = 8.0;
 /// Time between two looks at what is being saved.
 constexpr double export_shown_s = 0.1;
 
@@ -138,6 +141,8 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       comparison_([this] { window_.wake(); }),
       exports_([this] { window_.wake(); }) {
     if (options.collection) cards_.browse(*options.collection, state_);
+    const std::vector<std::string>& recent = state_.shown.document.recent;
+    if (options.opens_last && !recent.empty()) state_.wishes.open_path = recent.front();
     if (!options.on_desktop) return;
     portal_.emplace([this] { window_.wake(); }, window_.portal_name());
     watch_.emplace(files_, [this] { window_.wake(); });
@@ -229,6 +234,9 @@ std::optional<double> Desktop::due_s() const {
     if (exports_.moves()) due_in(export_shown_s);
     due_in(wait_notice_.due_s(now_s()));
     due_in(old_rows_.due_s(now_s()));
+    const ui::StatusTexts& status = state_.shown.status;
+    if (!status.done.empty() || !status.framed.empty())
+        due_in(std::max(told_s_ + news_s - now_s(), 0.0));
     due_in(inspector_.due_s(now_s()));
     if (!state_.edited.playing.empty() && !waits_for_picture())
         due_in(std::max(played_s_ + slider_frame_s - now_s(), 0.0));
@@ -317,6 +325,7 @@ void Desktop::follow_edits() {
     snap_marker();
     session_.follow(now_s());
     read_rows();
+    follow_news();
     find_view();
     find_surfaces();
     submit_picture();
@@ -339,8 +348,7 @@ void Desktop::show_gallery_item() {
     if (*picked < gallery().size()) {
         const std::string before = state_.shown.document.name;
         session_.show(taken_over(gallery()[*picked], state_.edited.document, gallery_files_));
-        state_.shown.status.done = filled(tr("Ctrl+Z brings back: {0}"), {before});
-        done_gesture_ = state_.input.gesture;
+        tell_done(filled(tr("Ctrl+Z brings back: {0}"), {before}));
         frames_box_ = true;
     } else {
         state_.wishes.open_path = state_.shown.gallery[*picked].path;
@@ -367,9 +375,26 @@ void Desktop::follow_exports() {
     exports_.follow(state_, export_subject());
     const auto outcome = exports_.take();
     if (!outcome) return;
-    if (*outcome) state_.shown.status.done = **outcome;
-    if (!*outcome) session_.tell(outcome->error());
-    done_gesture_ = state_.input.gesture;
+    if (!*outcome) return session_.tell(outcome->error());
+    const std::filesystem::path saved(exports_.saved_path());
+    if (saved.empty()) return tell_done(**outcome);
+    tell_done(filled(tr("{0}, in {1}"), {**outcome, saved.parent_path().string()}), saved.string());
+}
+
+void Desktop::tell_done(std::string text, std::string saved) {
+    state_.shown.status.done = std::move(text);
+    state_.shown.status.saved = std::move(saved);
+    told_s_ = now_s();
+}
+
+void Desktop::follow_news() {
+    ui::StatusTexts& status = state_.shown.status;
+    if (const auto file = std::exchange(state_.wishes.show_file, std::nullopt); file && portal_)
+        portal_->show(*file);
+    if (now_s() < told_s_ + news_s) return;
+    status.done.clear();
+    status.framed.clear();
+    status.saved.clear();
 }
 
 }  // namespace zeroset

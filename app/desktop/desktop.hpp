@@ -67,6 +67,7 @@ struct DesktopOptions {
     bool has_new_edges = false;  ///< its edges are smooth if those of new ones are
     bool read_only = false;      ///< a session for a class, see ui::Edited
     std::string latency_log;     ///< file of a LatencyLog; empty: none
+    bool opens_last = false;     ///< begins with the file used last, where there is one
     bool fit = false;            ///< looks at all of the surfaces first
     bool fits_box = true;        ///< `fit` also fits the clip box to the surfaces
     bool frames_box = false;     ///< the first view is of the whole box where that is drawn
@@ -133,6 +134,9 @@ private:
     void follow_edits();
     void show_gallery_item();
     void read_rows();
+    /// Says over the picture what was done; `saved`: the file, if that is one.
+    void tell_done(std::string text, std::string saved = {});
+    void follow_news();
     void find_view();
     void find_surfaces();
     void snap_marker();
@@ -178,8 +182,7 @@ private:
     std::optional<double> own_fit_due_s_;  ///< when box and view are to follow the surfaces
     bool search_is_own_ = false;           ///< the search that runs is for that
     bool fits_itself_;                     ///< the first text's box and view do
-    /// The gesture in which the status line was told what is done; the next one clears that.
-    unsigned done_gesture_ = 0;
+    double told_s_ = 0.0;  ///< when news was told last; it leaves some seconds later
     std::unique_ptr<LatencyLog> latency_;  ///< nullptr: latency is not logged
     std::optional<DesktopPortal> portal_;  ///< only for a window on a desktop
 

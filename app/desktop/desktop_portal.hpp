@@ -21,6 +21,8 @@ public:
 
     /// To be called before the panels are drawn.
     void follow(ui::Edited& edited, ui::Dialogs& dialogs);
+    /// Shows the file in the desktop's manager of files, where there is one.
+    void show(const std::string& path) { portal_.show(path); }
 
 private:
     void follow_files(ui::Dialogs& dialogs);

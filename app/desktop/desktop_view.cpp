@@ -96,10 +96,6 @@ void Desktop::keep_whole_box(double aspect) {
 
 /// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
-    if (state_.input.gesture != done_gesture_) {
-        state_.shown.status.done.clear();
-        state_.shown.status.framed.clear();
-    }
     if (search_.runs()) {
         if (!search_.done()) return;
         const auto extent = search_.take(wanted_picture());
@@ -151,7 +147,7 @@ void Desktop::follow_surfaces() {
 /// Takes box and view in one step, which one Ctrl+Z takes back.
 void Desktop::take_fit(const Framing& framing) {
     ++state_.input.gesture;
-    done_gesture_ = state_.input.gesture;
+    told_s_ = now_s();
     Document& document = state_.edited.document;
     document.clip = framing.document.clip;
     own_box_ = {.box = document.clip, .row = document.statements.front().id};
@@ -166,7 +162,7 @@ void Desktop::snap_marker() {
     if (!state_.wishes.snap_marker && !snap_.runs()) return;
     const bool has_read = feed_.has_read(state_.edited.document);
     if (!snap_.follow(state_, has_read ? wanted_picture() : std::nullopt)) return;
-    done_gesture_ = state_.input.gesture;
+    tell_done(state_.shown.status.done);
     window_.wake();
 }
 
@@ -178,7 +174,7 @@ void Desktop::frame(const Extent& extent) {
     if (draws_box(framing.document)) note_whole_view(framing.document);
     ui::move_view(state_, *framing.document.camera);
     state_.shown.status.framed = framing.note;
-    done_gesture_ = state_.input.gesture;
+    told_s_ = now_s();
     window_.wake();
 }
 

@@ -39,7 +39,8 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 16> switches{
      {"axes", &ui::Layout::axes},
      {"clip_box", &ui::Layout::clip_box},
      {"grid", &ui::Layout::grid},
-     {"smooth_edges", &ui::Layout::smooth_edges}}};
+     {"smooth_edges", &ui::Layout::smooth_edges},
+     {"begins_with_last", &ui::Layout::begins_with_last}}};
 
 /// The enum's value of which the file has the name, as `named` reads it.
 template <class Enum>

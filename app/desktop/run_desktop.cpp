@@ -32,6 +32,7 @@ std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
     }
     DesktopOptions taken_over = options;
     taken_over.on_desktop = true;
+    taken_over.opens_last = options.opens_last && before.layout.begins_with_last;
     taken_over.layout = before.layout;
     taken_over.desktop_language = desktop_language(locale_variables());
     if (options.is_new) ui::show_as_new(taken_over.document, before.layout);

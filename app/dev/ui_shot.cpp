@@ -115,6 +115,7 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     desktop.layout.language = language;
     desktop.takes_keyboard = false;  // no selected text and no text cursor
     desktop.keeps_files = false;
+    desktop.opens_last = false;
     desktop.note.clear();
     if (command.mark_undecided) desktop.document.mark_undecided = true;
     return reader.finish(std::move(plan));

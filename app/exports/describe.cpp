@@ -2,8 +2,10 @@
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace zeroset {
@@ -42,6 +44,34 @@ std::string measures(const MeshFacts& facts, double mm) {
     return filled(tr("area {0} cm², volume {1} cm³"), {area, volume});
 }
 
+/// Says first what those who print ask: whether that goes, or why not, and how thin walls are.
+void judge_printing(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
+    constexpr double least_wall_mm = 0.8;  // two lines of a usual nozzle
+    const bool open = std::ranges::any_of(
+        meshes.surfaces, [](const SurfaceMesh& surface) { return surface.facts.open_edges > 0; });
+    std::optional<double> wall_mm;
+    for (const SurfaceMesh& surface : meshes.surfaces) {
+        if (!surface.wall || !surface.wall->but_for_rims) continue;
+        const double thickness = *surface.wall->but_for_rims * meshes.file.mm_per_unit;
+        wall_mm = std::min(wall_mm.value_or(thickness), thickness);
+    }
+    shown.is_good = !open && wall_mm.value_or(least_wall_mm) >= least_wall_mm;
+    if (open) {
+        shown.verdict =
+            tr("Cannot be printed as it is: the surface is open. Choose the shape Wall "
+               "or Solid.");
+    } else if (!shown.is_good) {
+        shown.verdict = filled(tr("Closed, but too thin for many printers: walls of {0} mm. A "
+                                  "larger size helps."),
+                               {shown_number(*wall_mm, 2)});
+    } else {
+        shown.verdict = tr("Can be printed: closed on all sides.");
+    }
+    if (wall_mm)
+        shown.facts.push_back(
+            filled(tr("thinnest wall {0} mm, but for rims"), {shown_number(*wall_mm, 3)}));
+}
+
 /// The curve's points, as parts of the page.
 std::vector<glm::dvec2> points_of(const DrawnPath& path, const PageSize& page) {
     std::vector<glm::dvec2> points;
@@ -60,6 +90,7 @@ std::vector<glm::dvec2> points_of(const DrawnPath& path, const PageSize& page) {
 }  // namespace
 
 void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
+    judge_printing(meshes, shown);
     const double mm = meshes.file.mm_per_unit;
     for (const SurfaceMesh& surface : meshes.surfaces) {
         const MeshFacts& facts = surface.facts;
@@ -70,17 +101,17 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
         };
         const std::string triangles =
             counted(facts.triangles, tr("1 triangle"), tr("{0} triangles"));
-        shown.facts.push_back(of_surface(triangles + ", " + shape_text(facts)));
-        shown.facts.push_back(size_text(mm * (facts.bounds.hi - facts.bounds.lo)) + ", " +
-                              measures(facts, mm));
+        shown.facts.push_back(
+            of_surface(triangles + ", " + size_text(mm * (facts.bounds.hi - facts.bounds.lo))));
+        shown.facts.push_back(measures(facts, mm));
+        shown.details.push_back(of_surface(shape_text(facts)));
         if (surface.wall) {
-            shown.facts.push_back(filled(tr("smallest wall {0} mm, as measured"),
-                                         {shown_number(surface.wall->thickness * mm, 3)}));
+            shown.details.push_back(filled(tr("at rims down to {0} mm thin, as measured"),
+                                           {shown_number(surface.wall->thickness * mm, 3)}));
         }
-        shown.facts.push_back(filled(tr("at most {0} mm from the surface, as measured"),
-                                     {shown_number(surface.report.deviation * mm, 2)}));
-        (surface.report.isotopic ? shown.facts : shown.warnings)
-            .push_back(of_surface(proof_line(surface.report)));
+        shown.details.push_back(filled(tr("at most {0} mm from the surface, as measured"),
+                                       {shown_number(surface.report.deviation * mm, 2)}));
+        shown.details.push_back(of_surface(proof_line(surface.report)));
         for (const std::string& line : limit_lines(surface.report, tr("more time")))
             shown.warnings.push_back(of_surface(line));
     }

@@ -91,12 +91,14 @@ void ExportDesk::follow(ui::UiState& state, const std::optional<ExportSubject>& 
 void ExportDesk::save(const ui::UiState& state, const ExportSubject& subject,
                       const std::string& path) {
     copied_.reset();
+    path_ = path;
     run_.start(std::filesystem::path(path).filename().string(),
                work_of(request_of(state.pages.exports, subject), path));
 }
 
 void ExportDesk::copy(const ui::UiState& state, const ExportSubject& subject) {
     copied_ = std::make_shared<std::vector<std::byte>>();
+    path_.clear();
     const glm::ivec2 size = state.input.viewport_px;
     ExportSubject shown = subject;
     shown.document.camera = fitting(*subject.document.camera,
@@ -104,7 +106,7 @@ void ExportDesk::copy(const ui::UiState& state, const ExportSubject& subject) {
     run_.start(tr("the picture"), copy_work(shown, size, copied_));
 }
 
-ExportWork ExportDesk::work_of(const PreviewRequest& wanted, const std::string& path) const {
+ExportWork ExportDesk::work_of(const PreviewRequest& wanted, const std::string& path) {
     const ExportSubject& subject = wanted.subject;
     const ui::ExportWish& wish = wanted.wish;
     const bool known = preview_ && preview_->request.same_file(wanted);
@@ -112,16 +114,35 @@ ExportWork ExportDesk::work_of(const PreviewRequest& wanted, const std::string& 
         case ExportKind::Picture: return picture_work(subject, wish.picture, path);
         case ExportKind::Film: return film_work(subject, wish.film, path);
         case ExportKind::Mesh:
-            return mesh_work(subject, wish.mesh, path, known ? preview_->meshes : nullptr);
+            if (known) return mesh_work(subject, wish.mesh, path, preview_->meshes);
+            // A preview that is being made would come out a little otherwise.
+            previews_.want(std::nullopt);
+            saved_request_ = wanted;
+            saved_meshes_ = std::make_shared<MadeMeshes>();
+            return mesh_work(subject, wish.mesh, path, nullptr, saved_meshes_);
         case ExportKind::Drawing:
             return drawing_work(subject, wish.drawing, path, known ? preview_->drawing : nullptr);
     }
     return {};
 }
 
+/// Lets the preview show the meshes that were saved.
+void ExportDesk::know_meshes() {
+    const auto made = std::exchange(saved_meshes_, nullptr);
+    if (made == nullptr || made->meshes == nullptr) return;
+    previews_.know({.request = saved_request_,
+                    .shown = {},
+                    .image = {},
+                    .meshes = made->meshes,
+                    .drawing = {}});
+}
+
 std::optional<ExportOutcome> ExportDesk::take() {
+    saved_path_.clear();
     if (auto refused = std::exchange(refused_, std::nullopt)) return refused;
     auto outcome = run_.take();
+    if (outcome) know_meshes();
+    if (outcome && *outcome) saved_path_ = path_;
     if (!outcome || !*outcome || copied_ == nullptr || copied_->empty()) return outcome;
     if (const auto offered = clipboard_.offer(std::move(*copied_)); !offered)
         return std::unexpected(offered.error());

@@ -49,9 +49,15 @@ std::expected<std::shared_ptr<const DocumentMeshes>, std::string> make_meshes(
 /// Makes the file of the formulas themselves, for Shape::Formula, or says in one line why not.
 std::expected<EncodedLevelSets, std::string> make_level_sets(const ExportSubject& subject,
                                                              const ui::MeshExport& wish);
-/// Writes meshes, or the formulas themselves; `made`: meshes that are there already.
+/// The meshes that some work has made; to be read once that has ended.
+struct MadeMeshes {
+    std::shared_ptr<const DocumentMeshes> meshes;
+};
+/// Writes meshes, or the formulas themselves; `made`: meshes that are there already, `kept`: takes
+/// them where they are made now.
 ExportWork mesh_work(ExportSubject subject, const ui::MeshExport& wish, std::filesystem::path path,
-                     std::shared_ptr<const DocumentMeshes> made);
+                     std::shared_ptr<const DocumentMeshes> made,
+                     std::shared_ptr<MadeMeshes> kept = nullptr);
 
 /// Makes the drawing, or says in one line why there is none.
 std::expected<std::shared_ptr<const LineDrawing>, std::string> make_drawing(

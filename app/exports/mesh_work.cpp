@@ -1,5 +1,6 @@
 #include "app/exports/exports.hpp"
 #include "engine/base/clock.hpp"
+#include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/export/file.hpp"
 #include "pipeline/plans/export_formats.hpp"
@@ -26,14 +27,14 @@ const char* name_of(MeshStage stage) {
     return "";
 }
 
-MeshSettings settings_of(const ui::MeshExport& wish, ExportNews& news) {
-    MeshSettings settings{.size_mm = wish.size_mm,
+MeshSettings settings_of(const ui::MeshExport& wish, double box_edge, ExportNews& news) {
+    MeshSettings settings{.tolerance = wish.tolerance_mm * box_edge / wish.size_mm,
+                          .size_mm = wish.size_mm,
                           .most_triangles = static_cast<std::size_t>(wish.most_triangles),
                           .open = wish.shape == ui::MeshExport::Shape::Open,
                           .limit = {.cancel = &news.cancel,
                                     .until = until_after(TimeLimit::Clock::now(), mesh_budget_s)},
                           .on_stage = [&news](MeshStage stage) { news.enter(name_of(stage)); }};
-    if (wish.tolerance > 0.0) settings.tolerance = wish.tolerance;
     if (wish.shape == ui::MeshExport::Shape::Wall) settings.wall_mm = wish.wall_mm;
     return settings;
 }
@@ -63,9 +64,9 @@ ExportOutcome write(const DocumentMeshes& meshes, const std::filesystem::path& p
     std::size_t triangles = 0;
     for (const SurfaceMesh& surface : meshes.surfaces)
         triangles += surface.facts.triangles;
-    return write_bytes(*bytes, path, news,
-                       filled(tr("saved {0} ({1} triangles)"),
-                              {path.filename().string(), std::to_string(triangles)}));
+    return write_bytes(
+        *bytes, path, news,
+        filled(tr("saved {0} ({1} triangles)"), {path.filename().string(), grouped(triangles)}));
 }
 
 ExportOutcome write_level_sets(const ExportSubject& subject, const ui::MeshExport& wish,
@@ -80,9 +81,9 @@ ExportOutcome write_level_sets(const ExportSubject& subject, const ui::MeshExpor
     news.enter(tr("writing"));
     const auto encoded = make_level_sets(subject, wish);
     if (!encoded) return not_saved(encoded.error());
-    return write_bytes(encoded->bytes, path, news,
-                       filled(tr("saved {0} ({1} nodes)"),
-                              {path.filename().string(), std::to_string(encoded->nodes)}));
+    return write_bytes(
+        encoded->bytes, path, news,
+        filled(tr("saved {0} ({1} nodes)"), {path.filename().string(), grouped(encoded->nodes)}));
 }
 
 /// The request that a file is made from, with code that takes no time to make.
@@ -102,7 +103,7 @@ std::expected<std::shared_ptr<const DocumentMeshes>, std::string> make_meshes(
     news.enter(tr("making code"));
     const auto request = request_of(subject);
     if (!request) return std::unexpected(request.error());
-    auto meshes = mesh_document(*request, settings_of(wish, news));
+    auto meshes = mesh_document(*request, settings_of(wish, request->clip.size(), news));
     if (news.cancel) return std::unexpected(tr("it was cancelled"));
     if (!meshes) return std::unexpected(meshes.error().reason);
     if (meshes->surfaces.empty()) return std::unexpected(nothing_found(*meshes));
@@ -119,14 +120,15 @@ std::expected<EncodedLevelSets, std::string> make_level_sets(const ExportSubject
 }
 
 ExportWork mesh_work(ExportSubject subject, const ui::MeshExport& wish, std::filesystem::path path,
-                     std::shared_ptr<const DocumentMeshes> made) {
-    return [subject = std::move(subject), wish, path = std::move(path),
-            made = std::move(made)](ExportNews& news) -> ExportOutcome {
+                     std::shared_ptr<const DocumentMeshes> made, std::shared_ptr<MadeMeshes> kept) {
+    return [subject = std::move(subject), wish, path = std::move(path), made = std::move(made),
+            kept = std::move(kept)](ExportNews& news) -> ExportOutcome {
         if (wish.shape == ui::MeshExport::Shape::Formula)
             return write_level_sets(subject, wish, path, news);
         if (made != nullptr) return write(*made, path, news);
         const auto meshes = make_meshes(subject, wish, news);
         if (!meshes) return std::unexpected(meshes.error());
+        if (kept != nullptr) kept->meshes = *meshes;
         return write(**meshes, path, news);
     };
 }

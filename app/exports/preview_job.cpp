@@ -30,6 +30,11 @@ void PreviewJob::want(std::optional<PreviewRequest> request) {
     changed_.notify_one();
 }
 
+void PreviewJob::know(Preview made) {
+    const std::scoped_lock lock(mutex_);
+    known_ = std::move(made);
+}
+
 std::optional<Preview> PreviewJob::take() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(made_, std::nullopt);
@@ -58,6 +63,10 @@ std::optional<PreviewRequest> PreviewJob::next() {
 void PreviewJob::run() {
     std::optional<Preview> last;
     while (const auto request = next()) {
+        {
+            const std::scoped_lock lock(mutex_);
+            if (known_) last = std::exchange(known_, std::nullopt);
+        }
         Preview preview = make_preview(*request, last, *news_);
         if (!news_->cancel) last = preview;
         {

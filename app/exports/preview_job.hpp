@@ -26,6 +26,8 @@ public:
     /// Has this preview made, unless it is the one wanted last. One of another file that is being
     /// made is given up; nothing: no preview is wanted.
     void want(std::optional<PreviewRequest> request);
+    /// Lets previews of this file use what was made for it, as if they had made it.
+    void know(Preview made);
     /// The newest preview not yet taken.
     std::optional<Preview> take();
     /// The work in progress, in words, while a preview is being made.
@@ -47,6 +49,7 @@ private:
     std::shared_ptr<ExportNews> news_;  ///< of the preview that is being made
     std::optional<PreviewRequest> making_;
     std::optional<Preview> made_;
+    std::optional<Preview> known_;  ///< given and not yet used
     bool stop_ = false;
     std::thread thread_;
 };

@@ -6,6 +6,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <charconv>
 #include <mutex>
 #include <thread>
@@ -42,6 +43,9 @@ public:
             given_up_ = true;
             answer_.reset();
         });
+    }
+    void show(const std::string& path) {
+        command([&] { shown_ = path; });
     }
     std::optional<ColorWish> take_wish() {
         const std::scoped_lock lock(mutex_);
@@ -82,7 +86,8 @@ private:
     bool stop_ = false;
     bool given_up_ = false;
     std::optional<FileRequest> asked_;
-    TextStyle style_;  ///< of who asks
+    std::optional<std::string> shown_;  ///< a file whose folder is to be shown
+    TextStyle style_;                   ///< of who asks
     std::optional<ColorWish> wish_;
     std::optional<FileAnswer> answer_;
     std::thread thread_;
@@ -101,16 +106,19 @@ void Portal::Thread::run() {
 
 bool Portal::Thread::follow(PortalBus& bus) {
     std::optional<FileRequest> asked;
+    std::optional<std::string> shown;
     bool given_up = false;
     {
         const std::scoped_lock lock(mutex_);
         if (stop_) return false;
         asked = std::exchange(asked_, std::nullopt);
+        shown = std::exchange(shown_, std::nullopt);
         set_language(style_);
         given_up = std::exchange(given_up_, false);
     }
     if (given_up) bus.give_up();
     if (asked) bus.ask(*asked);
+    if (shown) bus.show(*shown);
     return true;
 }
 
@@ -126,6 +134,25 @@ void Portal::ask(const FileRequest& request) { thread_->ask(request); }
 void Portal::give_up() { thread_->give_up(); }
 
 std::optional<FileAnswer> Portal::take_answer() { return thread_->take_answer(); }
+
+void Portal::show(const std::string& path) { thread_->show(path); }
+
+std::string uri_of_path(const std::string& path) {
+    constexpr std::string_view plain = "-_.~/";
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string uri = "file://";
+    for (const char letter : path) {
+        const auto byte = static_cast<unsigned char>(letter);
+        if ((byte < 0x80U && std::isalnum(byte) != 0) || plain.contains(letter)) {
+            uri += letter;
+        } else {
+            uri += '%';
+            uri += digits[byte / 16U];
+            uri += digits[byte % 16U];
+        }
+    }
+    return uri;
+}
 
 std::optional<std::string> path_of_uri(const std::string& uri) {
     constexpr std::string_view prefix = "file://";

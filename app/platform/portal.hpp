@@ -48,6 +48,8 @@ public:
     /// Closes the dialog; no answer will come.
     void give_up();
     std::optional<FileAnswer> take_answer();
+    /// Has the desktop's manager of files show this file in its folder.
+    void show(const std::string& path);
 
 private:
     class Thread;
@@ -56,5 +58,7 @@ private:
 
 /// Returns the path of a file URI, or nothing: "file:///a%20b" gives "/a b".
 std::optional<std::string> path_of_uri(const std::string& uri);
+/// The other way round, of an absolute path.
+std::string uri_of_path(const std::string& path);
 
 }  // namespace zeroset

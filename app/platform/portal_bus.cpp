@@ -210,6 +210,14 @@ void PortalBus::give_up() {
     request_.clear();
 }
 
+void PortalBus::show(const std::string& path) const {
+    constexpr const char* manager = "org.freedesktop.FileManager1";
+    if (bus_ == nullptr) return;
+    sd_bus_call_method_async(bus_.get(), nullptr, manager, "/org/freedesktop/FileManager1", manager,
+                             "ShowItems", nullptr, nullptr, "ass", 1, uri_of_path(path).c_str(),
+                             "");
+}
+
 void PortalBus::answer(FileAnswer answer) {
     request_.clear();
     handlers_.on_answer(std::move(answer));

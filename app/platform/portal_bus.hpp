@@ -29,6 +29,8 @@ public:
 
     void ask(const FileRequest& request);
     void give_up();
+    /// Has the manager of files show this file; nothing where there is none.
+    void show(const std::string& path) const;
 
 private:
     struct CloseBus {

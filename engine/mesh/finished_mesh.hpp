@@ -36,6 +36,9 @@ struct SmallestWall {
     double thickness = 0.0;  ///< world units
     glm::dvec3 at{0.0};      ///< the middle between its two sides
     std::size_t places = 0;  ///< where it was looked for
+    /// The thickness that walls have where their sides are about parallel, as they are where a wall
+    /// is thinnest, but for a hundredth of their area: without sharp rims. Nothing: there is none.
+    std::optional<double> but_for_rims = std::nullopt;
 };
 
 /// Looks for it straight inwards from triangles, from their middles and near their corners, to

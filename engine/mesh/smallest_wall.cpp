@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -17,6 +18,8 @@ namespace {
 constexpr std::size_t most_triangles = 40'000;
 // The cosine between the way inwards and the normal of the side that it meets.
 constexpr double least_facing = 0.5;
+// That cosine where the two sides count as parallel.
+constexpr double parallel_facing = 0.94;
 // The direction of narrower triangles is not to be trusted.
 constexpr double least_shape = 0.02;
 
@@ -46,15 +49,19 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
                                 share.y * mesh.vertices[t[1]].point +
                                 share.z * mesh.vertices[t[2]].point;
         ++least.places;
+        const bool is_middle = &share == places.data();
         // A thread that is ahead must not hide a wall that is as thin.
         constexpr double rounding = 1e-9;
         const double most = std::min(least.thickness, thinnest.load(std::memory_order_relaxed));
-        const auto hit = tree.way_out(from, inward, triangle, most * (1.0 + rounding));
-        if (!hit || hit->distance >= least.thickness) continue;
+        const auto hit =
+            tree.way_out(from, inward, triangle, is_middle ? unbounded : most * (1.0 + rounding));
+        if (!hit) continue;
         const Triangle& met = mesh.triangles[hit->triangle];
         if (shape(mesh, met) < least_shape) continue;
         const glm::dvec3 normal = glm::normalize(area_vector_of(mesh, met));
-        if (!(glm::dot(normal, inward) > least_facing)) continue;
+        const double facing = glm::dot(normal, inward);
+        if (is_middle && facing > parallel_facing) least.but_for_rims = hit->distance;
+        if (!(facing > least_facing) || hit->distance >= least.thickness) continue;
         least.thickness = hit->distance;
         least.at = from + 0.5 * hit->distance * inward;
         double before = thinnest.load(std::memory_order_relaxed);
@@ -64,6 +71,27 @@ SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uin
         }
     }
     return least;
+}
+
+/// The thickness between parallel sides below which the part `share` of their area lies; `found[i]`
+/// is behind the triangle i * every.
+std::optional<double> thickness_at(double share, const TriangleMesh& mesh,
+                                   const std::vector<SmallestWall>& found, std::size_t every) {
+    std::vector<std::pair<double, double>> walls;  // thickness, area
+    double all = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i].but_for_rims) continue;
+        const double area = glm::length(area_vector_of(mesh, mesh.triangles[i * every]));
+        walls.emplace_back(*found[i].but_for_rims, area);
+        all += area;
+    }
+    std::ranges::sort(walls);
+    double thinner = 0.0;
+    for (const auto& [thickness, area] : walls) {
+        thinner += area;
+        if (thinner >= share * all) return thickness;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -91,6 +119,8 @@ std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWo
         least.places = places_before + wall.places;
     }
     if (least.thickness == unbounded) return std::nullopt;
+    constexpr double rims = 0.01;
+    least.but_for_rims = thickness_at(rims, mesh, found, every);
     return least;
 }
 

@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -97,6 +99,17 @@ void draw_part(UiState& state, const ExportFormat& format) {
     }
 }
 
+/// Draws over a bar of progress that something goes on, where it is not known how far it is.
+void draw_going(const ImVec2& lo, float width, std::uint32_t color) {
+    constexpr double round_s = 2.0;
+    const double phase = std::fmod(ImGui::GetTime(), round_s) / round_s;
+    const float part = 0.25F * width;
+    const float along = static_cast<float>(1.0 - std::abs(2.0 * phase - 1.0)) * (width - part);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        ImVec2(lo.x + along, lo.y), ImVec2(lo.x + along + part, lo.y + ImGui::GetFrameHeight()),
+        color, em(0.3F));
+}
+
 /// Draws how far an export is, with a button that stops it.
 void draw_progress(UiState& state) {
     const ExportProgress& progress = state.shown.export_progress;
@@ -105,8 +118,10 @@ void draw_progress(UiState& state) {
     draw_elided(progress.name + ": " + progress.text, space);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette(state.edited.theme).accent);
-    ImGui::ProgressBar(static_cast<float>(progress.share), ImVec2(space - button - spacing, 0.0F),
-                       "");
+    const ImVec2 bar(space - button - spacing, 0.0F);
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    ImGui::ProgressBar(static_cast<float>(progress.share), bar, "");
+    if (progress.share <= 0.0) draw_going(lo, bar.x, palette(state.edited.theme).accent);
     ImGui::PopStyleColor();
     ImGui::SameLine();
     if (ImGui::Button(tr("Stop"), ImVec2(button, 0.0F))) state.wishes.stop_export = true;
@@ -184,6 +199,8 @@ void draw_content(UiState& state) {
     draw_formats(state, format);
     draw_missing(state);
     draw_part(state, format);
+    // Below the controls, which stay where they are when it arrives.
+    draw_export_facts(state);
     ImGui::EndChild();
     ImGui::Separator();
     if (saves) {
@@ -215,11 +232,9 @@ void follow_export_keys(UiState& state) {
                                state.input.handle_drag.has_value();
     if (!page.open || is_for_others) return;
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
-    if (escape >= 0 && ImGui::IsKeyPressed(escape, false)) {
+    // While a field is typed into, Escape leaves that alone.
+    if (escape >= 0 && ImGui::IsKeyPressed(escape, false) && !ImGui::GetIO().WantTextInput)
         page.open = false;
-        // Mark Escape as no longer just pressed: a text field would discard what was typed.
-        ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
-    }
     const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
     if (!enter || ImGui::GetIO().WantTextInput || !state.shown.export_progress.name.empty()) return;
     if (ImGui::GetIO().KeyShift) {

@@ -13,5 +13,7 @@ void draw_export_page(UiState& state);
 
 /// Draws what the file will look like, at the current line.
 void draw_export_preview(UiState& state);
+/// Draws what is known of the file, at the current line.
+void draw_export_facts(const UiState& state);
 
 }  // namespace zeroset::ui

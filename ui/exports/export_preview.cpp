@@ -1,5 +1,6 @@
 #include "engine/base/translation.hpp"
 #include "ui/exports/export_page.hpp"
+#include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>
@@ -91,14 +92,28 @@ void draw_lines(ImDrawList& canvas, const std::vector<PreviewLine>& lines, const
     canvas.PopClipRect();
 }
 
-void draw_texts(const ExportPreview& preview, const Palette& colors) {
+/// Draws lines that are asked for by a click.
+void draw_details(const std::vector<std::string>& lines) {
+    if (lines.empty() || !ImGui::TreeNode(labelled(tr("Details"), "###details").c_str())) return;
+    for (const std::string& line : lines)
+        ImGui::TextUnformatted(line.c_str());
+    ImGui::TreePop();
+}
+
+void draw_lines_of_text(const ExportPreview& preview, const Palette& colors) {
     ImGui::PushTextWrapPos(0.0F);
+    if (!preview.verdict.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, preview.is_good ? colors.accent : colors.warning);
+        ImGui::TextUnformatted(preview.verdict.c_str());
+        ImGui::PopStyleColor();
+    }
     for (const std::string& fact : preview.facts)
         ImGui::TextUnformatted(fact.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, colors.warning);
     for (const std::string& warning : preview.warnings)
         ImGui::TextUnformatted(warning.c_str());
     ImGui::PopStyleColor();
+    draw_details(preview.details);
     ImGui::PopTextWrapPos();
 }
 
@@ -170,7 +185,10 @@ void draw_export_preview(UiState& state) {
     const bool tells = !preview.doing.empty() && takes_long;
     draw_over(canvas, space, tells ? preview.doing : drawn ? "" : waiting_text(state), colors);
     ImGui::Dummy(ImVec2(space.width(), space.height()));
-    draw_texts(preview, colors);
+}
+
+void draw_export_facts(const UiState& state) {
+    draw_lines_of_text(state.shown.export_preview, palette(state.edited.theme));
 }
 
 }  // namespace zeroset::ui

@@ -50,9 +50,10 @@ void draw_shape(ExportPage& page) {
 
 /// Draws what is chosen of triangles.
 void draw_triangles(MeshExport& wish) {
-    draw_export_label(tr("tolerance"),
-                      tr("How far triangles may be from the surface, in units of the formula."));
-    draw_number_field("##tolerance", wish.tolerance, 1e-9, 1e9, tr("a thousandth of the box"));
+    draw_export_label(tr("exact to, mm"),
+                      tr("How far triangles may be from the surface, where the clip box's longest "
+                         "edge has the size above."));
+    draw_number_field("##tolerance", wish.tolerance_mm, 1e-9, 1e9);
     draw_export_label(tr("triangles"), tr("At most about so many for each surface."));
     draw_integer_field("##triangles", wish.most_triangles, 4, 1'000'000'000,
                        tr("as many as needed"));

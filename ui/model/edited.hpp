@@ -44,6 +44,7 @@ struct Layout {
     bool clip_box = true;
     bool grid = true;
     bool smooth_edges = true;
+    bool begins_with_last = false;  ///< the window, with the document used last
 
     WheelUse wheel = WheelUse::Zoom;
     std::optional<Language> language = {};  ///< of the window's texts; nothing: the desktop's

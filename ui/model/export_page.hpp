@@ -57,10 +57,10 @@ struct MeshExport {
     /// Formula: no triangles but the formula itself, which 3MF alone can hold.
     enum class Shape : std::uint8_t { Solid, Open, Wall, Formula };
     Shape shape = Shape::Solid;
-    double size_mm = 100.0;  ///< the longest edge of all; of Shape::Formula: of the clip box
-    double wall_mm = 2.0;    ///< of Shape::Wall
-    double tolerance = 0.0;  ///< world units; 0: a thousandth of the clip box's edge
-    int most_triangles = 0;  ///< of each surface; 0: as many as the tolerance wants
+    double size_mm = 100.0;      ///< the longest edge of all; of Shape::Formula: of the clip box
+    double wall_mm = 2.0;        ///< of Shape::Wall
+    double tolerance_mm = 0.05;  ///< where the clip box's longest edge is size_mm long
+    int most_triangles = 0;      ///< of each surface; 0: as many as the tolerance wants
 
     bool operator==(const MeshExport&) const = default;
 };
@@ -122,7 +122,10 @@ struct ExportPreview {
     unsigned int texture = 0;  ///< OpenGL's name of the picture; 0: none
     glm::ivec2 size_px{0};     ///< of the picture
     std::vector<PreviewLine> lines;
+    std::string verdict;                ///< whether it can be printed, in one line; or empty
+    bool is_good = true;                ///< the verdict is
     std::vector<std::string> facts;     ///< lines of text
+    std::vector<std::string> details;   ///< further ones, for those who ask
     std::vector<std::string> warnings;  ///< what is not as it should be
     std::string doing;                  ///< what is being found out, or empty
 };

@@ -58,11 +58,13 @@ struct DocumentStatus {
     std::vector<std::string> recent;  ///< paths of recent documents, the newest first
 };
 
-/// Texts of the status line, each of which may be empty.
+/// Texts that the window shows, over the picture for some seconds and in the status line; each may
+/// be empty.
 struct StatusTexts {
     std::string note;    ///< what is not as it should be
-    std::string done;    ///< what was just done
+    std::string done;    ///< what was just done, over the picture
     std::string framed;  ///< what framing has found, over the picture
+    std::string saved;   ///< path of the file that `done` tells of; empty: of none
     std::string doing;   ///< what is going on with the text
 };
 

@@ -73,6 +73,7 @@ struct Wishes {
     std::optional<std::string> open_path;     ///< a recent file was picked
     std::optional<Command> command;
     std::optional<std::string> export_path;  ///< of the file for what the export page wishes
+    std::optional<std::string> show_file;    ///< the folder of this file is to be opened
     bool copy_picture = false;               ///< to the clipboard, in the size of the screen
     bool stop_export = false;                ///< gives up what is being saved
     std::optional<PictureClick> click;

@@ -23,18 +23,18 @@ void follow_arrows(Question& question) {
         question.marked = (question.marked + count - 1) % count;
 }
 
-/// Chooses an answer by key: Enter and Space the marked one, Escape the last, a letter the answer
-/// that begins with it.
+/// Chooses an answer by key: Enter the marked one, Escape the last, a letter the answer that begins
+/// with it. No letter and no Space choose the first one, such as to save: they may be of a text
+/// that was being typed.
 void follow_keys(Question& question) {
     follow_arrows(question);
-    for (std::size_t i = 0; i < question.answers.size(); ++i) {
+    for (std::size_t i = 1; i < question.answers.size(); ++i) {
         const char first = question.answers[i].front();
         if (is_typed(static_cast<char>(first - 'A' + 'a'))) question.chosen = i;
     }
-    if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter) ||
-        is_pressed_once(ImGuiKey_Space)) {
+    const bool space = is_pressed_once(ImGuiKey_Space) && question.marked > 0;
+    if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter) || space)
         question.chosen = question.marked;
-    }
     if (is_pressed_once(ImGuiKey_Escape)) question.chosen = question.answers.size() - 1;
 }
 

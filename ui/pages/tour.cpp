@@ -2,6 +2,7 @@
 #include "ui/actions/actions.hpp"
 #include "ui/pages/pages_drawn.hpp"
 #include "ui/style/fonts.hpp"
+#include "ui/style/keys.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 
@@ -127,6 +128,15 @@ void end_tour(UiState& state) {
     state.edited.tour_seen = true;
 }
 
+/// Shows the next step; after the last one the tour ends.
+void go_on(UiState& state, std::size_t step) {
+    if (step + 1 == tour_steps) {
+        end_tour(state);
+    } else {
+        state.pages.tour.step = step + 1;
+    }
+}
+
 /// Draws the buttons that go through the tour, right-aligned.
 void draw_buttons(UiState& state, std::size_t step) {
     const bool last = step + 1 == tour_steps;
@@ -148,13 +158,7 @@ void draw_buttons(UiState& state, std::size_t step) {
     }
     const Palette& colors = palette(state.edited.theme);
     ImGui::PushStyleColor(ImGuiCol_Button, colors.selection);
-    if (ImGui::Button(next)) {
-        if (last) {
-            end_tour(state);
-        } else {
-            state.pages.tour.step = step + 1;
-        }
-    }
+    if (ImGui::Button(next)) go_on(state, step);
     ImGui::PopStyleColor();
 }
 
@@ -199,6 +203,8 @@ void draw_card(UiState& state, std::size_t step, const ImVec2& at, float width) 
 void follow_tour_keys(UiState& state) {
     const bool is_for_others = is_covered(state.pages) || state.input.handle_drag.has_value();
     if (!state.pages.tour.step || is_for_others) return;
+    const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
+    if (enter && !ImGui::GetIO().WantTextInput) return go_on(state, *state.pages.tour.step);
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;
     end_tour(state);

@@ -1,9 +1,12 @@
+#include "engine/annotate/legend.hpp"
 #include "engine/base/text.hpp"
 #include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/panels/sections.hpp"
+#include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/widgets/slider_row.hpp"
 
 #include <imgui/imgui.h>
@@ -12,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace zeroset::ui {
 namespace {
@@ -30,6 +34,40 @@ void draw_d_stop(StopCriterion& stop) {
                                                       : nullptr;
     if (draw_integer_slider("##d_stop", depth, min_d_stop, max_d_stop, rule)) {
         stop = {.rule = StopRule::DStop, .value = static_cast<double>(depth)};
+    }
+}
+
+void draw_undecided(Document& document, Theme theme) {
+    ImGui::Checkbox(labelled(tr("Mark undecided"), "###undecided").c_str(),
+                    &document.mark_undecided);
+    draw_tooltip(tr(
+        "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
+        "place where f jumps or ends. A larger d_stop decides more of them."));
+    const float space = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
+    const std::string jumps = labelled(tr("Jumps"), "###jumps");
+    if (ImGui::CalcTextSize(jumps.c_str(), nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <=
+        space) {
+        ImGui::SameLine(0.0F, em(1.2F));
+        ImGui::Checkbox(jumps.c_str(), &document.jumps);
+        draw_tooltip(
+            tr("Draw also where f changes its sign in a jump, as floor and if make it, without "
+               "a root."));
+    }
+    if (!document.mark_undecided) return;
+    constexpr std::array marks{
+        std::pair(PixelMark::UndecidedDrawn, marked("something is drawn there")),
+        std::pair(PixelMark::UndecidedNotDrawn, marked("nothing is drawn there")),
+        std::pair(PixelMark::Coarse, marked("certified in a coarse bracket"))};
+    const CardStyle style = card_style(theme);
+    const float size = ImGui::GetTextLineHeight();
+    for (const auto& [mark, words] : marks) {
+        ImGui::Dummy(ImVec2(em(1.6F), size));
+        ImGui::SameLine(0.0F, 0.0F);
+        draw_shapes(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(),
+                    swatch_shapes({0.0, 0.0}, static_cast<double>(size), mark, style));
+        ImGui::Dummy(ImVec2(size, size));
+        ImGui::SameLine(0.0F, em(0.5F));
+        ImGui::TextDisabled("%s", tr(words));
     }
 }
 
@@ -78,13 +116,16 @@ std::string frame_time(double ms) {
     return localized(text.data());
 }
 
-float details_section_height(const Shown& shown) {
-    const float lines = !has_figures(shown) ? 0.0F : shown.figures.counts.jumps > 0 ? 5.0F : 4.0F;
-    return ImGui::GetFrameHeightWithSpacing() + lines * ImGui::GetTextLineHeightWithSpacing();
+float details_section_height(const Document& document, const Shown& shown) {
+    const float figures = !has_figures(shown) ? 0.0F : shown.figures.counts.jumps > 0 ? 5.0F : 4.0F;
+    const float lines = figures + (document.mark_undecided ? 3.0F : 0.0F);
+    return 2.0F * ImGui::GetFrameHeightWithSpacing() +
+           lines * ImGui::GetTextLineHeightWithSpacing();
 }
 
-void draw_details_section(StopCriterion& stop, const Shown& shown) {
-    draw_d_stop(stop);
+void draw_details_section(Edited& edited, const Shown& shown) {
+    draw_d_stop(edited.document.stop);
+    draw_undecided(edited.document, edited.theme);
     if (!has_figures(shown)) return;
     const PictureFigures& figures = shown.figures;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));

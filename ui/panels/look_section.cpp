@@ -135,52 +135,16 @@ void draw_lines(LineChoice& lines, const Shown& shown, const Palette& colors) {
         draw_expression("##contour_expression", lines.expression, error, colors);
 }
 
-void draw_undecided(Document& document, Theme theme) {
-    ImGui::Checkbox(labelled(tr("Mark undecided"), "###undecided").c_str(),
-                    &document.mark_undecided);
-    draw_tooltip(tr(
-        "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
-        "place where f jumps or ends. A larger d_stop decides more of them."));
-    const float space = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
-    const std::string jumps = labelled(tr("Jumps"), "###jumps");
-    if (ImGui::CalcTextSize(jumps.c_str(), nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <=
-        space) {
-        ImGui::SameLine(0.0F, em(1.2F));
-        ImGui::Checkbox(jumps.c_str(), &document.jumps);
-        draw_tooltip(
-            tr("Draw also where f changes its sign in a jump, as floor and if make it, without "
-               "a root."));
-    }
-    if (!document.mark_undecided) return;
-    constexpr std::array marks{
-        std::pair(PixelMark::UndecidedDrawn, marked("something is drawn there")),
-        std::pair(PixelMark::UndecidedNotDrawn, marked("nothing is drawn there")),
-        std::pair(PixelMark::Coarse, marked("certified in a coarse bracket"))};
-    const CardStyle style = card_style(theme);
-    const float size = ImGui::GetTextLineHeight();
-    for (const auto& [mark, words] : marks) {
-        ImGui::Dummy(ImVec2(em(1.6F), size));
-        ImGui::SameLine(0.0F, 0.0F);
-        draw_shapes(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(),
-                    swatch_shapes({0.0, 0.0}, static_cast<double>(size), mark, style));
-        ImGui::Dummy(ImVec2(size, size));
-        ImGui::SameLine(0.0F, em(0.5F));
-        ImGui::TextDisabled("%s", tr(words));
-    }
-}
-
 }  // namespace
 
 float look_section_height(const Document& document, const ReadingFacts& reading) {
     const ColorChoice& coloring = document.coloring;
-    float rows = coloring.lines.contours == Contours::None ? 3.0F : 4.0F;
+    float rows = coloring.lines.contours == Contours::None ? 2.0F : 3.0F;
     if (coloring.lines.contours == Contours::Expression)
         rows += reading.contour_error.empty() ? 1.0F : 2.0F;
     if (coloring.by == ColorBy::Expression) rows += reading.color_error.empty() ? 1.0F : 2.0F;
     if (has_range(coloring.by)) rows += 2.0F;
-    const float lines = document.mark_undecided ? 3.0F : 0.0F;
-    return rows * ImGui::GetFrameHeightWithSpacing() +
-           lines * ImGui::GetTextLineHeightWithSpacing();
+    return rows * ImGui::GetFrameHeightWithSpacing();
 }
 
 void draw_look_section(Edited& edited, const Shown& shown) {
@@ -195,7 +159,6 @@ void draw_look_section(Edited& edited, const Shown& shown) {
         draw_range(coloring, shown.picture.legend);
     }
     draw_lines(coloring.lines, shown, palette(edited.theme));
-    draw_undecided(edited.document, edited.theme);
 }
 
 }  // namespace zeroset::ui

@@ -31,10 +31,11 @@ float clip_section_height(const Edited& edited);
 /// Returns `box` scaled about its centre so that its longest edge is 2 * half.
 Box resized(const Box& box, double half);
 
-/// The search depth, and the figures of the last full picture: its time and size, how many pixels
-/// are certified and how many undecided, how wide the view is and in what precision it was traced.
-void draw_details_section(StopCriterion& stop, const Shown& shown);
-float details_section_height(const Shown& shown);
+/// The search depth, marks of what is not proved, and the figures of the last full picture: its
+/// time and size, how many pixels are certified and how many undecided, how wide the view is and in
+/// what precision it was traced.
+void draw_details_section(Edited& edited, const Shown& shown);
+float details_section_height(const Document& document, const Shown& shown);
 
 /// True where so many pixels are undecided that a person who looks at the picture should know.
 bool many_undecided(const PictureFigures& figures);
@@ -50,7 +51,7 @@ void draw_light_section(UiState& state);
 float light_section_height(const Document& document);
 
 /// Draws the settings of surface colours: the coloured quantity, colour map, range, contour
-/// lines, and marks of undecided pixels. Edits the document's `coloring` and `mark_undecided`.
+/// lines. Edits the document's `coloring`.
 void draw_look_section(Edited& edited, const Shown& shown);
 float look_section_height(const Document& document, const ReadingFacts& reading);
 
@@ -61,13 +62,12 @@ float look_section_height(const Document& document, const ReadingFacts& reading)
 void draw_marker_section(UiState& state);
 float marker_section_height(const UiState& state);
 
-/// Draws the settings of space: axes, clip box and grid, views along the axes, the up direction and
-/// how dragging turns the view.
+/// Draws how one moves: the up direction, how dragging turns the view, what the wheel does.
 void draw_space_section(UiState& state);
 float space_section_height();
 
-/// Draws the settings of the view: search depth, projection, shadows, first view and theme. Edits
-/// the document's `stop`, `camera`, `shadows` and `antialias`, and `theme` and `reset_view`.
+/// Draws what most people set: axes, box, grid and names, views along the axes, smooth edges,
+/// shadows, perspective, first view and theme.
 void draw_view_section(UiState& state);
 float view_section_height();
 

@@ -136,7 +136,7 @@ constexpr std::array<FoldedSection, 9> sections{
       .open = &Layout::clip_open,
       .draw = [](UiState& state) { draw_clip_section(state.edited, state.shown, state.wishes); },
       .height = [](const UiState& state) { return clip_section_height(state.edited); }},
-     {.title = "Space",
+     {.title = "Navigation",
       .id = "##space",
       .open = &Layout::space_open,
       .draw = draw_space_section,
@@ -149,9 +149,12 @@ constexpr std::array<FoldedSection, 9> sections{
      {.title = "Details",
       .id = "##details",
       .open = &Layout::details_open,
-      .draw = [](UiState& state) { draw_details_section(state.edited.document.stop, state.shown); },
-      .height = [](const UiState& state) { return details_section_height(state.shown); }},
-     {.title = "Advanced",
+      .draw = [](UiState& state) { draw_details_section(state.edited, state.shown); },
+      .height =
+          [](const UiState& state) {
+              return details_section_height(state.edited.document, state.shown);
+          }},
+     {.title = "Expert",
       .id = "##advanced",
       .open = &Layout::advanced_open,
       .draw = draw_advanced_section,
@@ -159,16 +162,6 @@ constexpr std::array<FoldedSection, 9> sections{
 
 /// Keeps ImGui's marks of where the keyboard is in one order with those of the whole panel.
 constexpr ImGuiWindowFlags part_flags = ImGuiWindowFlags_NavFlattened;
-
-float sections_height(const UiState& state) {
-    const float gap = ImGui::GetStyle().ItemSpacing.y;
-    float height = 0.0F;
-    for (const FoldedSection& section : sections) {
-        height += std::ceil(em(1.9F)) + 2.0F * gap;
-        if (state.edited.layout.*section.open) height += section.height(state) + gap;
-    }
-    return height;
-}
 
 void draw_below(UiState& state) {
     for (const FoldedSection& section : sections) {
@@ -203,14 +196,12 @@ void draw_folded(UiState& state) {
     ImGui::PopStyleVar(2);
 }
 
-/// Draws the list of statements and the sections below it, which scroll together. Where there is
-/// room for all of it, the sections are at the bottom.
+/// Draws the list of statements and the sections below it, which scroll together. The sections hang
+/// from the list, so that the title of one that opens stays under the pointer.
 void draw_sections(UiState& state) {
     ImGui::BeginChild("##list", ImVec2(0.0F, 0.0F), false, part_flags);
-    const float space = ImGui::GetContentRegionAvail().y;
     draw_statement_list(state);
-    const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPosY(std::max(top, std::floor(space - sections_height(state))));
+    ImGui::Dummy(ImVec2(0.0F, em(0.6F)));
     draw_below(state);
     draw_scroll_fade(palette(state.edited.theme).bar);
     ImGui::EndChild();

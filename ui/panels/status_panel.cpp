@@ -3,6 +3,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sections.hpp"
 #include "ui/style/fonts.hpp"
+#include "ui/style/label.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/bar.hpp"
@@ -27,11 +28,11 @@ constexpr const char* keys_hint = marked(
     "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset "
     " \xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit");
 
-/// Adds text to the line, unless the window is too narrow for it.
+/// Adds text to the line, unless that is too narrow for it.
 void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const bool first = ImGui::GetCursorPosX() <= style.WindowPadding.x;
-    const float space = ImGui::GetWindowWidth() - style.WindowPadding.x - ImGui::GetCursorPosX();
+    const float space = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
     const std::string before = first ? "" : between;
     if (ImGui::CalcTextSize((before + text).c_str()).x > space && !first) return;
     ImGui::TextDisabled("%s", before.c_str());
@@ -97,28 +98,42 @@ void draw_pointed(const PointedFacts& pointed, const std::vector<Statement>& row
     add_text(colors.quiet, small_number("f = %.2g", facts.f));
 }
 
-/// Draws note and news, then facts of the point under the pointer or, without one, of the picture.
+/// Draws facts of the point under the pointer or, without one, of the picture.
 void draw_known(const Shown& shown, const std::vector<Statement>& rows, const Palette& colors) {
-    const StatusTexts& status = shown.status;
-    if (!status.note.empty()) add_text(colors.warning, status.note);
-    if (!status.done.empty()) add_text(colors.accent, status.done);
     if (shown.pointed) {
         draw_pointed(*shown.pointed, rows, colors);
     } else if (!shown.figures.hidden) {
         draw_figures(shown.figures, colors);
     }
-    if (shown.picture.tracing && status.doing.empty()) {
+    if (shown.picture.tracing && shown.status.doing.empty()) {
         add_text(colors.accent, tr("tracing\xE2\x80\xA6"));
     }
 }
 
-void draw_keys_hint() {
-    const char* const hint = tr(keys_hint);
-    const float width = ImGui::CalcTextSize(hint).x;
-    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - width;
-    if (right < ImGui::GetCursorPosX() + em(2.0F)) return;
-    ImGui::SetCursorPosX(right);
-    ImGui::TextDisabled("%s", hint);
+/// The text at the line's right end, apart from the facts: what is going on, or not as it should
+/// be; else the keys.
+struct RightText {
+    std::string text;
+    std::uint32_t color;
+    bool matters = true;
+};
+
+RightText right_text(const StatusTexts& status, const Palette& colors) {
+    if (!status.doing.empty()) return {.text = status.doing, .color = colors.accent};
+    if (!status.note.empty()) return {.text = status.note, .color = colors.warning};
+    return {.text = tr(keys_hint), .color = colors.quiet, .matters = false};
+}
+
+/// Draws the text where there is room beside what stands at the left, which ends at `left`.
+void draw_right(const RightText& right, float left) {
+    const float padding = ImGui::GetStyle().WindowPadding.x;
+    const float space = ImGui::GetWindowWidth() - padding - left;
+    const float width = ImGui::CalcTextSize(right.text.c_str()).x;
+    if (width > space && !right.matters) return;
+    ImGui::SetCursorPosX(std::max(ImGui::GetWindowWidth() - padding - width, left));
+    ImGui::PushStyleColor(ImGuiCol_Text, right.color);
+    draw_elided(right.text, space);
+    ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -133,10 +148,11 @@ void draw_status_panel(const Edited& edited, const Shown& shown) {
     if (begin_bar("##status", colors, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav)) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
-        if (!shown.status.doing.empty()) add_text(colors.accent, shown.status.doing);
+        const RightText right = right_text(shown.status, colors);
         // Figures of a dimmed picture do not describe the text in the rows.
-        if (shown.picture.dimmed == 0.0F) draw_known(shown, edited.document.statements, colors);
-        draw_keys_hint();
+        const bool known = shown.picture.dimmed == 0.0F;
+        if (known) draw_known(shown, edited.document.statements, colors);
+        draw_right(right, ImGui::GetCursorPosX() + (known ? em(2.0F) : 0.0F));
         ImGui::PopFont();
     }
     end_bar(Edge::Top, colors);

@@ -9,9 +9,12 @@
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -45,6 +48,23 @@ void take_example(UiState& state, const Example& example) {
     state.wishes.focus = RowFocus{.row = first.id, .caret = RowFocus::Caret::End};
 }
 
+/// Draws the files used last, to go on with.
+void draw_recent(UiState& state, float width) {
+    constexpr std::size_t most = 3;
+    const std::vector<std::string>& recent = state.shown.document.recent;
+    if (recent.empty()) return;
+    ImGui::TextDisabled("%s", tr("Or go on with a recent file:"));
+    for (std::size_t i = 0; i < std::min(recent.size(), most); ++i) {
+        const std::string name = std::filesystem::path(recent[i]).filename().string();
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Button((elided(name, width - em(1.5F)) + "###recent").c_str(),
+                          ImVec2(width, 0.0F)))
+            state.wishes.open_path = recent[i];
+        draw_tooltip(recent[i]);
+        ImGui::PopID();
+    }
+}
+
 void draw_examples(UiState& state, float width) {
     ImGui::TextWrapped("%s", tr("Type an equation at the left, or begin with one of these."));
     for (const Example& example : all_examples) {
@@ -59,6 +79,7 @@ void draw_examples(UiState& state, float width) {
     }
     const Action& gallery = action_named("Gallery");
     if (ImGui::Button(described(gallery).c_str(), ImVec2(width, 0.0F))) gallery.run(state);
+    draw_recent(state, width);
 }
 
 void show_all(UiState& state) {
@@ -102,20 +123,38 @@ void draw_contents(UiState& state, Emptiness why, float width) {
     }
 }
 
-/// Draws what framing has found, until the next press of a button.
-void draw_framed(const std::string& text, const PictureArea& area) {
+/// The picture's part beside the page of exports, where that leaves enough of it.
+PictureArea free_part(PictureArea area) {
+    const ImGuiWindow* const page = ImGui::FindWindowByID(ImHashStr("###export"));
+    if (page == nullptr || !page->WasActive) return area;
+    if (page->Pos.x - area.lo.x >= em(least_for_notice_em)) area.hi.x = page->Pos.x;
+    return area;
+}
+
+void draw_news_text(const std::string& text, float width) {
     if (text.empty()) return;
+    const float needed = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::min(needed + 1.0F, width));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+/// Draws for some seconds what was done, and found by framing.
+void draw_news(UiState& state) {
+    const StatusTexts& status = state.shown.status;
+    if (status.done.empty() && status.framed.empty()) return;
+    const PictureArea area = free_part(viewport_area(state.edited.layout));
     const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;
-    const float width = area.hi.x - area.lo.x - em(2.0F) - padding;
+    const float width = std::max(area.hi.x - area.lo.x - em(2.0F) - padding, em(8.0F));
     ImGui::SetNextWindowPos(ImVec2(0.5F * (area.lo.x + area.hi.x), area.hi.y - em(0.8F)),
                             ImGuiCond_Always, ImVec2(0.5F, 1.0F));
-    ImGui::SetNextWindowBgAlpha(0.9F);
-    if (ImGui::Begin("##framed", nullptr, flags | ImGuiWindowFlags_NoInputs)) {
-        put_under_pages();
-        const float needed = ImGui::CalcTextSize(text.c_str()).x;
-        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::min(needed + 1.0F, width));
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopTextWrapPos();
+    ImGui::SetNextWindowBgAlpha(0.95F);
+    const bool clicks = !status.saved.empty();
+    if (ImGui::Begin("##news", nullptr, clicks ? flags : flags | ImGuiWindowFlags_NoInputs)) {
+        if (!clicks) put_under_pages();
+        draw_news_text(status.done, width);
+        draw_news_text(status.framed, width);
+        if (clicks && ImGui::Button(tr("Show in folder"))) state.wishes.show_file = status.saved;
     }
     ImGui::End();
 }
@@ -143,10 +182,10 @@ Emptiness emptiness_of(const UiState& state) {
 }
 
 void draw_view_notice(UiState& state) {
+    draw_news(state);
     const PictureArea area = viewport_area(state.edited.layout);
     const float space = area.hi.x - area.lo.x;
     if (space < em(least_for_notice_em)) return;
-    draw_framed(state.shown.status.framed, area);
     const Emptiness why = emptiness_of(state);
     if (why == Emptiness::None) return;
     const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;

@@ -25,8 +25,8 @@ struct Example {
 std::span<const Example> examples();
 
 /// Says over an empty picture why it is so, with what leads on: examples and the gallery, all
-/// surfaces shown, the view on the surfaces, the usual box. Then what framing has found, at the
-/// picture's lower edge.
+/// surfaces shown, the view on the surfaces, the usual box. Then what was done and found by
+/// framing, at the picture's lower edge, and a button that shows a file that was saved.
 void draw_view_notice(UiState& state);
 
 }  // namespace zeroset::ui

@@ -79,7 +79,7 @@ TEST_F(Exports, WriteAFilm) {
 }
 
 TEST_F(Exports, WriteMeshesAndDrawings) {
-    const ui::MeshExport wish{.tolerance = 0.05};
+    const ui::MeshExport wish{.tolerance_mm = 1.25};
     const auto meshes = make_meshes(ball_, wish, news_);
     ASSERT_TRUE(meshes) << meshes.error();
     const auto outcome = mesh_work(ball_, wish, folder_ / "a.stl", *meshes)(news_);
@@ -95,7 +95,7 @@ TEST_F(Exports, SayWhatIsWrongAndLeaveNothing) {
               "the picture was not saved: type a name that ends in .png, .jpg, .webp, .tif, .exr, "
               ".bmp, .tga or .hdr; .stl is written by `zeroset mesh`");
     EXPECT_FALSE(film_work(ball_, {}, folder_ / "a.xyz")(news_));
-    EXPECT_FALSE(mesh_work(ball_, {.tolerance = 0.1}, folder_ / "a.xyz", nullptr)(news_));
+    EXPECT_FALSE(mesh_work(ball_, {.tolerance_mm = 2.5}, folder_ / "a.xyz", nullptr)(news_));
     EXPECT_FALSE(drawing_work(ball_, {}, folder_ / "a.xyz", nullptr)(news_));
     EXPECT_FALSE(picture_work(ball_, {}, folder_ / "none" / "a.png")(news_));
     EXPECT_EQ(files(), 0U);
@@ -132,7 +132,7 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     PreviewRequest request;
     request.subject = ball_;
     request.wish.kind = ExportKind::Mesh;
-    request.wish.mesh.tolerance = 0.05;
+    request.wish.mesh.tolerance_mm = 1.25;
     request.camera = *ball_.document.camera;
     request.space_px = {60, 40};
     const Preview first = make_preview(request, std::nullopt, news_);
@@ -148,7 +148,7 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     const Preview second = make_preview(request, first, news_);
     EXPECT_EQ(second.meshes, first.meshes);
     EXPECT_NE(second.image->pixels, first.image->pixels);
-    request.wish.mesh.tolerance = 0.1;
+    request.wish.mesh.tolerance_mm = 2.5;
     EXPECT_NE(make_preview(request, second, news_).meshes, first.meshes);
 }
 

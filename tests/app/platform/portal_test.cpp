@@ -15,6 +15,8 @@ namespace {
 TEST(Portal, FindsThePathInAUri) {
     EXPECT_EQ(path_of_uri("file:///home/a/b.json"), "/home/a/b.json");
     EXPECT_EQ(path_of_uri("file:///a%20b%C3%A9%25"), "/a b\u00e9%");
+    EXPECT_EQ(uri_of_path("/a b\u00e9%"), "file:///a%20b%C3%A9%25");
+    EXPECT_EQ(path_of_uri(uri_of_path("/home/a_b/c-1.png")), "/home/a_b/c-1.png");
     EXPECT_EQ(path_of_uri("file://host/a"), "/a");
     for (const char* wrong : {"", "/a", "http://a/b", "file://", "file:///%", "file:///%2",
                               "file:///%2x", "file:///%00"}) {

@@ -165,6 +165,7 @@ TEST(SmallestWall, OfABoxIsItsShortestEdge) {
     const auto wall = smallest_wall(box({1, 0.125, 3}), {});
     ASSERT_TRUE(wall);
     EXPECT_NEAR(wall->thickness, 0.25, 1e-12);
+    EXPECT_NEAR(wall->but_for_rims.value_or(0.0), 0.25, 1e-12);
     EXPECT_NEAR(wall->at.y, 0, 1e-12);
     EXPECT_EQ(wall->places, 48U);
 }

@@ -99,6 +99,11 @@ TEST_P(ExportPages, OpenAndCloseByTheirKeys) {
     draw();
     EXPECT_TRUE(is_shown());
     EXPECT_EQ(page().wish.kind, ExportKind::Picture);
+    state_.wishes.focus = RowFocus{.row = 1};
+    draw();
+    press(GLFW_KEY_ESCAPE);
+    draw();
+    EXPECT_TRUE(is_shown()) << "the field is left first";
     press(GLFW_KEY_ESCAPE);
     draw();
     EXPECT_FALSE(is_shown());

@@ -55,6 +55,14 @@ TEST_P(TourOfTheWindow, GoesThroughItsStepsAndEnds) {
     EXPECT_TRUE(state_.edited.tour_seen);
 }
 
+TEST_P(TourOfTheWindow, GoesOnByEnter) {
+    for (std::size_t i = 0; i < tour_steps; ++i) {
+        EXPECT_EQ(step(), i);
+        press(GLFW_KEY_ENTER);
+    }
+    EXPECT_EQ(step(), std::nullopt);
+}
+
 TEST_P(TourOfTheWindow, EndsAtEscape) {
     press(GLFW_KEY_ESCAPE);
     draw();

@@ -50,6 +50,18 @@ protected:
     }
 };
 
+TEST_P(Keyboard, PressesInMenusByEnter) {
+    press(GLFW_KEY_TAB);
+    draw_frame();
+    press(GLFW_KEY_SPACE);
+    draw();
+    ASSERT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) << "the document's menu";
+    press(GLFW_KEY_ENTER);
+    draw_frame();
+    EXPECT_EQ(state_.wishes.command, Command::New);
+    EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
+}
+
 TEST_P(Keyboard, WalksThroughAllControls) {
     std::vector<ImGuiID> seen;
     for (int i = 0; i < 40; ++i) {
@@ -62,7 +74,7 @@ TEST_P(Keyboard, WalksThroughAllControls) {
     EXPECT_TRUE(has(ImHashStr("##add", 0, list().ID)));
     EXPECT_TRUE(has(slider()));
     for (const char* const title :
-         {"View", "Look", "Light", "Clip", "Space", "Markers", "Details", "Advanced"})
+         {"View", "Look", "Light", "Clip", "Navigation", "Markers", "Details", "Expert"})
         EXPECT_TRUE(has(ImHashStr(title, 0, list().ID))) << title;
     EXPECT_FALSE(state_.pages.gallery.open) << "walking presses nothing";
     EXPECT_FALSE(state_.edited.layout.folded);

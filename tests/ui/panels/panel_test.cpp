@@ -101,9 +101,10 @@ TEST_P(Panels, ShowTheNoteInTheStatusLine) {
     state_.shown.figures.counts.undecided = 0;
     EXPECT_LE(warnings(draw()).right, 0);
     state_.shown.status.note = "interpreted until its machine code is ready";
-    const Rectangle note = warnings(draw());
-    EXPECT_LT(note.left, px(20)) << "the note comes first";
-    EXPECT_GT(note.right, px(200));
+    const Framebuffer frame = draw();
+    const Rectangle note = warnings(frame);
+    EXPECT_GT(note.right, frame.width - px(40)) << "at the right end, apart from the facts";
+    EXPECT_GT(note.right - note.left, px(150));
 }
 
 TEST_P(Panels, TellOfUndecidedPixelsInTheDetails) {
@@ -183,27 +184,47 @@ TEST_P(Panels, MarkUndecidedPixels) {
 
 TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
     const auto legend = [this](const Framebuffer& frame) {
-        return count(frame, colors().undecided, section("look")->ParentWindow->Rect());
+        return count(frame, colors().undecided, section("details")->ParentWindow->Rect());
     };
     state_.edited.layout.view_open = false;
-    state_.edited.layout.look_open = true;
+    state_.edited.layout.details_open = true;
     EXPECT_EQ(legend(draw()), 0);
-    click_at(section_line("look", 2));
+    click_at(section_line("details", 1));
     EXPECT_TRUE(state_.edited.document.mark_undecided);
     OffscreenWindow::point({-1, -1}, false);
-    section_line("look", 3);
+    section_line("details", 2);
     EXPECT_GT(legend(draw()), px(8) * px(8));
 }
 
 TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     draw();
-    click_at(section_line("view", 1));
-    EXPECT_TRUE(state_.edited.document.shadows);
-    EXPECT_EQ(state_.edited.document.antialias, Antialias::Beams);
-    click_at(section_line("view", 1) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
+    click_at(section_line("view", 3));
+    EXPECT_FALSE(state_.edited.document.shadows);
+    EXPECT_EQ(state_.edited.document.antialias, Antialias::None);
+    EXPECT_FALSE(state_.edited.layout.smooth_edges);
+    click_at(section_line("view", 3) + glm::vec2(10.0F * ImGui::GetFontSize(), 0.0F));
     EXPECT_TRUE(state_.edited.document.shadows);
     EXPECT_EQ(state_.edited.document.antialias, Antialias::None);
     EXPECT_FALSE(state_.edited.layout.smooth_edges);
+}
+
+TEST_P(Panels, KeepTheTitleOfASectionThatOpensUnderThePointer) {
+    state_.edited.layout.view_open = false;
+    draw();
+    ImGuiWindow* const list = const_cast<ImGuiWindow*>(child("##side/##list_"));
+    const float row = ImGui::GetFrameHeight();
+    const glm::vec2 title(list->Pos.x + row, list->Pos.y + 5.0F * row);
+    const auto open_ones = [this] {
+        const Layout& layout = state_.edited.layout;
+        return static_cast<int>(layout.view_open) + static_cast<int>(layout.camera_open) +
+               static_cast<int>(layout.look_open);
+    };
+    click_at(title);
+    draw();
+    EXPECT_EQ(open_ones(), 1);
+    click_at(title);
+    draw();
+    EXPECT_EQ(open_ones(), 0) << "the same title was met again";
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),

@@ -124,13 +124,39 @@ TEST_P(ViewNotice, HasExamplesThatCanBeRead) {
     }
 }
 
+TEST_P(ViewNotice, GoesOnWithARecentFile) {
+    set_rows(state_, {""});
+    settle();
+    const float without = child("##notice")->Size.y;
+    state_.shown.document.recent = {"/home/ann/torus.zeroset.json"};
+    settle();
+    EXPECT_GT(child("##notice")->Size.y, without);
+    const ImRect notice = child("##notice")->Rect();
+    click_at({notice.GetCenter().x, notice.Max.y - static_cast<float>(px(20))});
+    EXPECT_EQ(state_.wishes.open_path, "/home/ann/torus.zeroset.json");
+}
+
 TEST_P(ViewNotice, SaysWhatFramingFound) {
     settle();
-    EXPECT_EQ(child("##framed"), nullptr);
+    EXPECT_EQ(child("##news"), nullptr);
     state_.shown.status.framed = "framed the whole surface: clip box x 7.9 to 10.1";
     settle();
-    ASSERT_NE(child("##framed"), nullptr);
-    EXPECT_GE(child("##framed")->Pos.x, side_panel_width(state_.edited.layout));
+    ASSERT_NE(child("##news"), nullptr);
+    EXPECT_GE(child("##news")->Pos.x, side_panel_width(state_.edited.layout));
+}
+
+TEST_P(ViewNotice, ShowsASavedFile) {
+    state_.shown.status.done = "saved a.png";
+    settle();
+    const ImRect without = child("##news")->Rect();
+    click_at({without.GetCenter().x, without.Max.y - static_cast<float>(px(14))});
+    EXPECT_FALSE(state_.wishes.show_file);
+    state_.shown.status.saved = "/home/ann/a.png";
+    settle();
+    const ImRect with = child("##news")->Rect();
+    EXPECT_GT(with.GetHeight(), without.GetHeight());
+    click_at({with.Min.x + static_cast<float>(px(24)), with.Max.y - static_cast<float>(px(20))});
+    EXPECT_EQ(state_.wishes.show_file, "/home/ann/a.png");
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, ViewNotice, testing::ValuesIn(different_looks()),
