@@ -190,7 +190,7 @@ Scene scene_of(const PictureRequest& request) {
 RenderRequest render_request(const PictureRequest& request) {
     RenderRequest frame;
     frame.scene = scene_of(request);
-    frame.camera = request.camera.in_drawn_world();
+    frame.camera = request.camera;
     frame.settings = request.settings;
     frame.width = request.size_px.x;
     frame.height = request.size_px.y;

@@ -125,6 +125,8 @@ TEST(Stretch, FramesACameraOfAnotherOne) {
 
 TEST(Stretch, ProbesTellTypedNumbers) {
     const PictureRequest request = request_of(high("z = 70 (x^2 - y^2)"));
+    // Axes and markers over the picture are projected by its camera.
+    EXPECT_EQ(render_request(request).camera.stretch, flat);
     const Framebuffer frame = picture_of(request);
     const auto formulas = typed_formulas(*request.formula->program, request.formula.get(), {0});
     const Uniforms uniforms = uniforms_of(request);
