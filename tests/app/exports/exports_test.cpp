@@ -139,9 +139,11 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     ASSERT_NE(first.meshes, nullptr);
     // 100 mm across; the triangles cut off a little on both sides.
     EXPECT_TRUE(std::ranges::any_of(first.shown.facts, [](const std::string& fact) {
-        return fact.starts_with("smallest wall 9") && fact.ends_with(" mm, as measured");
+        return fact.starts_with("thinnest wall 9") && fact.ends_with(" mm, but for rims");
     }));
-    EXPECT_FALSE(first.shown.facts.empty());
+    EXPECT_EQ(first.shown.verdict, "Can be printed: closed on all sides.");
+    EXPECT_TRUE(first.shown.is_good);
+    EXPECT_FALSE(first.shown.facts.empty() || first.shown.details.empty());
     request.camera.eye = {3, 3, 3};
     request.camera.look_at = {0.5, 0, 0};
     request.camera.projection = Projection::Orthographic;
