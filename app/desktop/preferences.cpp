@@ -23,7 +23,7 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The layout's switches, with their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 16> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 17> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"camera_open", &ui::Layout::camera_open},
