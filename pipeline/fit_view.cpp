@@ -159,7 +159,7 @@ std::string fit_by_itself(Document& document, const PictureRequest& request, dou
 }
 
 TimeLimit own_fitting_limit(const std::atomic<bool>* cancel) {
-    constexpr auto most = std::chrono::milliseconds(300);
+    constexpr auto most = std::chrono::seconds(3);  // a few milliseconds for most surfaces
     return {.cancel = cancel, .until = TimeLimit::Clock::now() + most};
 }
 
