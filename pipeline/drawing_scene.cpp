@@ -95,7 +95,7 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                                aspect_of(choice.page), choice.fits_box, limit);
     } else if (choice.fits_itself) {
         result.note = fit_by_itself(document, request_for(document, *prepared, choice.page),
-                                    aspect_of(choice.page), own_fitting_limit(limit.cancel));
+                                    aspect_of(choice.page), own_fitting_limit(limit));
     }
     const PictureRequest request = request_for(document, *prepared, choice.page);
     auto refused = patch_refusal(

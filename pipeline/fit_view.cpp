@@ -158,9 +158,10 @@ std::string fit_by_itself(Document& document, const PictureRequest& request, dou
     return framing->note;
 }
 
-TimeLimit own_fitting_limit(const std::atomic<bool>* cancel) {
+TimeLimit own_fitting_limit(TimeLimit limit) {
     constexpr auto most = std::chrono::seconds(3);  // a few milliseconds for most surfaces
-    return {.cancel = cancel, .until = TimeLimit::Clock::now() + most};
+    limit.until = std::min(limit.until, TimeLimit::Clock::now() + most);
+    return limit;
 }
 
 std::string fit_view(Document& document, const PictureRequest& request, double aspect,

@@ -31,8 +31,8 @@ std::string graph_note(const Box& box);
 std::string fit_by_itself(Document& document, const PictureRequest& request, double aspect,
                           const TimeLimit& limit);
 
-/// The time that fit_by_itself may take of a command that was not asked to fit anything.
-TimeLimit own_fitting_limit(const std::atomic<bool>* cancel);
+/// The part of `limit` that fit_by_itself may take of a command that was not asked to fit anything.
+TimeLimit own_fitting_limit(TimeLimit limit);
 
 /// Makes the document's camera look at all of its surfaces, in a picture of this aspect (width /
 /// height); `fits_box`: and fits the clip box to them. `request`: for a picture of the document.

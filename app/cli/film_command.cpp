@@ -107,15 +107,16 @@ std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
     if (const auto refusal = tracer_refusal(tracer, "--tracer " + tracer, request))
         return std::unexpected(InputError{.reason = *refusal});
     const ViewText& view = filming.command.view;
-    if (!view.fit && job.plan.sweeps.empty() && has_free_view(job.input, view)) {
+    const TimeLimit limit{.cancel = &filming.cancel,
+                          .until = until_after(Clock::now(), job.budget_s)};
+    if (!view.fit && job.plan.sweeps.empty() && job.plan.path.empty() &&
+        has_free_view(job.input, view)) {
         const std::string note =
-            fit_by_itself(document, request, aspect_of(job), own_fitting_limit(&filming.cancel));
+            fit_by_itself(document, request, aspect_of(job), own_fitting_limit(limit));
         if (!note.empty() && !view.quiet) std::cerr << fitted_note(note);
     }
     if (!view.fit) return prepared;
     filming.progress.enter(Progress::Stage::Fitting);
-    const TimeLimit limit{.cancel = &filming.cancel,
-                          .until = until_after(Clock::now(), job.budget_s)};
     filming.note = fit_view(document, request, aspect_of(job), !view.box, limit);
     // A turn finds the distance from which all of it is seen by itself.
     if (job.plan.turn) document.camera.reset();

@@ -111,15 +111,14 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
     auto prepared =
         prepare(plan.document, plan.rows, few ? Preparation::Interpreted : Preparation::Compiled);
     if (!prepared) return prepared.error();
+    if (plan.fits || plan.fits_itself) drawing.progress.enter(Progress::Stage::Fitting);
+    const TimeLimit limit{.cancel = &drawing.cancel, .until = after_share(drawing, fitting_share)};
     if (plan.fits) {
-        drawing.progress.enter(Progress::Stage::Fitting);
-        const TimeLimit limit{.cancel = &drawing.cancel,
-                              .until = after_share(drawing, fitting_share)};
         drawing.picture.note = fit_view(plan.document, request_for(plan, *prepared), plan.aspect(),
                                         plan.fits_box, limit);
     } else if (plan.fits_itself) {
         drawing.picture.note = fit_by_itself(plan.document, request_for(plan, *prepared),
-                                             plan.aspect(), own_fitting_limit(&drawing.cancel));
+                                             plan.aspect(), own_fitting_limit(limit));
     }
     PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);

@@ -289,13 +289,21 @@ void Desktop::show(const FormulaResult& result) {
     });
 }
 
+/// Whether the clip box was chosen by the surfaces.
+bool Desktop::has_own_box(const Document& document) const {
+    return own_box_ && own_box_->row == document.statements.front().id &&
+           own_box_->box == document.clip;
+}
+
 /// Makes the clip box that of a plotting command, unless the person has chosen another one.
 void Desktop::take_asked_box(const Program& program, Document& document) {
     const std::optional<Box> asked = asked_box(program);
     if (asked == asked_box_) return;
-    const bool is_free = document.clip == Box() || document.clip == asked_box_;
+    const bool is_free =
+        document.clip == Box() || document.clip == asked_box_ || has_own_box(document);
     asked_box_ = asked;
     if (!is_free) return;
+    own_box_.reset();
     document.clip = asked.value_or(Box());
     document.camera.reset();
 }

@@ -122,6 +122,7 @@ private:
     void take_formula();
     void show(const FormulaResult& result);
     void take_asked_box(const Program& program, Document& document);
+    [[nodiscard]] bool has_own_box(const Document& document) const;
     void plan_own_fit();
     void follow_surfaces();
     void take_fit(const Framing& framing);
@@ -180,6 +181,7 @@ private:
     std::optional<WholeView> whole_view_;  ///< the last one
     std::optional<OwnBox> own_box_;
     std::optional<double> own_fit_due_s_;  ///< when box and view are to follow the surfaces
+    int own_fit_row_ = 0;                  ///< the first row of the document that it is for
     bool search_is_own_ = false;           ///< the search that runs is for that
     bool fits_itself_;                     ///< the first text's box and view do
     double told_s_ = 0.0;  ///< when news was told last; it leaves some seconds later

@@ -128,6 +128,8 @@ void Desktop::plan_own_fit() {
     const bool had_own = own_box_ && own_box_->row == document.statements.front().id;
     const bool is_free = document.clip == (had_own ? own_box_->box : Box());
     if (asked_box_ || !is_free || state_.edited.read_only) return own_fit_due_s_.reset();
+    const int row = document.statements.front().id;
+    if (row != std::exchange(own_fit_row_, row)) own_fit_due_s_.reset();
     if (is_first) own_fit_due_s_ = now_s();
     if (state_.input.typing_row != 0) own_fit_due_s_ = now_s() + rest_s;
 }
@@ -171,7 +173,7 @@ void Desktop::frame(const Extent& extent) {
     const Framing framing =
         frame_surfaces(state_.edited.document, extent, aspect, std::exchange(fits_box_, true));
     state_.edited.document.clip = framing.document.clip;
-    if (draws_box(framing.document)) note_whole_view(framing.document);
+    if (framing.found && draws_box(framing.document)) note_whole_view(framing.document);
     ui::move_view(state_, *framing.document.camera);
     state_.shown.status.framed = framing.note;
     told_s_ = now_s();

@@ -30,15 +30,15 @@ PictureFeed::PictureFeed(std::function<void()> on_formula, std::function<void()>
 void PictureFeed::read(const Document& document, bool draws_old) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
-    // Rows are read again in another language: their errors and notes are written in it; and when
-    // files may be read otherwise.
+    // Rows are read again in another language: their errors and notes are written in it; when
+    // files may be read otherwise, when they are drawn stretched otherwise, or when what wrong rows
+    // drew goes.
     const std::uint64_t files = document.files ? document.files->version() : 0;
-    const bool told_otherwise = given_.language != language() || given_.files != files ||
-                                given_.source != document.files || (given_.draws_old && !draws_old);
     const glm::dvec3 stretch = stretch_of(document);
-    const bool is_known =
-        sheet == given_.rows && choice == given_.choice && stretch == given_.stretch;
-    if (is_known && !told_otherwise) return;
+    const bool told_otherwise = given_.language != language() || given_.files != files ||
+                                given_.source != document.files || given_.stretch != stretch ||
+                                (given_.draws_old && !draws_old);
+    if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
     if (told_otherwise) answered_ = {};
     given_ = {.rows = sheet,
               .choice = choice,
@@ -55,7 +55,6 @@ std::optional<FormulaResult> PictureFeed::take_reading() {
     if (!result) return std::nullopt;
     answered_ = {.rows = result->sheet,
                  .choice = result->choice,
-                 .stretch = given_.stretch,
                  .language = given_.language,
                  .files = given_.files,
                  .source = given_.source};

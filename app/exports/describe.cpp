@@ -111,7 +111,8 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
         }
         shown.details.push_back(filled(tr("at most {0} mm from the surface, as measured"),
                                        {shown_number(surface.report.deviation * mm, 2)}));
-        shown.details.push_back(of_surface(proof_line(surface.report)));
+        (surface.report.isotopic ? shown.details : shown.warnings)
+            .push_back(of_surface(proof_line(surface.report)));
         for (const std::string& line : limit_lines(surface.report, tr("more time")))
             shown.warnings.push_back(of_surface(line));
     }

@@ -338,12 +338,14 @@ void AxesMaker::add_axes() {
         if (longest == nullptr || rulers.at(k)->px_per_unit() > longest->px_per_unit())
             longest = &*rulers.at(k);
     }
+    const glm::dvec3& scale = view_.camera.stretch;
     const TickStep common = longest != nullptr ? own_step(*longest) : TickStep();
     for (int axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
         if (!rulers.at(k)) continue;
         const auto step_of = [&](const Ruler& ruler) {
-            const bool suits = !view_.of_pi.at(k) && ruler.last(common) > ruler.first(common);
+            const bool suits = !view_.of_pi.at(k) && scale[axis] == scale[longest->axis] &&
+                               ruler.last(common) > ruler.first(common);
             return suits ? common : own_step(ruler);
         };
         if (add_ruler(*rulers.at(k), step_of(*rulers.at(k)))) continue;

@@ -8,7 +8,8 @@ namespace {
 bool sees_face(const Box& box, const ViewFrame& view, int axis, bool upper) {
     constexpr double level = 1e-9;
     if (view.parallel()) return (upper ? -1.0 : 1.0) * view.forward[axis] > level;
-    return upper ? view.eye[axis] > box.hi[axis] : view.eye[axis] < box.lo[axis];
+    const double eye = view.eye[axis] / view.stretch[axis];
+    return upper ? eye > box.hi[axis] : eye < box.lo[axis];
 }
 
 }  // namespace

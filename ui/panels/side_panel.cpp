@@ -222,6 +222,7 @@ void follow_tab() {
 }  // namespace
 
 void draw_side_panel(UiState& state) {
+    if (state.wishes.section != nullptr) state.edited.layout.folded = false;
     if (state.edited.layout.folded) return draw_folded(state);
     const Palette& colors = palette(state.edited.theme);
     const float width = side_panel_width(state.edited.layout);

@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -31,6 +30,7 @@ namespace {
 constexpr float grip_em = 0.9F;
 constexpr float swatch_em = 1.5F;
 constexpr float button_em = 1.5F;
+
 RowEvent event_of(FieldEvent event) {
     switch (event) {
         case FieldEvent::None: return RowEvent::None;

@@ -38,6 +38,7 @@ std::optional<InputError> take_view(const ViewText& view, Document& document) {
         if (!w) return w.error();
         set_value(document.w, *w);
     }
+    if (view.sphere) document.region.ball.emplace();  // read below; nothing is stretched with it
     if (auto error = take_camera(view, document)) return error;
     const Camera camera = camera_of(document);
     const glm::dvec3 eye = camera.eye / camera.stretch;
