@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+
 namespace zeroset {
 
 std::vector<Kernel> typed_formulas(const Program& program, const Formula* formula,
@@ -27,6 +29,7 @@ std::vector<Kernel> typed_formulas(const Program& program, const Formula* formul
 
 PointFacts unstretched(PointFacts facts, const glm::dvec3& stretch) {
     facts.point /= stretch;
+    facts.within /= std::min({stretch.x, stretch.y, stretch.z});  // along any ray
     if (facts.normal != glm::dvec3(0.0)) facts.normal = glm::normalize(stretch * facts.normal);
     return facts;
 }

@@ -23,8 +23,8 @@ namespace zeroset {
 std::vector<Kernel> typed_formulas(const Program& program, const Formula* formula,
                                    const std::vector<std::size_t>& shown);
 
-/// The facts of a pixel in a world that is drawn stretched (Camera), with point and normal in the
-/// formula's.
+/// The facts of a pixel in a world that is drawn stretched (Camera), with point, normal and
+/// `within` in the formula's; the distance from the eye is that of the drawn world.
 PointFacts unstretched(PointFacts facts, const glm::dvec3& stretch);
 
 /// Largest distance of the depths of a frame traced in this precision from the surface, world

@@ -104,6 +104,7 @@ private:
     std::vector<std::uint32_t> put_aside_;  ///< beside a candidate of the batch
     std::uint32_t number_ = 0;              ///< of the batch
     std::vector<std::uint32_t> ring_;
+    std::vector<std::uint32_t> collapsed_ring_;  ///< of the vertex that was collapsed
     std::vector<glm::dvec3> points_;
     std::vector<SolidValue> values_;
 };
@@ -116,6 +117,8 @@ bool TileThinner::is_inner(std::uint32_t v) {
 
 void TileThinner::ask(std::uint32_t v) {
     states_.asked[v] = 1;
+    // Costs depend on all of the ring, which another thread may be changing beyond the tile.
+    if (!is_inner(v)) return;
     states_.costs[v] = thinning_.least_cost(v);
     queue_.push(v, states_.costs[v]);
 }
@@ -187,9 +190,9 @@ void TileThinner::make_batch() {
             states_.asked[from] = 0;
             continue;
         }
-        thinning_.mesh().ring(from, ring_);
+        thinning_.mesh().ring(from, collapsed_ring_);
         thinning_.make(candidate.collapse);
-        for (const std::uint32_t v : ring_)
+        for (const std::uint32_t v : collapsed_ring_)
             ask(v);
     }
 }

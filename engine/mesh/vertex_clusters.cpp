@@ -74,6 +74,13 @@ std::vector<std::uint32_t> VertexClusters::defects(const Set& set) const {
             if (sides.add(t[k], end) < before) found.insert(found.end(), {t[k], end});
         }
     }
+    // A closed piece that is two groups would have no triangle left.
+    for (const Triangle& t : triangles_) {
+        const Triangle r = roots_of(t);
+        const bool lost =
+            std::ranges::any_of(r, [&](std::uint32_t v) { return set[v] != 0 && uses[v] == 0; });
+        if (touches(t, set) && lost) found.insert(found.end(), r.begin(), r.end());
+    }
     // Two triangles back to back are no mesh.
     for (const Triangle& t : left) {
         const bool flat =
