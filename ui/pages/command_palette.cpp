@@ -63,13 +63,15 @@ void add_controls(const UiState& state, std::vector<PaletteLine>& lines) {
     const bool enabled = !state.edited.read_only && !state.edited.layout.presents;
     for (const PanelControl& control : panel_controls()) {
         const bool plain = *control.context == '\0';
-        lines.push_back(
-            {.text = plain ? tr(control.label) : tr_in(control.context, control.label),
-             .hint = filled(tr("in the section {0}"), {tr(control.section)}),
-             .enabled = enabled,
-             .is_control = true,
-             .other_words = in_english_too(tr(control.words), control.label),
-             .run = [open = control.open](UiState& changed) { changed.wishes.section = open; }});
+        lines.push_back({.text = plain ? tr(control.label) : tr_in(control.context, control.label),
+                         .hint = filled(tr("in the section {0}"), {tr(control.section)}),
+                         .enabled = enabled,
+                         .is_control = true,
+                         .other_words = in_english_too(tr(control.words), control.label),
+                         .run = [open = control.open](UiState& changed) {
+                             changed.edited.layout.folded = false;
+                             changed.wishes.section = open;
+                         }});
     }
 }
 
