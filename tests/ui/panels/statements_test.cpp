@@ -33,8 +33,8 @@ TEST_P(Statements, UnfoldTheReadingByAClick) {
     const float folded = field(2).Pos.y;
     const auto click_reading = [&] {
         const ImRect typed = field(1).Rect();
-        click_at({typed.Min.x + static_cast<float>(px(30)),
-                  typed.Max.y + static_cast<float>(px(8))});
+        click_at(
+            {typed.Min.x + static_cast<float>(px(30)), typed.Max.y + static_cast<float>(px(8))});
         draw();
         draw();
     };
