@@ -102,7 +102,8 @@ bool begins_with(std::string_view text, std::string_view typed) {
 /// How close one word comes to a text, both folded; nothing where its letters are scattered.
 std::optional<Closeness> closeness_of(std::string_view text, std::string_view word) {
     std::optional<Closeness> best;
-    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
         const bool begins = at == 0 || !is_part_of_word(text[at - 1]);
         const bool ends = end == text.size() || !is_part_of_word(text[end]);
