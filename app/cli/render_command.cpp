@@ -118,6 +118,7 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     // Depths, certificates and counts are those of the pixels' own rays.
     if (!command.output && !command.trace.aa && !command.trace.antialias)
         plan.document.antialias = Antialias::None;
+    plan.smooths_itself = input->path.empty() && !command.trace.aa && !command.trace.antialias;
     reader.check(check_jumps(plan.document, plan.settings));
     fit_camera(command.view, input->stored, plan.aspect(), plan.document);
     return reader.finish(std::move(plan));
@@ -216,6 +217,9 @@ int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPic
     const RenderPlan& plan = picture.plan;
     if (!picture.note.empty() && plan.fits) std::cerr << "zeroset: --fit: " << picture.note << '\n';
     if (!picture.note.empty() && !plan.fits && !plan.quiet) std::cerr << fitted_note(picture.note);
+    if (picture.left_plain && !plan.quiet)
+        std::cerr << "zeroset: note: edges are plain, as smooth ones take long here; --aa iaa "
+                     "waits for them\n";
     const std::string left = budget_note(picture);
     if (!left.empty()) std::cerr << "zeroset: " << left << '\n';
     print_probes(picture);

@@ -171,6 +171,30 @@ void draw_bands(Drawing& drawing) {
     picture.in_time = !picture.timing.counters.is_cut();
 }
 
+/// Draws the finished picture once more, with smooth edges, and takes it if that does not take
+/// long.
+void smooth_edges(Drawing& drawing, Antialias antialias) {
+    RenderedPicture& picture = drawing.picture;
+    constexpr auto least = std::chrono::seconds(2);
+    constexpr int times_plain = 8;
+    const std::chrono::duration<double, std::milli> plain(picture.timing.median_ms);
+    const auto most = std::max<Clock::duration>(
+        least, std::chrono::duration_cast<Clock::duration>(times_plain * plain));
+    const TimeLimit limit{.cancel = &drawing.cancel,
+                          .until = std::min(drawing.until, Clock::now() + most)};
+    Framebuffer frame = picture.frame;
+    TraceSettings settings = picture.request.settings;
+    settings.antialias = antialias;
+    const FrameTiming timing =
+        time_frames(picture.scene, picture.request.camera, settings, frame,
+                    {.count = 1, .warm_up = false}, [&] { return RenderWatch{.limit = limit}; });
+    picture.left_plain = timing.counters.is_cut();
+    if (picture.left_plain) return;
+    picture.frame = std::move(frame);
+    picture.timing = timing;
+    picture.request.settings = settings;
+}
+
 void draw(Drawing& drawing) {
     RenderedPicture& picture = drawing.picture;
     picture.error = prepare_picture(drawing);
@@ -190,10 +214,15 @@ void draw(Drawing& drawing) {
                                                     static_cast<std::uint64_t>(rect.rows));
                            }};
     };
+    const bool tries = plan.smooths_itself && is_one_frame(plan) &&
+                       picture.request.settings.antialias != Antialias::None;
+    const Antialias smooth = picture.request.settings.antialias;
+    if (tries) picture.request.settings.antialias = Antialias::None;
     picture.timing =
         time_frames(picture.scene, picture.request.camera, picture.request.settings, picture.frame,
                     {.count = plan.repeats, .warm_up = plan.warms_up}, next_watch);
     picture.in_time = !picture.timing.counters.is_cut();
+    if (tries && picture.in_time) smooth_edges(drawing, smooth);
 }
 
 /// Copies what is finished of a picture whose thread is still running.

@@ -35,6 +35,7 @@ struct RenderPlan {
     bool fits = false;                   ///< fits the view to the surfaces
     bool fits_box = false;               ///< `fits` also fits the clip box
     bool fits_itself = false;            ///< fits both where the surfaces need it
+    bool smooths_itself = false;         ///< edges are smooth where that does not take long
     bool quiet = false;                  ///< no note on that
     std::vector<glm::ivec2> probes;      ///< columns and rows
     double budget_s = default_budget_s;  ///< of a picture in bands, for each of them
@@ -50,6 +51,7 @@ struct RenderPlan {
 struct RenderedPicture {
     RenderPlan plan;  ///< the plan after fitting
     std::optional<InputError> error;
+    bool left_plain = false;  ///< smooth edges would have taken long
     std::string note;         ///< on what --fit could not do, or what was fitted; or empty
     PictureRequest request;   ///< without a formula if there was no time to make one
     Scene scene;              ///< the request's scene, with the range of the colours
