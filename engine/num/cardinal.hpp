@@ -9,7 +9,7 @@
 
 // sin(x)/x, sinh(x)/x and atan(x)/x, 1 at 0, over any carrier. Rewritten differences of sines, of
 // exponentials and of angles contain them (engine/rewrite/differences/differences.hpp). All are
-// even and smooth; the bounds of their derivatives are tight near 0, where differences need them.
+// even and smooth.
 
 namespace zeroset {
 
@@ -100,7 +100,7 @@ Real cardinal_slope_at(Cardinal function, const Real& x, const Real& value, cons
     return select(small, x * by_x, (df - value) / x);
 }
 
-/// The numbers in both intervals, of which one at least has no NaN.
+/// The numbers in both intervals; `b` has no NaN.
 template <class Real>
 Interval<Real> common(const Interval<Real>& a, const Interval<Real>& b) {
     return {minimum(a.neg_lo, b.neg_lo), minimum(a.hi, b.hi)};
